@@ -66,10 +66,13 @@ Result<TargetChoice> choose(std::string_view word,
                                   [&](const auto& target) { return target->name == name; });
   if (found == targets.end()) return unknown_target(name, targets);
   const Target& target = **found;
-  if (at == std::string_view::npos) return TargetChoice{*found, target.versions.size() - 1};
+  if (at == std::string_view::npos || word.substr(at) == "@newest") {
+    return TargetChoice{*found, target.versions.size() - 1};
+  }
   const auto wanted = numbers_of(word.substr(at + 1));
   if (!wanted) {
-    return Error{fmt::format("{} is no version", gltfx::quoted(word.substr(at + 1)))};
+    return Error{fmt::format("{} is no version, such as {}, nor 'newest'",
+                             gltfx::quoted(word.substr(at + 1)), target.versions.back().version)};
   }
   const auto version = find_version(target, *wanted);
   if (!version) {

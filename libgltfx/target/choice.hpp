@@ -12,8 +12,9 @@
 
 namespace gltfx::target {
 
-/// "NAME" is the newest measured version of the target, "NAME@VERSION" the newest one that begins
-/// with these numbers, or else the newest one before it. The Error is a clause.
+/// "NAME" and "NAME@newest" are the newest measured version of the target, "NAME@VERSION" the
+/// newest one that begins with these numbers, or else the newest one before it. The Error is a
+/// clause.
 Result<TargetChoice> choose(std::string_view word,
                             std::span<const std::shared_ptr<const Target>> targets);
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Engines that the user names: --target, gltfx.toml, and the matrix of `gltfx targets`.
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,6 +14,7 @@ namespace {
 
 using container::test::content_of;
 using container::test::TempFolder;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
@@ -75,6 +78,29 @@ TEST_F(Targets, WrongWordsAndFilesAreUsageErrors) {
   EXPECT_EQ(run({"validate", "a.gltf", "--target", "three@x"}).code, 2);
   EXPECT_EQ(run({"validate", "a.gltf", "--target", "three", "--target-file", "a.gltf"}).code, 2);
   EXPECT_EQ(run({"validate", "a.gltf", "--target", "three", "--target-file", "none.json"}).code, 2);
+}
+
+TEST_F(Targets, TheNewestVersionByAWord) {
+  const std::string named = run({"targets", "three"}).out;
+  EXPECT_THAT(named, StartsWith("feature "));
+  EXPECT_EQ(run({"targets", "three@newest"}).out, named);
+  EXPECT_EQ(run({"targets", "--target", "three@newest"}).out, named);
+  EXPECT_EQ(run({"targets", "three@0.140", "--target", "three"}).out,
+            run({"targets", "three@0.140", "three"}).out);
+  EXPECT_NE(run({"validate", "a.gltf", "--target", "three@newest"}).code, 2);
+  EXPECT_THAT(run({"targets", "three@newer"}).err, HasSubstr("'newer' is no version"));
+}
+
+TEST_F(Targets, TheMatrixOfAllEnginesFitsAWideTerminal) {
+  const std::string text = run({"targets"}).out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100U) << line;
+  EXPECT_THAT(text, StartsWith(" 1  Assimp 5.2.5 "));
+  EXPECT_THAT(text, ContainsRegex("\n[ 1][0-9]  three.js 0\\.[0-9.]+"));
+  EXPECT_THAT(text, HasSubstr("\nx refused, - ignored, r read, d drawn"));
+  // Of one engine by words, of all by signs: Assimp is the first.
+  EXPECT_THAT(run({"targets", "assimp"}).out, ContainsRegex("\nscene\\.none +refused\n"));
+  EXPECT_THAT(text, ContainsRegex("\nscene\\.none +x "));
 }
 
 TEST_F(Targets, TheMatrixInThreeFormats) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -51,17 +52,21 @@ std::vector<Row> table_of(const std::vector<TargetChoice>& choices) {
   return rows;
 }
 
+const std::string& date_of(const TargetChoice& choice) {
+  return choice.target->versions[choice.version].released;
+}
+
 // A sentence for each version whose date is known.
 std::string dates_of(const std::vector<TargetChoice>& choices) {
   std::string text;
   for (const TargetChoice& choice : choices) {
-    const std::string& date = choice.target->versions[choice.version].released;
-    if (!date.empty()) text += fmt::format("{} was released on {}.\n", choice.label(), date);
+    if (date_of(choice).empty()) continue;
+    text += fmt::format("{} was released on {}.\n", choice.label(), date_of(choice));
   }
   return text;
 }
 
-std::string targets_text(const std::vector<Row>& rows) {
+std::string aligned(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths(rows.front().size());
   for (const Row& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
@@ -73,9 +78,51 @@ std::string targets_text(const std::vector<Row>& rows) {
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + '\n';
   }
-  return text +
-         "\nTwo outcomes: where the extension is used, where it is required. Empty: not "
-         "measured.\n";
+  return text;
+}
+
+constexpr std::string_view kTwo = "where the extension is used, where it is required";
+
+// "ignored, refused" as "-x".
+std::string signs_of(const std::string& cell) {
+  constexpr std::array<std::pair<std::string_view, char>, 5> kSigns{
+      {{"refused", 'x'}, {"ignored", '-'}, {"read", 'r'}, {"drawn", 'd'}, {"-", '.'}}};
+  std::string signs;
+  for (std::size_t at = 0; at < cell.size();) {
+    const std::size_t end = std::min(cell.find(", ", at), cell.size());
+    for (const auto& [word, sign] : kSigns) {
+      if (std::string_view(cell).substr(at, end - at) == word) signs += sign;
+    }
+    at = end + 2;
+  }
+  return signs;
+}
+
+// Many engines are numbers, and their outcomes signs.
+std::string folded(std::vector<Row> rows, const std::vector<TargetChoice>& choices) {
+  std::vector<Row> legend;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const std::string& date = date_of(choices[i]);
+    legend.push_back({fmt::format("{:2}", i + 1), choices[i].label(),
+                      date.empty() ? std::string() : "released on " + date});
+    rows.front()[i + 1] = std::to_string(i + 1);
+  }
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    for (auto field = row->begin() + 1; field != row->end(); ++field) *field = signs_of(*field);
+  }
+  return fmt::format(
+      "{}\nx refused, - ignored, r read, d drawn, . or empty: not measured. Two signs: {}.\n\n{}",
+      aligned(legend), kTwo, aligned(rows));
+}
+
+std::string targets_text(const std::vector<Row>& rows, const std::vector<TargetChoice>& choices) {
+  constexpr std::size_t kWidest = 100;
+  const std::string text = aligned(rows);
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
+    if (text.find('\n', at) - at > kWidest) return folded(rows, choices);
+  }
+  return fmt::format("{}\nTwo outcomes: {}. Empty: not measured.\n{}", text, kTwo,
+                     dates_of(choices));
 }
 
 std::string targets_markdown(const std::vector<Row>& rows) {
@@ -158,7 +205,7 @@ ExitCode run(const TargetsRequest& request) {
   if (request.format == MatrixFormat::json) return print(targets_json(request.choices));
   const std::vector<Row> rows = table_of(request.choices);
   if (request.format == MatrixFormat::markdown) return print(targets_markdown(rows));
-  return print(targets_text(rows) + dates_of(request.choices));
+  return print(targets_text(rows, request.choices));
 }
 
 }  // namespace gltfx::tool

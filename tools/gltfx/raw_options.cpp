@@ -302,6 +302,7 @@ Result<TargetsRequest> request_of(const RawTargetsOptions& words) {
   read_common(reading, words.common, request.common);
   reading.set(request.format, parse_matrix_format(words.format));
   std::vector<std::string> names = words.names;
+  names.insert(names.end(), words.targets.begin(), words.targets.end());
   if (names.empty()) names = target_names(words.target_files);
   reading.set(request.choices, read_targets(names, words.target_files));
   return reading.finish(request);

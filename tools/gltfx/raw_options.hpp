@@ -122,7 +122,7 @@ struct RawRulesOptions {
 
 struct RawTargetsOptions {
   RawCommonOptions common;
-  std::vector<std::string> names, target_files;
+  std::vector<std::string> names, targets, target_files;
   std::string format = "text";
 };
 

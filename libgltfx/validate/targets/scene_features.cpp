@@ -24,7 +24,7 @@ class SceneFeatures {
         views_(context.views),
         features_(features),
         scales_(features.matters("node.negative-scale") || features.matters("node.zero-scale")),
-        names_(features.matters("node.name-special") || features.matters("node.name-doubled")),
+        special_names_(features.matters("node.name-special")),
         meshes_(views_.meshes.size()),
         name_key_(document_.key_id("name")) {}
 
@@ -41,6 +41,7 @@ class SceneFeatures {
       if (animation.object != json::kNoNode) find_animation(animation);
     }
     note_if(views_.animations.size() > 1, "animation.several", member("animations"));
+    if (features_.matters("node.name-doubled")) find_doubled_names();
   }
 
  private:
@@ -70,7 +71,7 @@ class SceneFeatures {
       note_if(meshes_[*node.mesh], "node.mesh-shared", object);
       meshes_[*node.mesh] = true;
     }
-    if (names_) find_name(object);
+    if (special_names_) find_special_name(object);
     if (node.camera) find_camera(context_.asset.elements(RootArray::cameras)[*node.camera]);
     if (!node.skin) return;
     features_.note("skin.joints", object);
@@ -91,14 +92,44 @@ class SceneFeatures {
             node.object);
   }
 
-  void find_name(NodeId object) {
+  // The name of a node, or kNoNode where it has none.
+  NodeId name_of(NodeId object) const {
     const NodeId value = document_.find(object, name_key_);
-    if (value == json::kNoNode || !document_.is_string(value)) return;
+    const bool named = value != json::kNoNode && document_.is_string(value);
+    std::string buffer;
+    return named && !document_.string(value, buffer).empty() ? value : json::kNoNode;
+  }
+
+  void find_special_name(NodeId object) {
+    const NodeId value = name_of(object);
+    if (value == json::kNoNode) return;
     std::string buffer;
     const std::string_view name = document_.string(value, buffer);
-    if (name.empty()) return;
     note_if(std::any_of(name.begin(), name.end(), is_special), "node.name-special", object);
-    note_if(!document_.insert_string(value, names_so_far_), "node.name-doubled", object);
+  }
+
+  // A name of a node that moves and of another one.
+  void find_doubled_names() {
+    json::KeyTable moving;
+    std::set<std::uint32_t> seen;
+    for (const model::Animation& animation : views_.animations) {
+      for (const model::AnimationChannel& channel : animation.channels) {
+        if (!channel.node || !seen.insert(*channel.node).second) continue;
+        const NodeId object = views_.nodes[*channel.node].object;
+        const NodeId name = name_of(object);
+        if (name == json::kNoNode) continue;
+        note_if(!document_.insert_string(name, moving), "node.name-doubled", object);
+      }
+    }
+    if (seen.empty()) return;
+    for (std::uint32_t node = 0; node < views_.nodes.size(); ++node) {
+      const NodeId object = views_.nodes[node].object;
+      const NodeId name = object == json::kNoNode ? object : name_of(object);
+      if (name == json::kNoNode || seen.count(node) != 0) continue;
+      std::string buffer;
+      const bool doubled = moving.find(document_.string(name, buffer)) != json::kNoKey;
+      note_if(doubled, "node.name-doubled", object);
+    }
   }
 
   static bool is_special(char c) {
@@ -121,6 +152,13 @@ class SceneFeatures {
     note_if(skin.joint_count > 256, "skin.joints-over-256", object);
     note_if(skin.inverse_bind_matrices_value == json::kNoNode, "skin.no-inverse-bind-matrices",
             object);
+    if (!features_.matters("skin.joint-name-doubled")) return;
+    json::KeyTable names;
+    for (const model::NodeIndex joint : skin.joint_nodes) {
+      const NodeId name = name_of(views_.nodes[joint].object);
+      if (name == json::kNoNode) continue;
+      note_if(!document_.insert_string(name, names), "skin.joint-name-doubled", object);
+    }
   }
 
   void find_lights() {
@@ -183,11 +221,10 @@ class SceneFeatures {
   const json::Document& document_;
   const model::Views& views_;
   Features& features_;
-  bool scales_, names_;       // whether a target cares
-  std::vector<bool> meshes_;  // whether a node has had the mesh
+  bool scales_, special_names_;  // whether a target cares
+  std::vector<bool> meshes_;     // whether a node has had the mesh
   json::KeyId name_key_;
   std::set<std::uint32_t> skins_;
-  json::KeyTable names_so_far_;
 };
 
 }  // namespace

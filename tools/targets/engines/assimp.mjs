@@ -30,9 +30,11 @@ const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 function facts({ rootnode, meshes = [], animations = [] }) {
   const parts = [];
-  const found = { names: [], nodes: [], tracks: [] };
+  const found = { names: [], nodes: [], tracks: [], skin: [] };
+  const worlds = new Map();  // by name: Assimp finds the first node that has it
   const visit = (node, above) => {
     const world = product(above, node.transformation ?? identity);
+    if (!worlds.has(node.name)) worlds.set(node.name, { world, number: found.names.length });
     found.names.push(node.name);
     found.nodes.push(`${node.name} ${world.map(v => v.toFixed(3)).join(' ')}`);
     const place = v => [0, 1, 2].map(r => world[r * 4] * v[0] + world[r * 4 + 1] * v[1] + world[r * 4 + 2] * v[2] + world[r * 4 + 3]);
@@ -40,10 +42,26 @@ function facts({ rootnode, meshes = [], animations = [] }) {
     for (const child of node.children ?? []) visit(child, world);
   };
   visit(rootnode, identity);
+  for (const mesh of meshes) found.skin.push(...skinned(mesh, name => worlds.get(name)?.world ?? identity));
+  found.moved = animations.flatMap(it => (it.channels ?? []).map(channel => worlds.get(channel.name)?.number ?? -1));
   for (const it of animations)
     for (const channel of it.channels ?? [])
       for (const [kind, keys] of Object.entries(channel).filter(([key]) => key.endsWith('keys'))) found.tracks.push(`${kind} ${keys.map(([time, value]) => `${Number(time).toFixed(2)} ${[value].flat().map(v => Number(v).toFixed(2))}`).join('; ')}`);
   return { ...corners(parts), ...found };
+}
+
+// Where the vertices of a mesh with bones are.
+function skinned({ vertices, bones = [] }, worldOf) {
+  if (bones.length === 0) return [];
+  const sums = chunks(vertices, 3).map(() => [0, 0, 0]);
+  for (const { name, offsetmatrix, weights = [] } of bones) {
+    const m = product(worldOf(name), offsetmatrix);
+    for (const [vertex, weight] of weights) {
+      const v = [...vertices.slice(vertex * 3, vertex * 3 + 3), 1];
+      [0, 1, 2].forEach(r => { sums[vertex][r] += weight * [0, 1, 2, 3].reduce((sum, c) => sum + m[r * 4 + c] * v[c], 0); });
+    }
+  }
+  return sums.map(sum => sum.map(x => (Math.round(x * 100) / 100 + 0).toFixed(2)).join(' '));
 }
 
 // Faces of one, two and three corners.

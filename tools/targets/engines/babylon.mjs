@@ -103,6 +103,8 @@ function facts(B, container, images) {
     const list = value => Array.from(value?.asArray?.() ?? [value], v => Number(v ?? 0).toFixed(2));
     return `${animation.targetProperty} ${animation.getKeys().map(key => [key.frame.toFixed(2), list(key.value), key.interpolation ?? '', key.inTangent ? list(key.inTangent) : ''].join(' ')).join('; ')}`;
   }));
+  const nodes = [...container.transformNodes, ...container.meshes];
+  found.moved = container.animationGroups.flatMap(group => group.targetedAnimations.map(({ target }) => nodes.indexOf(target)));
   for (const list of [found.names, found.nodes]) list.sort();
   return { ...corners(parts), ...found, images: images.sort() };
 }

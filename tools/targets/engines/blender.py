@@ -153,6 +153,8 @@ def facts():
         "skin": [[[round(x, 2) for x in v] for v in it] for it in skin],
         "names": sorted([it.name for it in bpy.data.objects] + [bone.name for it in bpy.data.armatures for bone in it.bones]),
         "nodes": sorted([it.name, [round(number(x), 3) for row in it.matrix_world for x in row]] for it in bpy.data.objects),
+        "moved": sorted(it.data.name if it.data else it.name for it in bpy.data.objects
+                        if it.animation_data and (it.animation_data.action or it.animation_data.nla_tracks)),
         "morphs": [len(it.shape_keys.key_blocks) - 1 if it.shape_keys else 0 for it in bpy.data.meshes],
         "tracks": sorted([[path.split(".")[-1], index, [[round(x, 2) if isinstance(x, float) else x for x in key[:3]] for key in keys]] for it in bpy.data.actions for path, index, keys in curves(it)]),
         "images": sorted(pixels(it) for it in bpy.data.images),

@@ -86,5 +86,6 @@ function facts(root) {
   found.nodes = root.listNodes().map(it => `${it.getName()} ${Array.from(it.getWorldMatrix(), v => v.toFixed(3)).join(' ')}`);
   const list = it => Array.from({ length: it.getCount() }, (_, i) => it.getElement(i, []).map(v => v.toFixed(2)));
   found.tracks = root.listAnimations().flatMap(it => it.listChannels().map(channel => `${channel.getTargetPath()} ${channel.getSampler().getInterpolation()} ${list(channel.getSampler().getInput())} ${list(channel.getSampler().getOutput())}`));
+  found.moved = root.listAnimations().flatMap(it => it.listChannels().map(channel => root.listNodes().indexOf(channel.getTargetNode())));
   return { ...corners(parts), ...found };
 }

@@ -67,6 +67,7 @@ function facts(gltf) {
     const list = index => { const it = gltf.accessors[index]; return Array.from({ length: it.count }, (_, i) => values(it)(i).map(v => v.toFixed(2))); };
     return `${channel.target.path} ${sampler.interpolation ?? 'LINEAR'} ${list(sampler.input)} ${list(sampler.output)}`;
   }));
+  found.moved = (gltf.animations ?? []).flatMap(({ channels }) => channels.map(channel => channel.target.node));
   return { ...corners(parts), ...found };
 }
 

@@ -73,6 +73,7 @@ function facts(pc, root, parts) {
     for (const instance of node.render?.meshInstances ?? []) {
       const mesh = instance.mesh;
       found.morphs.push(mesh.morph?.targets.length ?? 0);
+      if (instance.skinInstance) found.skin.push(...skinned(pc, instance));
       const primitive = mesh.primitive[0];
       const attributes = {};
       for (const element of mesh.vertexBuffer.format.elements) {
@@ -95,8 +96,33 @@ function facts(pc, root, parts) {
     const text = values => Array.from(values, v => Number(v).toFixed(2));
     return track.curves.map(curve => `${curve.paths.map(path => path.propertyPath ?? path).join()} ${curve.interpolation} ${text(track.inputs[curve.input]._data ?? track.inputs[curve.input].data)} ${text(track.outputs[curve.output]._data ?? track.outputs[curve.output].data)}`);
   });
-  delete found.skin;
+  found.moved = moved(pc, root, parts.animations ?? []);
   return { ...corners(list), ...found };
+}
+
+// The numbers of the entities that animations move. It leaves them moved.
+function moved(pc, root, animations) {
+  const all = [];
+  root.forEach(node => all.push(node));
+  const places = () => all.map(it => `${it.getLocalPosition()} ${it.getLocalRotation()} ${it.getLocalScale()}`);
+  const before = places();
+  root.addComponent('anim', { activate: true });
+  animations.forEach((asset, i) => root.anim.assignAnimation(`Move${i}`, asset.resource));
+  pc.app.systems.fire('animationUpdate', 0.5);
+  return places().flatMap((place, i) => (place === before[i] ? [] : [i]));
+}
+
+// Where the vertices of a skinned mesh are, by the attributes that its vertex buffer has.
+function skinned(pc, instance) {
+  const { skin, bones } = instance.skinInstance;
+  const matrices = bones.map((bone, i) => new pc.Mat4().mul2(bone.getWorldTransform(), skin.inverseBindPose[i]));
+  const buffer = instance.mesh.vertexBuffer;
+  const [positions, weights, joints] = ['POSITION', 'BLENDWEIGHT', 'BLENDINDICES'].map(name => elementReader(buffer, buffer.format.elements.find(it => it.name === name)));
+  return Array.from({ length: buffer.numVertices }, (_, i) => {
+    const sum = new pc.Vec3();
+    joints(i).forEach((joint, k) => sum.add(matrices[joint].transformPoint(new pc.Vec3(...positions(i))).mulScalar(weights(i)[k])));
+    return [sum.x, sum.y, sum.z].map(v => v.toFixed(2)).join(' ');
+  });
 }
 
 const arrays = [[1, 'getInt8', 127], [1, 'getUint8', 255], [2, 'getInt16', 32767], [2, 'getUint16', 65535], [4, 'getInt32', 1], [4, 'getUint32', 1], [4, 'getFloat32', 1]];

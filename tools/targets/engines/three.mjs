@@ -105,7 +105,7 @@ function facts(THREE, { scene, animations }) {
     if (object.isSkinnedMesh) for (let i = 0; i < attributes.position.count; ++i) found.skin.push(skinPlace(THREE, object, i));
   });
   found.tracks = animations.flatMap(it => it.tracks.map(track => `${track.name.split('.').pop()} ${interpolation(track)} ${Array.from(track.times, v => v.toFixed(2))} ${Array.from(track.values, v => v.toFixed(2))}`));
-  return { ...corners(parts), ...found, images: [...decoded].sort() };
+  return { ...corners(parts), ...found, images: [...decoded].sort(), moved: moved(THREE, scene, animations) };
 }
 
 // 2300: steps. A spline has a function of GLTFLoader.
@@ -113,6 +113,18 @@ const interpolation = track => track.createInterpolant.isInterpolantFactoryMetho
 
 // Colors in three or four components are the same where alpha is 1.
 const padded = (name, get) => (name === 'COLOR_0' ? i => [...get(i), 1].slice(0, 4) : get);
+
+// The numbers of the objects that animations move. It leaves them moved.
+function moved(THREE, scene, animations) {
+  const objects = [];
+  scene?.traverse(it => objects.push(it));
+  const places = () => objects.map(it => `${it.position.toArray()} ${it.quaternion.toArray()} ${it.scale.toArray()}`);
+  const before = places();
+  const mixer = new THREE.AnimationMixer(scene ?? new THREE.Object3D());
+  for (const it of animations) mixer.clipAction(it).play();
+  mixer.setTime(0.5);
+  return places().flatMap((place, i) => (place === before[i] ? [] : [i]));
+}
 
 function skinPlace(THREE, mesh, i) {
   const v = new THREE.Vector3().fromBufferAttribute(mesh.geometry.attributes.position, i);

@@ -109,6 +109,11 @@ def part(actor):
     return out
 
 
+def moved(animations, count):
+    """The numbers of the actors that animations move: every second frame holds their matrices."""
+    return [i for i in range(count) if any(matrices[i] != frames[0][i] for _, frames in animations for matrices in frames[::2])]
+
+
 def has_meshes(path):
     with open(path, "rb") as file:
         return b'"meshes"' in file.read()
@@ -146,6 +151,7 @@ def answer(path):
         dump = {"actors": [actor_of(it) for it in actors], "lights": [getters(it, LIGHT) for it in lights], "cameras": cameras, "animations": animations}
         return {"dump": json.dumps(dump, sort_keys=True),
                 "facts": {"parts": [p for it in actors for p in (part(it) or [])], "tracks": [it[1] for it in animations],
+                          "moved": moved(animations, len(actors)),
                           "images": sorted(json.dumps(t[:2]) for it in actors for t in textures(it.GetProperty()).values()),
                           "pixels": [samples(it.GetProperty().GetTexture("albedoTex")) for it in actors if it.GetProperty().GetTexture("albedoTex")]}}
     except Exception as error:

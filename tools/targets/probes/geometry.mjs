@@ -159,7 +159,14 @@ const unskinned = asset => {
   return asset;
 };
 const each = values => Array.from({ length: 4 }, () => values).flat();
-const eight = weights => ({ JOINTS_1: [each([2, 3, 0, 0]), { type: 'VEC4', componentType: 5121 }], WEIGHTS_1: [each(weights), { type: 'VEC4' }] });
+const four = ids => ({ JOINTS_0: [each(ids), { type: 'VEC4', componentType: 5121 }] });
+// Eight influences, none of which can be left out: all joints but the last stand still.
+const eight = (first, second) => ({ ...four(first), JOINTS_1: four(second).JOINTS_0, WEIGHTS_1: [each([0.1, 0.1, 0.1, 0.1]), { type: 'VEC4' }] });
+// Two joints of one name: the second of them is turned.
+const namedAlike = (asset, name) => {
+  asset.json.nodes[asset.json.skins[0].joints.at(-1)].name = name;
+  return asset;
+};
 
 export const geometry = {
   'accessor.sparse': () => sparse(true),
@@ -200,7 +207,7 @@ export const geometry = {
   'attribute.joints-uint16': () => skins(skinned(2, { joint: 5123 }), skinned(2), 'skin'),
   'attribute.weights-uint8': () => skins(skinned(2, { weight: 5121, weights: [0.2, 0.8, 0, 0] }), skinned(2, { weights: [0.2, 0.8, 0, 0] }), 'skin'),
   'attribute.weights-uint16': () => skins(skinned(2, { weight: 5123, weights: [0.2, 0.8, 0, 0] }), skinned(2, { weights: [0.2, 0.8, 0, 0] }), 'skin'),
-  'attribute.joints-1': () => skins(skinned(6, { weights: [0.5, 0, 0, 0], more: eight([0.25, 0.25, 0, 0]) }), skinned(6)),
+  'attribute.joints-1': () => skins(skinned(9, { weights: [0.3, 0.1, 0.1, 0.1], more: eight([8, 0, 1, 2], [3, 4, 5, 6]) }), skinned(9, { weights: [0.3, 0.7, 0, 0], more: four([8, 0, 0, 0]) }), 'skin'),
   'morph.target': () => ({ asset: morphed(1, { weights: [1] }), twin: made(square(), {}, { only: ['POSITION', 'NORMAL', 'TANGENT', 'TEXCOORD_0'] }) }),
   ...Object.fromEntries([4, 8, 16, 32].map(n => [`morph.targets-over-${n}`, () => over(n)])),
   'morph.normal': () => morphAttribute('NORMAL'),
@@ -212,6 +219,7 @@ export const geometry = {
   'morph.node-weights': () => twinned(() => morphed(2, { weights: [0, 0] }), asset => { asset.json.nodes[0].weights = [0.3, 1]; }),
   'morph.target-names': () => twinned(() => morphed(2), asset => { mesh(asset).extras = { targetNames: ['smile', 'frown'] }; }),
   'skin.joints': () => skins(skinned(2), unskinned(skinned(2))),
+  'skin.joint-name-doubled': () => skins(namedAlike(skinned(2), 'Joint0'), skinned(2), 'skin'),
   'skin.joints-over-64': () => skins(skinned(65), unskinned(skinned(65))),
   'skin.joints-over-256': () => skins(skinned(257, { joint: 5123 }), unskinned(skinned(257, { joint: 5123 }))),
   'skin.no-inverse-bind-matrices': () => skins(skinned(2, { matrices: false }), unskinned(skinned(2, { matrices: false }))),

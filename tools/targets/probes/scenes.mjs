@@ -104,7 +104,7 @@ export const scene = {
   'node.negative-scale': () => ({ asset: model({ node: { scale: [-1, 1, 1] } }), twin: model() }),
   'node.zero-scale': () => ({ asset: model({ node: { scale: [0, 1, 1] } }), twin: model() }),
   'node.mesh-shared': () => twinned(() => two(), asset => { scenes(asset)[0].nodes.push(asset.add('nodes', { name: 'Again', mesh: 0, translation: [2, 0, 0] })); }),
-  'node.name-doubled': () => twinned(() => two(), asset => { asset.json.nodes[1].name = 'Node0'; }, { names: ['Node0', 'Node0'] }),
+  'node.name-doubled': () => twinned(() => animated('translation', slide, { of: two(), target: { node: 1, path: 'translation' } }), asset => { asset.json.nodes[1].name = 'Node0'; }, { same: ['moved'] }),
   'node.name-special': () => ({ asset: model({ node: { name: 'arm.[left]:/a' } }), twin: model({ node: { name: 'arm' } }), names: ['arm.[left]:/a'] }),
   extras: () => twinned(() => model(), asset => { node(asset).extras = { weight: 12, tags: ['a'] }; }),
   'camera.perspective': () => camera(perspective({ zfar: 50 })),
