@@ -81,13 +81,13 @@ const std::vector<Verb>& verbs() {
                         "--schema-dir --quiet --config "
                         "--isolated --jobs --color")},
       {"merge", words("REPORT --format --min-severity --group-by --statistics --sarif-notes "
-                      "--fail-on --quiet --jobs --color")},
-      {"explain", words("CODE --jobs --color")},
-      {"rules", words("--format --jobs --color")},
-      {"targets", words("NAME[@VERSION] --format --target-file --jobs --color")},
+                      "--fail-on --quiet --color")},
+      {"explain", words("CODE --color")},
+      {"rules", words("--format --color")},
+      {"targets", words("NAME[@VERSION] --format --target --target-file --color")},
       {"schema", words("NAME --format --status --new --check --test --schema --schema-dir --config "
-                       "--isolated --jobs --color")},
-      {"config", words("PATH --config --isolated --jobs --color")},
+                       "--isolated --color")},
+      {"config", words("PATH --config --isolated --color")},
   };
   return kVerbs;
 }

@@ -100,6 +100,10 @@ void add_fail_on(CLI::App& app, std::string& level, const char* text) {
 
 void add_common(CLI::App& app, RawCommonOptions& words) {
   add_word(app, "-j,--jobs", words.jobs, "N", "Number of threads (default: one per core)");
+  add_color(app, words);
+}
+
+void add_color(CLI::App& app, RawCommonOptions& words) {
   add_word(app, "--color", words.color, "WHEN", "Color: auto (default), always or never");
 }
 

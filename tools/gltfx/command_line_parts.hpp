@@ -51,6 +51,8 @@ void add_selection(CLI::App& app, RawValidateOptions& words);
 void add_fail_on(CLI::App& app, std::string& level, const char* text);
 
 void add_common(CLI::App& app, RawCommonOptions& words);
+/// Of the common options, what a verb without threads has use for.
+void add_color(CLI::App& app, RawCommonOptions& words);
 /// The options of the verbs that decode images and meshes.
 void add_decoders(CLI::App& app, RawCommonOptions& words);
 void add_schema_sources(CLI::App& app, std::vector<std::string>& files,

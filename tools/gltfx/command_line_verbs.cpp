@@ -146,7 +146,7 @@ void declare_report(CLI::App& app, RawPageOptions& words) {
 void declare_config(CLI::App& app, RawConfigOptions& words) {
   describe_positional(app, "PATH", "Path, or import FILE of the Khronos validator");
   add_configuration(app, words.configuration);
-  add_common(app, words.common);
+  add_color(app, words.common);
 }
 
 void declare_inspect(CLI::App& app, RawInspectOptions& words) {
@@ -168,25 +168,26 @@ void declare_merge(CLI::App& app, RawMergeOptions& words) {
   add_sarif_notes(app, words.sarif_notes);
   add_fail_on(app, words.fail_on, "Exit 1 at error, warning, info, never (else as run)");
   app.add_flag("-q,--quiet", words.quiet, "Print findings only, no summary and no notes");
-  add_common(app, words.common);
+  add_color(app, words.common);
 }
 
 void declare_explain(CLI::App& app, RawExplainOptions& words) {
   describe_positional(app, "CODE", "Codes of rules, in any case");
-  add_common(app, words.common);
+  add_color(app, words.common);
 }
 
 void declare_rules(CLI::App& app, RawRulesOptions& words) {
   add_word(app, "-f,--format", words.format, "NAME", "Output format: text (default) or json");
-  add_common(app, words.common);
+  add_color(app, words.common);
 }
 
 void declare_targets(CLI::App& app, RawTargetsOptions& words) {
   describe_positional(app, "NAME[@VERSION]", "Engines and versions (default: the newest of each)");
   add_word(app, "-f,--format", words.format, "NAME",
            "Output format: text (default), json or markdown");
+  add_list(app, "--target", words.targets, "NAME[@VERSION]", "An engine, as without the option");
   add_target_files(app, words.target_files);
-  add_common(app, words.common);
+  add_color(app, words.common);
 }
 
 void declare_schema(CLI::App& app, RawSchemaOptions& words) {
@@ -198,7 +199,7 @@ void declare_schema(CLI::App& app, RawSchemaOptions& words) {
   add_list(app, "--test", words.test_files, "FILE", "Run the tests of a schema file (repeatable)");
   add_schema_sources(app, words.schema_files, words.schema_folders);
   add_configuration(app, words.configuration);
-  add_common(app, words.common);
+  add_color(app, words.common);
 }
 
 }  // namespace gltfx::tool
