@@ -45,6 +45,24 @@ TEST_F(UpgradeRequestTest, ADraftIsOfferedAndNoTask) {
   EXPECT_EQ(content("candle.gltf"), before);
 }
 
+TEST_F(UpgradeRequestTest, ObjectsOfOneKindShareALine) {
+  take("good/kelp.gltf");
+  folder_.write("again.gltf", content("kelp.gltf"));
+  const Outcome outcome = here({"kelp.gltf", "again.gltf"});
+  EXPECT_THAT(outcome.out,
+              testing::StartsWith(
+                  "kelp.gltf\n  EXT_meshopt_compression in 8 objects: left alone, on request\n"
+                  "again.gltf\n  EXT_meshopt_compression in 8 objects: left alone, on request\n"
+                  "2 files, nothing to upgrade (16 left alone)\n"
+                  "  --only EXT_meshopt_compression: "));
+  EXPECT_EQ(outcome.out.find("--only"), outcome.out.rfind("--only"));
+  const Outcome asked = here({"kelp.gltf", "--only", "EXT_meshopt_compression"});
+  EXPECT_THAT(asked.out,
+              testing::StartsWith("kelp.gltf\n"
+                                  "  /buffers/1/extensions/EXT_meshopt_compression and 7 others\n"
+                                  "    to KHR_meshopt_compression, safe\n1 file, 8 legacy"));
+}
+
 TEST_F(UpgradeRequestTest, ItIsDoneWhenAskedFor) {
   take("legacy/on-request/candle.gltf");
   EXPECT_EQ(here({"candle.gltf", "--only", "KHR_materials_sss", "--check"}).code, 1);

@@ -5,6 +5,7 @@
 #include <gltfx/upgrade.hpp>
 
 #include <cstdint>
+#include <set>
 #include <string>
 
 #include "terminal.hpp"
@@ -19,13 +20,15 @@ struct UpgradeSummary {
   std::uint64_t others = 0;      ///< those on request, or without a successor
   std::uint64_t done = 0;        ///< of these: upgraded, or to be upgraded when nothing is written
   std::uint64_t written = 0;     ///< files
+  std::set<std::string> on_request;  ///< why objects are upgraded on request only, and how to ask
   void add(const UpgradeReport& report);
 };
 
 /// The plan of one file, or nothing when there is nothing legacy in it. Ends in a line break.
 std::string upgrade_plan_text(const UpgradeReport& report, const Style& style);
 
-/// One line on the whole run; `writing`: whether anything was to be written.
+/// One line on the whole run, and what was left for a request; `writing`: whether anything was to
+/// be written.
 std::string upgrade_summary_text(const UpgradeSummary& summary, bool writing);
 
 /// What stands before the first file.

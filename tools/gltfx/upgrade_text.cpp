@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,16 +26,49 @@ std::string outcome(const UpgradeAction& action, bool refused) {
   return fmt::format("to {}, {}", action.to, action.lossy ? "with loss" : fate);
 }
 
-std::string action_text(const UpgradeAction& action, bool refused, const Style& style) {
-  const std::string& place = action.pointer.empty() ? action.from : action.pointer;
-  std::string text = fmt::format("  {}\n", style.bold(printable(place)));
-  text += fmt::format("    {}\n", outcome(action, refused));
+// What is said of an action, without its place.
+std::string action_text(const UpgradeAction& action, bool refused) {
+  std::string text = fmt::format("    {}\n", outcome(action, refused));
   if (!action.generation.empty()) {
     text +=
         wrapped(printable(fmt::format("read as {}: {}", action.generation, action.decision)), 4);
   }
   for (const std::string& note : action.notes) text += wrapped(printable(note), 4);
   return text;
+}
+
+// Objects of one extension of which the same is said.
+struct ActionGroup {
+  const UpgradeAction* first;
+  std::string text;
+  std::vector<std::string> places;
+};
+
+std::vector<ActionGroup> groups_of(const std::vector<UpgradeAction>& actions, bool refused) {
+  std::vector<ActionGroup> groups;
+  std::map<std::pair<std::string, std::string>, std::size_t> known;
+  for (const UpgradeAction& action : actions) {
+    std::string text = action_text(action, refused);
+    const auto [found, is_new] = known.insert({{action.from, text}, groups.size()});
+    if (is_new) groups.push_back({&action, std::move(text), {}});
+    groups[found->second].places.push_back(action.pointer.empty() ? action.from : action.pointer);
+  }
+  return groups;
+}
+
+std::string group_text(const ActionGroup& group, const Style& style) {
+  constexpr std::size_t kMost = 3;
+  const std::size_t count = group.places.size();
+  if (group.first->fate == UpgradeFate::on_request) {
+    return fmt::format("  {} in {}: left alone, {}\n", style.bold(group.first->from),
+                       report::counted(count, "object"), upgrade_fate_name(group.first->fate));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < (count > kMost ? 1 : count); ++i) {
+    text += fmt::format("  {}{}\n", style.bold(printable(group.places[i])),
+                        count > kMost ? fmt::format(" and {} others", count - 1) : "");
+  }
+  return text + group.text;
 }
 
 std::string orphans_text(const UpgradeReport& report) {
@@ -74,13 +109,20 @@ void UpgradeSummary::add(const UpgradeReport& report) {
   others += report.actions.size() - report.due();
   done += report.due() - report.left();
   written += report.written ? 1U : 0U;
+  for (const UpgradeAction& action : report.actions) {
+    if (action.fate == UpgradeFate::on_request) {
+      on_request.insert(action.notes.begin(), action.notes.end());
+    }
+  }
 }
 
 std::string upgrade_plan_text(const UpgradeReport& report, const Style& style) {
   if (report.actions.empty()) return {};
   std::string text = printable(report.path) + "\n";
   const bool refused = report.problem != EditProblem::none;
-  for (const UpgradeAction& action : report.actions) text += action_text(action, refused, style);
+  for (const ActionGroup& group : groups_of(report.actions, refused)) {
+    text += group_text(group, style);
+  }
   for (const std::string& file : report.new_files) {
     text += fmt::format("  new file: {}\n", printable(file));
   }
@@ -116,8 +158,10 @@ std::string upgrade_summary_text(const UpgradeSummary& summary, bool writing) {
   if (summary.unreadable > 0) {
     parts.push_back(counted(summary.unreadable, "file") + " could not be read");
   }
-  return fmt::format("{}\n",
-                     parts.empty() ? "no files" : fmt::format("{}", fmt::join(parts, "; ")));
+  std::string text =
+      fmt::format("{}\n", parts.empty() ? "no files" : fmt::format("{}", fmt::join(parts, "; ")));
+  for (const std::string& note : summary.on_request) text += wrapped(printable(note), 2);
+  return text;
 }
 
 }  // namespace gltfx::tool
