@@ -2,7 +2,6 @@
 #include <gltfx/pipeline.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <new>
 #include <optional>
@@ -18,8 +17,6 @@
 
 namespace gltfx {
 namespace {
-
-namespace fs = std::filesystem;
 
 // Of one file of a run. Many files keep all threads busy by themselves, and each reports its end.
 BakeOptions options_of(const BakeOptions& options, const BakeInput& input, std::size_t count) {
@@ -96,11 +93,20 @@ class Comparison {
 /// The picture of all pictures, if there is to be one and memory for it.
 class SheetOfAll {
  public:
-  SheetOfAll(std::size_t count, const BakeOptions& options) : wanted_(count > 0) {
-    if (wanted_) attempt([&] { sheet_.emplace(count, options.sizes.front()); });
+  SheetOfAll(const std::vector<BakeInput>& inputs, const BakeOptions& options)
+      : wanted_(!inputs.empty()) {
+    if (!wanted_) return;
+    attempt([&] {
+      sheet_.emplace(inputs.size(), options.sizes.front());
+      std::vector<std::string> paths;
+      for (const BakeInput& input : inputs) paths.push_back(input.path);
+      labels_ = sheet_labels(paths);
+    });
   }
-  void add(const BakedPixels& pixels, const std::string& path) {
-    if (sheet_) attempt([&] { sheet_->add(pixels, fs::path(path).stem().native()); });
+  void add(std::size_t position, const BakeReport& report) {
+    const bool unseen = report.problem == BakeProblem::nothing_to_see;
+    const std::string_view instead = unseen ? "nothing visible" : "no picture";
+    if (sheet_) attempt([&] { sheet_->add(report.pixels, labels_[position], instead); });
   }
   /// What went wrong, or an empty text.
   std::string write(const std::string& path) {
@@ -122,13 +128,14 @@ class SheetOfAll {
 
   bool wanted_;
   std::optional<ContactSheet> sheet_;
+  std::vector<std::string> labels_;
 };
 
 }  // namespace
 
 std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& options,
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
-  SheetOfAll pictures(sheet.empty() ? 0 : inputs.size(), options);
+  SheetOfAll pictures(sheet.empty() ? std::vector<BakeInput>() : inputs, options);
   PictureKey keys;
   std::size_t done = 0;
   report_in_order<BakeReport>(
@@ -139,7 +146,7 @@ std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& 
         });
       },
       [&](BakeReport&& report) {
-        pictures.add(report.pixels, inputs[done++].path);
+        pictures.add(done++, report);
         if (options.progress && inputs.size() > 1) {
           options.progress(static_cast<double>(done) / static_cast<double>(inputs.size()));
         }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <map>
 #include <utility>
 
 #include "pipeline/label_font.hpp"
@@ -56,14 +58,21 @@ ContactSheet::ContactSheet(std::size_t count, const BakeSize& size)
   picture_.bytes.assign(std::size_t{picture_.width} * picture_.height * 3, kPaper);
 }
 
-void ContactSheet::add(const BakedPixels& pixels, std::string_view name) {
+void ContactSheet::add(const BakedPixels& pixels, std::string_view name, std::string_view instead) {
   const auto left = static_cast<std::uint32_t>(next_ % columns_ * width_);
   const auto top = static_cast<std::uint32_t>(next_ / columns_ * (height_ + label_));
   ++next_;
-  if (!pixels.bytes.empty()) place(pixels, left, top);
-  if (label_ > 0) {
-    write_label(picture_, name, left + kMargin, top + height_ + kMargin, width_ - 2 * kMargin);
+  if (!pixels.bytes.empty()) {
+    place(pixels, left, top);
+  } else if (height_ >= kLabelHeight) {
+    write(instead, left, top + (height_ - kLabelHeight) / 2);
   }
+  write(name, left, top + height_ + kMargin);
+}
+
+// Cells that are too narrow for words have none.
+void ContactSheet::write(std::string_view words, std::uint32_t left, std::uint32_t top) {
+  if (label_ > 0) write_label(picture_, words, left + kMargin, top, width_ - 2 * kMargin);
 }
 
 void ContactSheet::place(const BakedPixels& pixels, std::uint32_t left, std::uint32_t top) {
@@ -84,5 +93,33 @@ void ContactSheet::place(const BakedPixels& pixels, std::uint32_t left, std::uin
 }
 
 bake::Picture ContactSheet::take() { return std::move(picture_); }
+
+std::vector<std::string> sheet_labels(const std::vector<std::string>& paths) {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> folders;  // what is left above each label
+  std::vector<std::string> labels;
+  for (const std::string& path : paths) {
+    const fs::path normal = fs::path(path).lexically_normal();
+    folders.push_back(normal.parent_path());
+    labels.push_back(normal.stem().native());
+  }
+  for (bool longer = true; longer;) {
+    longer = false;
+    std::map<std::string, std::size_t> uses;
+    for (const std::string& label : labels) ++uses[label];
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      if (uses[labels[i]] == 1 || !folders[i].has_filename()) continue;
+      labels[i] = folders[i].filename().native() + "/" + labels[i];
+      folders[i] = folders[i].parent_path();
+      longer = true;
+    }
+  }
+  std::map<std::string, std::size_t> uses;
+  for (const std::string& label : labels) ++uses[label];
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    if (uses[labels[i]] > 1) labels[i] += fs::path(paths[i]).extension().native();
+  }
+  return labels;
+}
 
 }  // namespace gltfx

@@ -12,6 +12,7 @@
 namespace gltfx {
 namespace {
 
+using testing::ElementsAre;
 using testing::IsEmpty;
 
 BakedPixels plain_pixels(std::uint32_t width, std::uint32_t height) {
@@ -20,8 +21,8 @@ BakedPixels plain_pixels(std::uint32_t width, std::uint32_t height) {
 
 TEST(ContactSheet, CellsKeepTheShapeOfPictures) {
   ContactSheet sheet(3, {64, 64});
-  sheet.add({}, "");
-  sheet.add(plain_pixels(64, 32), "no room for words");
+  sheet.add({}, "", "");
+  sheet.add(plain_pixels(64, 32), "no room for words", "");
   const bake::Picture picture = sheet.take();
   EXPECT_EQ(picture.width, 128U);
   EXPECT_EQ(picture.height, 128U);
@@ -33,7 +34,7 @@ TEST(ContactSheet, CellsKeepTheShapeOfPictures) {
 
 TEST(ContactSheet, LargePicturesBecomeSmallerAndHaveTheirShape) {
   ContactSheet sheet(1, {1024, 512});
-  sheet.add(plain_pixels(1024, 512), "");
+  sheet.add(plain_pixels(1024, 512), "", "");
   const bake::Picture picture = sheet.take();
   EXPECT_EQ(picture.width, 256U);
   EXPECT_EQ(picture.height, 128U + 26U);
@@ -44,7 +45,7 @@ TEST(ContactSheet, LargePicturesBecomeSmallerAndHaveTheirShape) {
 // Columns of the line below a picture that have ink in them.
 std::vector<std::size_t> inked(std::string_view name) {
   ContactSheet sheet(1, {100, 10});
-  sheet.add({}, name);
+  sheet.add({}, name, "nothing visible");
   const bake::Picture picture = sheet.take();
   std::vector<std::size_t> columns;
   for (std::size_t x = 0; x < 100; ++x) {
@@ -80,6 +81,34 @@ TEST(ContactSheet, LongNamesEndWithDots) {
   EXPECT_LE(columns.back(), 95U);
   EXPECT_GT(extent_of(columns), 70U);
   EXPECT_EQ(columns, inked(std::string(501, 'm')));
+}
+
+TEST(ContactSheet, ACellWithoutAPictureSaysWhy) {
+  const auto ink = [](const BakedPixels& pixels, std::string_view instead) {
+    ContactSheet sheet(1, {200, 100});
+    sheet.add(pixels, "", instead);
+    const bake::Picture picture = sheet.take();
+    std::size_t dark = 0;
+    for (std::size_t y = 30; y < 70; ++y) {
+      for (std::size_t x = 0; x < 200; ++x) dark += picture.bytes[(y * 200 + x) * 3] < 100 ? 1 : 0;
+    }
+    return dark;
+  };
+  EXPECT_EQ(ink({}, ""), 0U);
+  EXPECT_GT(ink({}, "nothing visible"), 200U);
+  EXPECT_EQ(ink(plain_pixels(200, 100), "nothing visible"), 200U * 40U);
+}
+
+TEST(ContactSheet, LabelsThatRepeatHaveTheirFolder) {
+  EXPECT_THAT(sheet_labels({"a/chair.glb", "./b/lamp.gltf"}), ElementsAre("chair", "lamp"));
+  EXPECT_THAT(sheet_labels({"in/a/scene.glb", "in/b/scene.glb", "in/c.glb"}),
+              ElementsAre("a/scene", "b/scene", "c"));
+  EXPECT_THAT(sheet_labels({"a/x/scene.glb", "./b/x/scene.glb", "b/y/scene.glb"}),
+              ElementsAre("a/x/scene", "b/x/scene", "y/scene"));
+  EXPECT_THAT(sheet_labels({"scene.glb", "scene.gltf", "a/scene.glb"}),
+              ElementsAre("scene.glb", "scene.gltf", "a/scene"));
+  EXPECT_THAT(sheet_labels({"/scene.glb", "/a/scene.glb"}), ElementsAre("scene", "a/scene"));
+  EXPECT_THAT(sheet_labels({}), IsEmpty());
 }
 
 }  // namespace
