@@ -156,6 +156,11 @@ TEST_F(Config, WishesOfAssetsAreHeardWhereItSaysSo) {
 TEST_F(Config, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(said("\nprofil = \"strict\"\n"),
               HasSubstr("\ngltfx.toml:2: there is no key 'profil'. Did you mean 'profile'?\n"));
+  const std::string unknown = said("flavour = 1\nwidth = 2\n");
+  EXPECT_THAT(unknown, HasSubstr("\nthe keys are overrides, profile, pixels, "));
+  EXPECT_THAT(unknown, HasSubstr(", budgets.file-size\n"));
+  EXPECT_EQ(unknown.find("the keys are"), unknown.rfind("the keys are"));
+  EXPECT_THAT(said("profile = 3\n"), Not(HasSubstr("the keys are")));
   EXPECT_THAT(said("profile = \"strct\"\n"),
               HasSubstr("gltfx.toml:1: profile: 'strct' is none of"));
   EXPECT_THAT(
@@ -207,8 +212,9 @@ TEST_F(Config, MistakesInOverridesAreNamedAndAllAtOnce) {
   EXPECT_THAT(said("[[overrides]]\nignore = []\n"),
               HasSubstr("gltfx.toml:1: an override names its 'paths'"));
   EXPECT_THAT(said("[[overrides]]\npaths = [\"*\"]\nprofile = \"strict\"\nselekt = []\n"),
-              AllOf(HasSubstr("gltfx.toml:3: 'profile' holds for all paths"),
-                    HasSubstr("gltfx.toml:4: there is no key 'selekt'. Did you mean 'select'?")));
+              AllOf(HasSubstr("gltfx.toml:3: 'profile' applies to all paths"),
+                    HasSubstr("gltfx.toml:4: there is no key 'selekt'. Did you mean 'select'?"),
+                    HasSubstr("\nthe keys of an override are paths, select, ignore, ")));
 }
 
 TEST_F(Config, TextOfTheFileCannotDriveTheTerminal) {
@@ -300,7 +306,8 @@ TEST_F(Config, ImportSaysWhatItDoesNotUnderstand) {
     EXPECT_EQ(outcome.code, 2) << text;
     return outcome.err;
   };
-  EXPECT_THAT(import("\nignor: []\n"), HasSubstr("a.yaml:2: 'ignor' is no key"));
+  EXPECT_THAT(import("\nignor: []\n"),
+              HasSubstr("a.yaml:2: 'ignor' is no key of the Khronos validator; its keys are "));
   EXPECT_THAT(import("ignor: []\n"), HasSubstr("Did you mean 'ignore'?"));
   EXPECT_THAT(import("override: {UNUSED_OBJECT: 4}\n"), HasSubstr("up to 3"));
   EXPECT_THAT(import("override: [UNUSED_OBJECT]\n"), HasSubstr("a map is expected"));

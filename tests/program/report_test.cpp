@@ -44,6 +44,20 @@ class Report : public testing::Test {
   TempFolder folder_;
 };
 
+TEST_F(Report, FoldersOfThePageAreMade) {
+  write_both();
+  EXPECT_EQ(here({"in", "-o", "new/deep/page.html", "--no-thumbnails", "-q"}).err, "");
+  EXPECT_THAT(content("new/deep/page.html"), StartsWith("<!DOCTYPE html>"));
+  folder_.write("file", "");
+  const Outcome refused = here({"in", "-o", "file/page.html", "--no-thumbnails"});
+  EXPECT_EQ(refused.code, 4);
+  EXPECT_THAT(refused.err, HasSubstr("cannot create 'file'"));
+  const Outcome other = gltfx({"validate", "in", "--format", "json=reports/in.json"},
+                              {folder_.path().native(), {}, {}});
+  EXPECT_EQ(other.code, 1);
+  EXPECT_EQ(json::parse(content("reports/in.json"))["files"].size(), 2U);
+}
+
 TEST_F(Report, OnePageForAFolder) {
   write_both();
   const Outcome outcome = here({"in", "-o", "page.html", "--no-thumbnails"});

@@ -138,7 +138,11 @@ class Reader {
     if (mistakes_.empty()) return std::move(file_);
     std::string lines = "the configuration has mistakes";
     for (const auto& [line, text] : mistakes_) lines.append("\n").append(text);
-    if (is_full()) lines += "\nand what is behind these was not read";
+    if (is_full()) lines += "\nthe rest of the file was not read";
+    for (const bool by_path : unknown_keys_) {
+      lines += fmt::format("\nthe keys{} are {}", by_path ? " of an override" : "",
+                           fmt::join(names(by_path), ", "));
+    }
     return Error{lines};
   }
 
@@ -167,9 +171,11 @@ class Reader {
         read_member(inner, value, "budgets.", by_path, values);
       }
     } else if (known != nullptr) {
-      complain(line_of(key), fmt::format("{} holds for all paths: it cannot stand in an override",
-                                         gltfx::quoted(name)));
+      complain(line_of(key),
+               fmt::format("{} applies to all paths: it is not allowed in an override",
+                           gltfx::quoted(name)));
     } else {
+      unknown_keys_.insert(by_path);
       complain(line_of(key), fmt::format("there is no key {}.{}", gltfx::quoted(name),
                                          suggestion(name, names(by_path))));
     }
@@ -293,6 +299,7 @@ class Reader {
   const std::string& name_;
   ConfigFile file_;
   std::multimap<std::uint32_t, std::string> mistakes_;
+  std::set<bool> unknown_keys_;  ///< whether there are some: outside of overrides, and in them
   std::set<std::pair<const ConfigKey*, std::string>> right_;  ///< values that were read before
 };
 

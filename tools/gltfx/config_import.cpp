@@ -71,8 +71,8 @@ class Reader {
       return wrong("a line of the form 'key: value' is expected");
     key_ = unquoted(trimmed(body.substr(0, colon)));
     if (std::find(kKeys.begin(), kKeys.end(), key_) == kKeys.end()) {
-      return wrong(fmt::format("{} is no key of the Khronos validator.{}", quoted(key_),
-                               suggestion(key_, kKeys)));
+      return wrong(fmt::format("{} is no key of the Khronos validator; its keys are {}.{}",
+                               quoted(key_), fmt::join(kKeys, ", "), suggestion(key_, kKeys)));
     }
     const std::string_view value = trimmed(body.substr(colon + 1));
     if (value.empty()) return std::nullopt;

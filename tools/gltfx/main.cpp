@@ -21,6 +21,7 @@
 #include "command_line.hpp"
 #include "commands.hpp"
 #include "output.hpp"
+#include "progress.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -63,6 +64,7 @@ void guard_mappings() {
 // Who ends the program shall not find half a file.
 void clean_up_and_die(int signal) {
   remove_temporaries();
+  end_progress_line();
   static_cast<void>(std::signal(signal, SIG_DFL));
   static_cast<void>(std::raise(signal));
 }

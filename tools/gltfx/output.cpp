@@ -14,6 +14,7 @@
 #include "base/file_state.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "edit/companions.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -50,11 +51,9 @@ void Output::open() {
   struct stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
   const fs::path folder = fs::path(path_).parent_path();
-  std::error_code error;
-  if (!exists && !folder.empty() && !fs::is_directory(folder, error)) {
-    problem_ = fmt::format("cannot write {}: there is no folder {}", quoted(path_, 200),
-                           quoted(folder.native(), 200));
-    return;
+  if (!exists && !folder.empty()) {
+    note(edit::make_folder(folder));
+    if (!problem_.empty()) return;
   }
   if (!exists || S_ISREG(status.st_mode)) {
     file_ = std::make_unique<TemporaryFile>(target, exists ? kOwnerOnly : kAnyNewFile);

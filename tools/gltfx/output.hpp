@@ -22,7 +22,8 @@ bool same_place(const std::string& a, const std::string& b);
 class Output {
  public:
   /// An empty path is standard output. Anything but a regular file (a pipe, /dev/stderr) is
-  /// written as it comes; a file is written beside its place and moved there by finish().
+  /// written as it comes; a file is written beside its place and moved there by finish(). Folders
+  /// above it are made.
   explicit Output(std::string path);
   Output(Output&& other) noexcept = default;
   Output(const Output&) = delete;

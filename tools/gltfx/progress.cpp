@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "progress.hpp"
 
+#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -10,6 +11,11 @@
 #include "output.hpp"
 
 namespace gltfx::tool {
+namespace {
+
+std::atomic<bool> line_is_open = false;  // on the terminal
+
+}  // namespace
 
 ProgressLine::ProgressLine(bool wanted, bool lines)
     : terminal_(::isatty(STDERR_FILENO) == 1), visible_(wanted && (terminal_ || lines)) {}
@@ -32,6 +38,7 @@ void ProgressLine::write(double part, std::string_view more) {
   const std::string text =
       fmt::format("{:3.0f} %{}, {}:{:02} left", part * 100, more, left / 60, left % 60);
   const std::string line = terminal_ ? "\r" + text + "\x1b[K" : "gltfx: " + text + "\n";
+  line_is_open = terminal_;
   static_cast<void>(write_all(STDERR_FILENO, line));
 }
 
@@ -50,6 +57,11 @@ void ProgressLine::clear() {
   if (!shown_) return;
   shown_ = false;
   static_cast<void>(write_all(STDERR_FILENO, "\r\x1b[K"));
+  line_is_open = false;
+}
+
+void end_progress_line() {
+  if (line_is_open) static_cast<void>(write_all(STDERR_FILENO, "\n"));
 }
 
 }  // namespace gltfx::tool

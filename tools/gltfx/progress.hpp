@@ -39,4 +39,8 @@ class ProgressLine {
   Clock::time_point begin_ = Clock::now(), last_ = begin_;
 };
 
+/// Leaves a line that is on the terminal as it is, so that what comes next begins on another one.
+/// For handlers of signals.
+void end_progress_line();
+
 }  // namespace gltfx::tool
