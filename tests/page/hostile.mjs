@@ -28,6 +28,6 @@ export function writeHostile(folder) {
       nodes: [{ name: text, mesh: 99 }],
     }, null, 1));
   });
-  writeFileSync(join(place, "broken.gltf"), `{"asset": ${BREAKERS[0]}`);
+  writeFileSync(join(place, "cut + torn.gltf"), `{"asset": ${BREAKERS[0]}`);
   return place;
 }

@@ -129,16 +129,27 @@ function showMore() {
   byId("more").hidden = list.childElementCount >= shown.length;
 }
 
+/** Why a rule has no assets, where that is known. */
+function nothingFound() {
+  const nowhere = state.rule && !report.assets.some((asset) => asset.findings.some((one) => one.code === state.rule));
+  return nowhere ? ": " + visible(state.rule) + " found nothing" : "";
+}
+
 function refresh() {
   shown = report.assets.filter(assetMatches).sort(ORDERS.find(([name]) => name === state.order)[2]);
   byId("list").replaceChildren();
   showMore();
   const all = counted(report.assets.length, "asset");
   byId("count").textContent = shown.length === report.assets.length ? all
-    : grouped(shown.length) + " of " + all;
+    : grouped(shown.length) + " of " + all + nothingFound();
 }
 
 // --- The address: what is filtered and open, for links to it ---
+
+/** A plus sign is itself, as in paths: a blank is %20. */
+function addressOf(words) {
+  return new URLSearchParams(words).toString().replaceAll("+", "%20");
+}
 
 function writeAddress() {
   const words = new URLSearchParams();
@@ -148,7 +159,7 @@ function writeAddress() {
     if (field.value !== usual) words.set(name, field.value);
   }
   if (opened) words.set("asset", opened);
-  const address = words.toString();
+  const address = addressOf(words);
   if (address !== location.hash.slice(1)) history.replaceState(null, "", address ? "#" + address : "#assets");
 }
 
@@ -169,7 +180,7 @@ function offerRule(code) {
 }
 
 function readAddress() {
-  const words = new URLSearchParams(location.hash.slice(1));
+  const words = new URLSearchParams(location.hash.slice(1).replaceAll("+", "%2B"));
   if (words.get("rule")) offerRule(words.get("rule"));
   for (const name of Object.keys(state)) {
     const field = byId(name);
@@ -271,7 +282,7 @@ function targetTable() {
   const losses = targetLosses();
   if (losses.length === 0) return make("p.soft", {}, "Every target reads every feature that was measured.");
   const rows = losses.map((loss) => [make("span.label.is-" + loss.severity, {}, loss.severity),
-    make("a", { href: "#" + new URLSearchParams({ text: loss.words }) }, visible(loss.words)),
+    make("a", { href: "#" + addressOf({ text: loss.words }) }, visible(loss.words)),
     ...report.targets.map((one) => grouped(loss.assets.get(one) || 0))]);
   return table("What targets refuse or ignore, and in how many assets",
     [["severity"], ["the target …"], ...report.targets.map((one) => [visible(one), true])], rows);
