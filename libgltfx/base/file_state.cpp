@@ -106,7 +106,7 @@ Trouble keep_extended(int fd, const fs::path& old) {
 
 Trouble keep_owner(int fd, const fs::path& old, const struct stat& status) {
   struct stat own {};
-  if (::fstat(fd, &own) != 0) return file_error("look at", old, errno);
+  if (::fstat(fd, &own) != 0) return file_error("examine", old, errno);
   const bool same = own.st_uid == status.st_uid && own.st_gid == status.st_gid;
   if (same || ::fchown(fd, status.st_uid, status.st_gid) == 0) return std::nullopt;
   return file_error("keep the owner of", old, errno);
@@ -126,7 +126,7 @@ FileState state_of(const struct stat& status) {
 
 Result<FileState> file_state(const std::filesystem::path& path) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return file_error("look at", path, errno);
+  if (::stat(path.c_str(), &status) != 0) return file_error("examine", path, errno);
   if (S_ISREG(status.st_mode)) return state_of(status);
   return Error{fmt::format("{} is not a regular file", quoted(path.native(), 200))};
 }

@@ -55,7 +55,7 @@ FileDraft::FileDraft(const fs::path& path, const std::optional<FileState>& seen)
   std::error_code error;
   target_ = fs::canonical(path, error);
   if (error) {
-    trouble_ = file_error("look at", path, error.value());
+    trouble_ = file_error("examine", path, error.value());
   } else if (trouble_ = check_replaceable(target_, *seen); !trouble_) {
     look_at(target_);
   }
@@ -66,7 +66,7 @@ FileDraft::FileDraft(const fs::path& path, const fs::path& like) : target_(path)
 void FileDraft::look_at(const fs::path& like) {
   like_ = like;
   if (::stat(like.c_str(), &old_) != 0) {
-    trouble_ = file_error("look at", like, errno);
+    trouble_ = file_error("examine", like, errno);
   } else {
     file_.emplace(target_, kOwnerOnly);
   }
@@ -95,7 +95,7 @@ UniqueFd FileDraft::reader() const { return file_ ? file_->reader() : UniqueFd()
 
 std::optional<Error> check_replaceable(const fs::path& path, const FileState& seen) {
   struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return file_error("look at", path, errno);
+  if (::stat(path.c_str(), &status) != 0) return file_error("examine", path, errno);
   return objection(path, status, seen);
 }
 

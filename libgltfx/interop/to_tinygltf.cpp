@@ -51,7 +51,7 @@ class Conversion {
 
   bool is_convertible() {
     if (asset_.report().counts.errors > 0) notes_.fail("it is not valid");
-    if (asset_.report().unverified > 0) notes_.fail("Git-LFS pointers stand for its files");
+    if (asset_.report().unverified > 0) notes_.fail("some of its files are Git LFS pointers");
     if (!asset_.asset().container().json) notes_.fail("it holds no glTF");
     return notes_.error().empty();
   }

@@ -234,7 +234,7 @@ std::optional<Error> find_conflict(const bake::Camera& camera, const BakeOptions
     return Error{"a turntable goes around the asset, not through a camera of its own"};
   }
   if (!options.frame.empty()) {
-    return Error{"a camera of the asset stands where it is; only others frame a node"};
+    return Error{"a camera of the asset has a fixed place; use another camera to frame a node"};
   }
   if (camera.perspective && options.projection != BakeProjection::perspective) {
     return Error{"a camera of the asset has its own projection"};

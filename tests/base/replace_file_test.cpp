@@ -100,9 +100,9 @@ TEST(ReplaceFile, RefusesReadOnlyFiles) {
 TEST(ReplaceFile, WhatIsNotThereOrNoFileCannotBeReplaced) {
   const TempFolder folder;
   EXPECT_THAT(check_replaceable(folder.path(), {})->message, HasSubstr("not a regular file"));
-  EXPECT_THAT(check_replaceable(folder.path() / "none", {})->message, HasSubstr("cannot look at"));
+  EXPECT_THAT(check_replaceable(folder.path() / "none", {})->message, HasSubstr("cannot examine"));
   EXPECT_THAT(replace_file(folder.path() / "none", "new", {})->message,
-              HasSubstr("cannot look at"));
+              HasSubstr("cannot examine"));
 }
 
 TEST(ReplaceFile, OwnerAndGroupAreKept) {

@@ -132,7 +132,7 @@ TEST_F(FramingOptions, ANodeThatCannotBeFramedIsNamed) {
   EXPECT_THAT(complaint("toy", BakeProblem::nothing_to_see), HasSubstr("node 'toy'"));
   asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.01}}}}, {});
   options.camera = "0";
-  EXPECT_THAT(complaint("tower", BakeProblem::refused), HasSubstr("stands where it is"));
+  EXPECT_THAT(complaint("tower", BakeProblem::refused), HasSubstr("has a fixed place"));
 }
 
 // A red block before a blue one of the same size.

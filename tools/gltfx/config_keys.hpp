@@ -31,8 +31,8 @@ struct ConfigKey {
   std::string_view name;  ///< with its table: "budgets.triangles"
   ConfigForm form;
   ConfigMerge merge;
-  bool by_path;                ///< may stand in [[overrides]]
-  std::string_view otherwise;  ///< what holds when nobody says anything
+  bool by_path;                ///< allowed in [[overrides]]
+  std::string_view otherwise;  ///< the default
   // None where another verb alone has use for it.
   std::string RawValidateOptions::*word = nullptr;                ///< where a single value goes
   std::vector<std::string> RawValidateOptions::*words = nullptr;  ///< where several go

@@ -113,7 +113,7 @@ std::string extension_facts(const Set& set, const schema::Extension& extension) 
   for (const auto& relation : extension.overridden_by) {
     facts.add("overridden by", relation_text(relation));
   }
-  if (extension.standalone) facts.add("stands alone", "no other extension beside it");
+  if (extension.standalone) facts.add("excludes", "every other extension of the same object");
   facts.add("images", fmt::format("{}", fmt::join(extension.image_mime_types, ", ")));
   add_attributes(facts, "attribute", extension.vertex_attributes);
   add_attributes(facts, "morph target", extension.morph_attributes);

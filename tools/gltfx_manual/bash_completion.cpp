@@ -54,7 +54,7 @@ _gltfx_value()
   _gltfx_values "$1 $2"
   local typed=$3 prefix=$4
   if [[ $typed == *=* && ( $behind || $file_behind ) ]]; then
-    # What stands before "=" is a word of its own for readline, if "=" divides words.
+    # The text before "=" is a word of its own for readline, if "=" divides words.
     [[ $COMP_WORDBREAKS == *=* ]] || prefix+=${typed%%=*}=
     [[ $behind ]] && _gltfx_offer "$prefix" "${typed#*=}" "$behind"
     [[ $file_behind ]] && files=1 endings='' _gltfx_paths "$prefix" "${typed#*=}"

@@ -16,7 +16,7 @@ namespace {
 
 struct VerbText {
   std::string_view verb;
-  std::string_view operands;     ///< what stands behind the options: "PATH..."; may be empty
+  std::string_view operands;     ///< what follows the options: "PATH..."; may be empty
   std::string_view description;  ///< paragraphs of prose with blank lines between
 };
 
@@ -36,13 +36,13 @@ images. Each finding has a code, a place, what was expected and, where there is 
 it; gltfx-explain(1) tells more about a code.
 
 A PATH is a file, a folder that is searched for .gltf and .glb files, a glob, or - for one asset on
-standard input. Findings go to standard output as text; other formats can take its place or be
-written to files beside it, as many as are asked for.
+standard input. Findings go to standard output as text; other formats replace the text or are
+written to files in addition, any number of them.
 
 Images are judged by their headers. Where a rule needs pixels, `--pixels` says whether they are
 decoded.
 
-What is asked of every run in a folder can stand in gltfx.toml(5).)";
+gltfx.toml(5) sets options for every run in a folder.)";
 
 constexpr std::string_view kFix =
     R"(Fixes findings of gltfx-validate(1) whose fix is certain: pictures, animations and names stay,
@@ -72,7 +72,7 @@ beside the asset, or into a data URI.)";
 
 constexpr std::string_view kEdit =
     R"(Deletes elements of arrays, or members, that JSON pointers name. Every index and every JSON pointer
-that leads behind them is counted anew, in the core of glTF and in all extensions that gltfx or a
+to an object after them is renumbered, in the core of glTF and in all extensions that gltfx or a
 `--schema` describes. All else in the file stays byte for byte.
 
 What refers to something that would go is listed, and the file stays as it is. With `--cascade` it
@@ -217,7 +217,7 @@ void add_exit_codes(RoffPage& page) {
     page.item(fmt::format("\\fB{}\\fR", static_cast<int>(entry.code)),
               fmt::format("{}.", entry.meaning));
   }
-  page.prose("Where several apply, 4 stands before 2, 2 before 3 and 3 before 1.");
+  page.prose("If several apply, the status is the first of 4, 2, 3 and 1 that does.");
 }
 
 bool has_option(const CommandEntry& command, std::string_view name) {
@@ -297,7 +297,7 @@ std::string command_page(const std::vector<CommandEntry>& table, const CommandEn
   add_synopsis(page, command, *text);
   page.section("DESCRIPTION");
   page.prose(text->description, text->operands);
-  // What stands before "Examples:" belongs here.
+  // The text before "Examples:" belongs here.
   if (begin > 0) page.prose(examples.substr(0, examples.find_last_not_of('\n', begin - 1) + 1));
   if (command.name.empty()) add_verbs(page, table);
   add_options(page, command);

@@ -12,17 +12,18 @@ namespace gltfx::tool {
 namespace {
 
 constexpr std::string_view kDescription =
-    R"(What is asked of every run in a folder can stand in a file of this name. The nearest one of the
-working folder and those above it holds, never one that lies with the assets: what comes from
-outside cannot switch off its own checks. `--config` names another file, `--isolated` none.
+    R"(A file of this name sets options for every run in a folder. gltfx reads the nearest one in the
+working folder or above it, never one in the folder of the assets: an asset cannot disable its own
+checks. `--config` names another file; `--isolated` ignores all of them.
 
-The file is written in TOML 1.0. The command line stands before the file. Paths and patterns start
-from the folder of the file. gltfx-config(1) shows what holds for a path, and which line says so.)";
+The file is written in TOML 1.0. The command line overrides the file. Paths and patterns are
+relative to the folder of the file. gltfx-config(1) shows which values apply to a path, and the line
+of each.)";
 
 constexpr std::string_view kOverrides =
-    R"(Each table of the list `overrides` holds for some paths only. It has a member `paths`, a list of
+    R"(Each table of the list `overrides` applies to some paths only. It has a member `paths`, a list of
 globs, folders (with / at the end) and names, and any of the keys that are marked so above. A later
-one stands before an earlier one; what is ignored adds up, and `select` brings a code back.)";
+table overrides an earlier one; `ignore` lists add up, and `select` enables a code again.)";
 
 constexpr std::string_view kExample = R"(profile = "strict"
 ignore = ["IMAGE_NPOT_DIMENSIONS"]
@@ -70,7 +71,7 @@ std::string option_of(std::string_view key) {
   return fmt::format("--{}", key);
 }
 
-// Without what is said in brackets about the command line, or about defaults.
+// Without remarks in brackets about the command line, or about defaults.
 std::string_view without_usage(std::string_view text) {
   while (text.ends_with(')')) {
     const std::size_t open = text.rfind(" (");
@@ -91,7 +92,7 @@ std::string text_of(const std::vector<CommandEntry>& table, const ConfigKey& key
   std::string text = fmt::format("{}. As `{}` of gltfx-{}(1). Default: {}.",
                                  without_usage(option->text), name, verb, key.otherwise);
   if (key.name == "schemas") text.append(" Folders are taken as by `--schema-dir`.");
-  if (key.by_path) text.append(" May stand in `overrides`.");
+  if (key.by_path) text.append(" Allowed in `overrides`.");
   return text;
 }
 

@@ -86,7 +86,7 @@ std::string path_action(const Values& values) {
   return fmt::format("_files -g \"(#i)*.({})(-.)\"", fmt::join(values.endings, "|"));
 }
 
-// What _arguments does for these values, behind the last colon: with a blank before them functions
+// What _arguments does for these values, after the last colon: with a blank before them functions
 // get no other arguments than these.
 std::string action(const Values& values, const std::string& name, std::string& arrays) {
   const bool words = !values.words.words.empty();

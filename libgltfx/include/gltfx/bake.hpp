@@ -42,10 +42,10 @@ enum class BakeProjection : std::uint8_t {
   orthographic,  ///< parallel edges stay parallel, and sizes do not depend on the distance
 };
 
-/// Whether the camera stands inside: in a place from which much of a room is seen, with a wide
-/// angle and light that comes in through walls.
+/// Whether the camera is inside: at a place with a view of much of a room, with a wide angle and
+/// light that comes in through walls.
 enum class BakeInterior : std::uint8_t {
-  automatic,  ///< in a closed room of which a camera around it sees walls only
+  automatic,  ///< in a closed room that shows only walls to a camera around it
   on,         ///< a camera of the asset stays in its place
   off,
 };
@@ -127,8 +127,9 @@ struct BakeOptions {
   unsigned jobs = 0;  ///< threads; 0: one a core. Pictures do not depend on it.
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
-  /// Knows which pictures lie where `output` wants them, as they would be drawn now: those are left
-  /// alone. Null: none. Without effect where there is no `output`, with `embed` and with `seconds`.
+  /// Records which pictures at `output` are as they would be drawn now: those are left alone.
+  /// Null: all are drawn. Without effect where there is no `output`, with `embed` and with
+  /// `seconds`.
   std::shared_ptr<ResultCache> cache;
   /// Called now and then with the part of all pictures that is done, from 0 to 1, one call at a
   /// time, from any thread; may be empty.
@@ -139,7 +140,7 @@ struct BakeOptions {
 enum class BakeProblem : std::uint8_t {
   none,
   unreadable,      ///< the file could not be read, or is no glTF
-  invalid,         ///< it has errors that refuse it: see `validation`
+  invalid,         ///< it has errors for which it is refused: see `validation`
   nothing_to_see,  ///< it is fine, but shows nothing
   refused,         ///< what was asked for cannot be done with this file
   not_written,     ///< the picture could not be encoded or written

@@ -18,7 +18,7 @@ class Set;
 struct EditOptions {
   bool diff = false;      ///< fill EditOutcome::diff
   bool in_place = false;  ///< replace the file
-  bool backup = false;    ///< in place: keep the old bytes beside it, with ".bak" behind the name
+  bool backup = false;    ///< in place: keep the old bytes beside it, with ".bak" after the name
   /// Write here instead; empty: nowhere. Files that the asset refers to are copied beside it when
   /// the folder is another one. Folders are made.
   std::string output;

@@ -29,7 +29,7 @@ enum class ByteUse : std::uint8_t {
   skins,       ///< inverse bind matrices
   other,       ///< what else refers to buffers, such as instances of a mesh
   unused,      ///< nothing that is known here refers to them
-  base64,      ///< what data URIs take beyond the bytes that they stand for
+  base64,      ///< what data URIs take beyond the bytes that they encode
   padding,     ///< headers of a GLB, and up to 15 bytes between two objects
 };
 inline constexpr std::size_t kByteUseCount = 9;  ///< how many there are
@@ -124,7 +124,7 @@ struct PropertyTableFacts {
 };
 
 /// Of what the default scene shows, in metres; without morph targets, of skinned meshes where their
-/// joints stand in the file.
+/// joints are in the file.
 struct SceneBounds {
   std::array<double, 3> least{}, greatest{};  ///< corners: x, y, z
 };

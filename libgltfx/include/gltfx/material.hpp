@@ -119,7 +119,7 @@ struct MaterialSample {
   Rgb weight;      ///< f |cos| / pdf
   double pdf = 0;  ///< per steradian; of a delta lobe: its probability
   /// Of a mirror or an ideal refraction: nothing else reaches this direction, and evaluate() and
-  /// pdf() do not see it.
+  /// pdf() leave it out.
   bool delta = false;
 };
 

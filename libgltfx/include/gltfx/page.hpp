@@ -21,7 +21,7 @@ namespace gltfx {
 struct PagePicture {
   std::string uri;         ///< a data URI that a browser can show; empty: there is none
   std::uint32_t size = 0;  ///< pixels along each side
-  std::string problem;     ///< one sentence where there is none; empty: nobody asked for one
+  std::string problem;     ///< one sentence where there is none; empty: none was requested
 };
 
 /// Everything that the page says of one asset. Owns its text.
@@ -33,7 +33,7 @@ struct PageAsset {
   std::vector<std::string> targets;     ///< labels of those that it was checked for
 };
 
-/// What stands on a page beside the assets.
+/// What is on a page in addition to the assets.
 struct PageOptions {
   std::string title;                       ///< plain text
   std::string profile, pixel_level;        ///< of the validation
@@ -41,8 +41,8 @@ struct PageOptions {
 };
 
 /// Calls: begin, asset for each in order, end. Each appends text to `out`, which the caller writes
-/// and clears as it likes. The same bytes for the same assets. Text of assets only ever stands in
-/// one block of JSON that no browser takes for markup. Not thread-safe.
+/// and clears as it likes. The same bytes for the same assets. Text of assets is only in
+/// one block of JSON, which no browser takes for markup. Not thread-safe.
 class PageWriter {
  public:
   /// A writer of one page.

@@ -27,7 +27,7 @@ namespace gltfx {
 /// `readable == false` and one IO_ERROR. Safe to call from several threads.
 FileReport validate_file(const std::string& path, const ValidateOptions& options = {});
 
-/// Validates bytes, such as standard input. `name` stands in the report. External resources are
+/// Validates bytes, such as standard input. The report uses `name`. External resources are
 /// looked up only when `options.root` names a folder.
 FileReport validate_bytes(std::string bytes, const std::string& name,
                           const ValidateOptions& options = {});
@@ -42,7 +42,7 @@ enum class AssetFormat : std::uint8_t { detect, gltf, glb };
 /// An asset in memory.
 struct MemoryAsset {
   std::string bytes;                         ///< of the whole file
-  std::string name;                          ///< stands in the report
+  std::string name;                          ///< as the report names it
   AssetFormat format = AssetFormat::detect;  ///< what the bytes are taken for
   /// Where the asset's resources come from. Empty: from the folder `ValidateOptions::root`, or
   /// nowhere.
@@ -103,9 +103,9 @@ void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, 
 /// The bytes of an example of a rule with nothing but that rule's fix, as they would be written.
 std::string fix_example(const RuleDescription& rule, std::string_view example);
 
-/// Deletes what the options name from the asset at `path`: every index and JSON pointer that leads
-/// behind is counted anew. A file is changed whole or not at all, only after the new bytes were
-/// validated. Never throws. Safe to call from several threads for different files.
+/// Deletes what the options name from the asset at `path`: every index and JSON pointer to an
+/// object after them is counted anew. A file is changed whole or not at all, only after the new
+/// bytes were validated. Never throws. Safe to call from several threads for different files.
 DeleteReport delete_objects(const std::string& path, const DeleteOptions& options);
 
 /// The same for many files on `jobs` threads (at least 1), which hands over the reports in the

@@ -78,9 +78,9 @@ struct FileReport {
   std::uint64_t left_out = 0;           ///< findings that the asset asks to leave out
   std::uint64_t unchanged = 0;          ///< findings on other lines than those that were asked for
   std::uint64_t fixable = 0;            ///< findings that `gltfx fix` fixes, repeats counted
-  std::uint64_t unverified = 0;         ///< resources not looked into: Git-LFS pointers
-  std::uint64_t images_wanted = 0;      ///< whose pixels were to be looked at
-  std::uint64_t images_decoded = 0;     ///< of those, the ones whose pixels could be had
+  std::uint64_t unverified = 0;         ///< resources that were not checked: Git LFS pointers
+  std::uint64_t images_wanted = 0;      ///< whose pixels were to be checked
+  std::uint64_t images_decoded = 0;     ///< of those, the ones that were decoded
   std::uint64_t microseconds = 0;       ///< that the validation took
   std::optional<AssetInfo> info;        ///< where the JSON text could be read
 };

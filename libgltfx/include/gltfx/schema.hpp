@@ -16,7 +16,7 @@ class Set;
 /// A schema file: JSON Schema 2020-12 with the keyword `x-gltfx`, as `gltfx validate --schema`
 /// takes it.
 struct SchemaSource {
-  std::string name;  ///< stands in problems
+  std::string name;  ///< as problems name it
   std::string text;  ///< its bytes
 };
 

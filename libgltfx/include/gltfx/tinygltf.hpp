@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
 /// Assets as models of tinygltf (github.com/syoyo/tinygltf) and back, for programs that use it:
-/// tinygltf never sees bytes that were not validated, and gets what it does not decode itself.
+/// tinygltf gets validated bytes only, and decoded data where it has no decoder.
 /// The calls are in the CMake target gltfx::tinygltf, built for the version of tiny_gltf.h that was
 /// found then.
 #pragma once
@@ -83,8 +83,8 @@ struct TinygltfReport {
 /// Validates the .gltf or .glb at `path` and fills `model` with it, as tinygltf's own loader would
 /// (values of `Material::values` and `Model::lights` included), but for this:
 /// - What is compressed (KHR_draco_mesh_compression, EXT_ and KHR_meshopt_compression) comes as
-///   plain accessors, and the extension is named no more. Nothing is renumbered: decoded bytes lie
-///   behind everything else or in the empty buffer that stands for them, compressed ones stay.
+///   plain accessors, and the extension is named no more. Nothing is renumbered: decoded bytes are
+///   after all others or in the empty buffer that is their fallback; compressed ones stay.
 ///   Bounds of accessors become those of what was decoded, since compression rounds.
 /// - Channels of animations that move no node are there, with a `target_node` of -1.
 /// - Nulls, empty objects and numbers beyond 32 bits in extras and extensions are kept.

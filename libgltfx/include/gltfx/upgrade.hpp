@@ -65,7 +65,7 @@ struct UpgradeOptions : EditOptions {
   /// A file in which something cannot be done without loss is an error and is not written.
   bool strict = false;
   /// Put colour and factor of diffuse transmission into one image, where that changes no texel that
-  /// somebody reads.
+  /// is used.
   bool pack = false;
   /// Take out textures, images and buffer views that nothing refers to any more because of this
   /// upgrade.

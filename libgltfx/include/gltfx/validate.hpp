@@ -62,7 +62,7 @@ struct ValidateOptions {
   LfsPolicy lfs = LfsPolicy::skip;  ///< how pointers of Git LFS count
   /// Leave out what an asset asks to leave out, errors too: `{"ignore": [{"code": "UNUSED_OBJECT",
   /// "reason": "..."}]}` in `extras.gltfx` of an object, for findings on it and below it. Only for
-  /// assets that somebody vouches for; the khronos profile never does.
+  /// assets from a trusted source; the khronos profile never does.
   bool inline_suppressions = false;
   /// Folder that resources may come from; empty: the asset's own folder.
   std::string root;

@@ -243,7 +243,7 @@ class ColumnScan {
     const auto last = std::to_integer<unsigned>(column_.values.bytes->view()[bits / 8]);
     if (last >> (bits % 8) == 0) return;
     find("values", Code::PROPERTY_TABLE_PADDING,
-         fmt::format("The bits behind the {} flags are not 0.", bits));
+         fmt::format("The bits after the {} flags are not 0.", bits));
   }
 
   void scan(std::uint64_t elements, unsigned components) {
