@@ -14,6 +14,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "validate/data_asset.hpp"
 #include "validate/textured.hpp"
 
 namespace gltfx::test {
