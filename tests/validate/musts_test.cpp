@@ -239,7 +239,7 @@ TEST_P(Musts, AreErrorsWhereTheyAreBroken) {
   for (const Json& row : read_table(kMusts / (GetParam() + ".json"))) {
     const std::string name = row.at("must");
     SCOPED_TRACE(name);
-    EXPECT_TRUE(names.insert(name).second) << "stands there twice";
+    EXPECT_TRUE(names.insert(name).second) << "is there twice";
     EXPECT_EQ(findings_of(asset_of_row(row, bases, false), Severity::warning),
               std::set<std::string>{});
     const std::set<std::string> errors = errors_of(row);

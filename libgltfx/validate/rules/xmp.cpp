@@ -165,7 +165,7 @@ class PacketCheck {
     if (!json_ld_ || value == json::kNoNode) return false;
     if (document_.find(object, "@language") != json::kNoNode) return false;
     report_link(context_, Path(path, "@value"), value, Code::XMP_FORM_FORBIDDEN,
-                "A @value without a @language is not allowed; the value must stand by itself.");
+                "The @value has no @language; it must be written as a plain value.");
     return true;
   }
 
