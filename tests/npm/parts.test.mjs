@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import nodePath from "node:path";
 import { test } from "node:test";
+import { createApi } from "../../tools/npm/lib/api.mjs";
 import { checkAreCodes, checkOptions } from "../../tools/npm/lib/api_options.mjs";
 import { hostPath, virtualPath, virtualWord } from "../../tools/npm/lib/paths.mjs";
 import { normalizeUri } from "../../tools/npm/lib/uri.mjs";
@@ -97,6 +98,77 @@ test("codes that no rule has are refused", () => {
   checkAreCodes(engine, { ignoredIssues: ["A"], onlyIssues: ["A"], severityOverrides: { A: 1 } });
   for (const wrong of [{ ignoredIssues: ["B"] }, { onlyIssues: ["A", "B"] }, { severityOverrides: { B: 1 } }])
     assert.throws(() => checkAreCodes(engine, { ...none, ...wrong }), { message: "gltfx: there is no code 'B'" });
+});
+
+// Wants the paths that a text names, and reports which of them it got.
+function fakeEngine() {
+  const utf8 = new TextEncoder();
+  const engine = {
+    isReady: true,
+    runs: [],
+    isCode: (code) => code === "A",
+    validate(asset, { paths, resources }) {
+      assert.equal(paths, true);
+      const wanted = new TextDecoder().decode(asset).split(",");
+      const got = wanted.filter((path) => resources.get(path));
+      return { report: JSON.stringify({ files: [{ got }] }), missing: wanted.filter((path) => !resources.has(path)) };
+    },
+    async run(words, files) {
+      engine.runs.push([words.join(" "), [...files.keys()].sort()]);
+      const one = { problem: "none", facts: { version: "2.0" } };
+      const stdout = utf8.encode(JSON.stringify({ files: [one], assets: [one] }));
+      const written = ["asset.gltf", "x.png"].map((name) => [name, utf8.encode("new")]);
+      return { code: 0, stdout, stderr: "", files: new Map(written) };
+    },
+  };
+  return engine;
+}
+
+test("resources are asked for by path, once, and what is not there is reported", async () => {
+  const { validate } = createApi(async () => fakeEngine());
+  const asset = new TextEncoder().encode("my data.bin,sub/a#b.bin,C:/Windows/win.ini,gone.bin,my data.bin");
+  const bytes = new Uint8Array(4);
+  const there = new Map([
+    ["my data.bin", bytes],
+    ["sub/a#b.bin", bytes],
+    ["C:/Windows/win.ini", null],
+  ]);
+  const missing = () => {
+    throw new Error("ENOENT");
+  };
+  for (const answer of [
+    (path) => there.get(path),
+    async (path) => there.get(path) ?? null,
+    (path) => there.get(path) ?? missing(),
+    async (path) => there.get(path) ?? missing(),
+  ]) {
+    const asked = [];
+    const resources = (path) => {
+      asked.push(path);
+      return answer(path);
+    };
+    assert.deepEqual(await validate(asset, { resources }), { got: ["my data.bin", "sub/a#b.bin", "my data.bin"] });
+    assert.deepEqual(asked, ["my data.bin", "sub/a#b.bin", "gone.bin"]); // no drive of Windows
+  }
+  assert.deepEqual(await validate(asset, { resources: there }), { got: ["my data.bin", "sub/a#b.bin", "my data.bin"] });
+  assert.deepEqual(await validate(asset), { got: [] });
+  await assert.rejects(validate(asset, { resources: () => "text" }), TypeError);
+});
+
+test("upgrade and inspect get the files by the same paths", async () => {
+  const engine = fakeEngine();
+  const { inspect, upgrade } = createApi(async () => engine);
+  const asset = new TextEncoder().encode("sub/a b.bin,gone.bin");
+  const resources = new Map([["sub/a b.bin", new Uint8Array(4)]]);
+  const done = await upgrade(asset, { resources, unsafe: true, only: ["X"], to: ["Y", "Z"] });
+  assert.equal(new TextDecoder().decode(done.asset), "new");
+  assert.deepEqual([...done.files.keys()], ["x.png"]);
+  assert.deepEqual(await inspect(asset, { resources }), { version: "2.0" });
+  const head = "asset.gltf --isolated --format json";
+  assert.deepEqual(engine.runs, [
+    [`upgrade ${head} --in-place --unsafe --only X --to Y --to Z`, ["asset.gltf", "sub/a b.bin"]],
+    [`inspect ${head} --top 0`, ["asset.gltf", "sub/a b.bin"]],
+  ]);
 });
 
 test("URIs in the form of the Khronos validator", () => {

@@ -20,6 +20,8 @@ function same(args, options = {}) {
     command(one, args, { cwd: folder, timeout: HANGS, ...options }),
   );
   assert.notEqual(expected.code, null, args.join(" "));
+  // Each C library has words of its own.
+  expected.stdout = expected.stdout.replaceAll("Too many levels of symbolic links", "Symbolic link loop");
   assert.deepEqual(found, expected);
   assert.ok(!found.stdout.includes(SECRET));
   return found;
