@@ -10,8 +10,8 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <map>
 #include <mutex>
+#include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -66,11 +66,6 @@ const std::string& process_space() {
   return space;
 }
 
-/// A temporary file's own name, and that of the file it was to become: NAME.SPACE-PID-N.part
-struct Leftover {
-  std::string name, target;
-};
-
 // Takes a number with that mark before it off the end of a text; -1: there is none.
 long take_number(std::string_view& text, char mark) {
   const std::size_t at = text.rfind(mark);
@@ -96,21 +91,23 @@ bool is_stale(std::string_view space, long process, const fs::path& file) {
   return ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH;
 }
 
-std::vector<Leftover> leftovers_in(const fs::path& folder) {
-  std::vector<Leftover> found;
-  DirectoryReader directory(folder);
-  while (const char* entry = directory.next()) {
-    const std::string name = entry;
-    if (!name.ends_with(kEnding)) continue;
-    std::string_view rest = std::string_view(name).substr(0, name.size() - kEnding.size());
-    const long attempt = take_number(rest, '-');
-    const long process = attempt < 0 ? -1 : take_number(rest, '-');
-    const std::size_t dot = rest.rfind('.');
-    if (process <= 0 || dot == std::string_view::npos) continue;
-    if (!is_stale(rest.substr(dot + 1), process, folder / name)) continue;
-    found.push_back({name, std::string(rest.substr(0, dot))});
-  }
-  return found;
+bool is_space(std::string_view text) {
+  return text.size() == process_space().size() &&
+         text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+// NAME.SPACE-PID-N.part
+bool is_leftover(const std::string& name, const fs::path& folder) {
+  if (!name.ends_with(kEnding)) return false;
+  std::string_view rest = std::string_view(name).substr(0, name.size() - kEnding.size());
+  const long attempt = take_number(rest, '-');
+  const long process = attempt < 0 ? -1 : take_number(rest, '-');
+  const std::size_t dot = rest.rfind('.');
+  if (process <= 0 || dot == std::string_view::npos || dot == 0) return false;
+  const std::string_view space = rest.substr(dot + 1);
+  std::error_code error;
+  return is_space(space) && fs::is_regular_file(fs::symlink_status(folder / name, error)) &&
+         is_stale(space, process, folder / name);
 }
 
 // 0, or errno is set: EEXIST where there is something already.
@@ -152,10 +149,11 @@ TemporaryFile::TemporaryFile(std::filesystem::path target, unsigned mode)
     error_ = errno;
     if (!fd_ && error_ != EEXIST) break;
   }
+  is_there_ = static_cast<bool>(fd_);
 }
 
 TemporaryFile::~TemporaryFile() {
-  if (fd_ && !moved_) ::unlink(name_.c_str());
+  if (is_there_) ::unlink(name_.c_str());
 }
 
 Trouble TemporaryFile::write(std::string_view bytes) {
@@ -166,9 +164,11 @@ Trouble TemporaryFile::write(std::string_view bytes) {
                            quoted(target_.native(), 200))};
 }
 
-// EINVAL: a file system that cannot make anything durable.
+// EINVAL: a file system that cannot make anything durable. There may be more files to be written
+// than a process can hold open.
 Trouble TemporaryFile::make_durable() {
-  if (::fsync(fd_.get()) == 0 || errno == EINVAL) return std::nullopt;
+  const UniqueFd file = std::move(fd_);
+  if (::fsync(file.get()) == 0 || errno == EINVAL) return std::nullopt;
   return file_error("write", target_, errno);
 }
 
@@ -189,7 +189,7 @@ Trouble TemporaryFile::move_over() {
   if (std::rename(name_.c_str(), target_.c_str()) != 0) {
     return file_error("replace", target_, errno);
   }
-  moved_ = true;
+  is_there_ = false;
   return sync(*folder);
 }
 
@@ -197,9 +197,9 @@ Trouble TemporaryFile::move_over() {
 Trouble TemporaryFile::move_to_free_place() {
   const auto folder = open_folder();
   if (!folder) return folder.error();
-  moved_ = rename_to_free_place(name_.c_str(), target_.c_str()) == 0;
-  const bool unknown = !moved_ && (errno == EINVAL || errno == ENOSYS);
-  if (!moved_ && !(unknown && ::link(name_.c_str(), target_.c_str()) == 0)) {
+  is_there_ = rename_to_free_place(name_.c_str(), target_.c_str()) != 0;
+  const bool unknown = is_there_ && (errno == EINVAL || errno == ENOSYS);
+  if (is_there_ && !(unknown && ::link(name_.c_str(), target_.c_str()) == 0)) {
     return file_error("create", target_, errno);
   }
   return sync(*folder);
@@ -241,14 +241,18 @@ std::string temporary_name(const fs::path& target, int number) {
 
 void remove_stale_files(const fs::path& target) {
   static std::mutex mutex;
-  static std::map<fs::path, std::vector<Leftover>> known;
+  static std::set<fs::path> known;
   const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
   const std::lock_guard lock(mutex);
-  auto found = known.find(folder);
-  if (found == known.end()) found = known.emplace(folder, leftovers_in(folder)).first;
-  for (const Leftover& leftover : found->second) {
+  if (!known.insert(folder).second) return;
+  std::vector<std::string> found;
+  DirectoryReader directory(folder);
+  while (const char* entry = directory.next()) {
+    if (is_leftover(entry, folder)) found.emplace_back(entry);
+  }
+  for (const std::string& name : found) {
     std::error_code ignored;
-    if (leftover.target == target.filename()) fs::remove(folder / leftover.name, ignored);
+    fs::remove(folder / name, ignored);
   }
 }
 

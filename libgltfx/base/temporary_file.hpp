@@ -32,8 +32,8 @@ class TemporaryName {
 /// calls give nothing when they succeed, else why they did not. Not thread-safe.
 class TemporaryFile {
  public:
-  /// Creates a file in the target's folder, without those that killed processes have left there for
-  /// the same target; the first write() says when that failed. Links are not followed: `target` is
+  /// Creates a file in the target's folder, where those go that killed processes have left; the
+  /// first write() says when that failed. Links are not followed: `target` is
   /// the place that is taken. `mode` as open() takes it.
   explicit TemporaryFile(std::filesystem::path target, unsigned mode = 0666);
   ~TemporaryFile();
@@ -41,7 +41,7 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   std::optional<Error> write(std::string_view bytes);
-  /// Makes the bytes durable, where the file system can.
+  /// Makes the bytes durable, where the file system can. They cannot be read or written any more.
   std::optional<Error> make_durable();
   /// Takes the place of what is at the target, durably.
   std::optional<Error> move_over();
@@ -60,7 +60,7 @@ class TemporaryFile {
   std::optional<TemporaryName> kept_;
   UniqueFd fd_;
   int error_ = 0;
-  bool moved_ = false;
+  bool is_there_ = false;  ///< created, and not moved yet
 };
 
 /// Writes all of `bytes` to a descriptor. False with errno when it cannot be done.
@@ -77,10 +77,10 @@ void remove_temporaries() noexcept;
 /// those of one process apart.
 std::string temporary_name(const std::filesystem::path& target, int number);
 
-/// Deletes temporary files that processes which no longer run have left beside `target`. Numbers of
-/// processes say nothing of other machines, which may share the folder: what they have left is
-/// deleted when nobody wrote to it for a day. A folder is read once in the life of a process. Any
-/// number of threads may call.
+/// Deletes temporary files that processes which no longer run have left in the folder of `target`,
+/// whatever they were to become. Numbers of processes say nothing of other machines, which may
+/// share the folder: what they have left is deleted when nobody wrote to it for a day. A folder is
+/// read once in the life of a process. Any number of threads may call.
 void remove_stale_files(const std::filesystem::path& target);
 
 }  // namespace gltfx

@@ -22,21 +22,29 @@ std::set<std::string> names_in(const container::test::TempFolder& folder) {
   return names;
 }
 
-TEST(StaleFiles, OnlyThoseOfEndedProcessesAndOfThatNameGo) {
+TEST(StaleFiles, OnlyThoseOfEndedProcessesGo) {
   const container::test::TempFolder folder;
   const pid_t dead = ended_process();
   const std::string gone = left_by(dead, "a.gltf", 0);
-  const std::set<std::string> stay{"a.gltf",
-                                   left_by(dead, "b.gltf", 0),
-                                   left_by(::getppid(), "a.gltf", 0),
-                                   temporary_name("a.gltf", 0),
-                                   "a.gltf.part",
-                                   "a.gltf.x-0.part",
-                                   "a.gltf." + std::to_string(dead) + ".part",
-                                   gone + "ial"};
+  const std::string own = temporary_name("a.gltf", 0);
+  const std::string other_space = "a.gltf.feature" + own.substr(own.find('-'));
+  std::set<std::string> stay{"a.gltf",
+                             other_space,
+                             left_by(::getppid(), "a.gltf", 0),
+                             temporary_name("a.gltf", 0),
+                             "a.gltf.part",
+                             "a.gltf.x-0.part",
+                             "a.gltf." + std::to_string(dead) + ".part",
+                             gone + "ial"};
   for (const std::string& name : stay) folder.write(name, "x");
   folder.write(gone, "x");
   folder.write(left_by(dead, "a.gltf", 17), "x");
+  folder.write(left_by(dead, "b.gltf", 0), "x");
+  std::filesystem::last_write_time(
+      folder.path() / other_space,
+      std::filesystem::file_time_type::clock::now() - std::chrono::hours(25));
+  std::filesystem::create_directory(folder.path() / left_by(dead, "folder", 0));
+  stay.insert(left_by(dead, "folder", 0));
   remove_stale_files(folder.path() / "a.gltf");
   EXPECT_EQ(names_in(folder), stay);
 }
