@@ -38,6 +38,7 @@ Result<Inputs> expand_paths(const NamedPaths& named, bool quiet) {
   while (auto input = walk.next_of_all()) {
     found = found || !input->unmatched;
     if (!input->ours) {
+      inputs.paths_of_others.push_back(std::move(input->path));
       inputs.places_of_others.push_back(std::move(input->place));
       continue;
     }

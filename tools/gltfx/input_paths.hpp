@@ -21,8 +21,8 @@ struct Inputs {
   /// By path: where it stands below the folder that was named, or its name when it was named
   /// itself.
   std::vector<std::string> places;
-  /// Places of what other shards take: names must not clash with theirs.
-  std::vector<std::string> places_of_others;
+  /// The same of what other shards take: names must not clash with theirs.
+  std::vector<std::string> paths_of_others, places_of_others;
   /// Folders among the arguments, and among what globs gave.
   std::vector<std::string> folders;
   bool several = false;  ///< what was named may be more than one file: a folder, a glob, two files

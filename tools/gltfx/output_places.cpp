@@ -25,6 +25,12 @@ fs::path real_path(fs::path path) {
   return error ? path : real;
 }
 
+std::set<fs::path> real_paths(const std::vector<std::string>& paths) {
+  std::set<fs::path> all;
+  for (const std::string& path : paths) all.insert(real_path(path));
+  return all;
+}
+
 bool is_below(const fs::path& path, const fs::path& folder) {
   const auto [end, rest] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
   return end == folder.end() && rest != path.end();
@@ -84,30 +90,103 @@ class Destination {
   bool inside_search_ = false;
 };
 
-// Several shards write into folders only.
-std::set<std::string> taken_by_others(const Inputs& inputs, const std::string& output) {
-  std::set<std::string> taken;
-  if (output.empty()) return taken;
-  for (const std::string& place : inputs.places_of_others) {
-    taken.insert((fs::path(output) / place).native());
+/// Where outputs lie below a folder: as their inputs do below the folder that was named. What would
+/// be equal gets more of the path of its input, as much as is needed.
+class DistinctPlaces {
+ public:
+  explicit DistinctPlaces(const Inputs& inputs) : own_(inputs.paths.size()) {
+    add(inputs.paths, inputs.places);
+    add(inputs.paths_of_others, inputs.places_of_others);
+    while (lengthen()) {
+    }
   }
-  return taken;
-}
 
-namespace fs = std::filesystem;
+  /// Of the inputs of this run, by position.
+  std::vector<std::string> take() && {
+    std::vector<std::string> places;
+    for (std::size_t i = 0; i < own_; ++i) places.push_back(std::move(all_[i].place));
+    return places;
+  }
+  /// Those of other shards.
+  std::set<std::string> of_others() const {
+    std::set<std::string> places;
+    for (std::size_t i = own_; i < all_.size(); ++i) places.insert(all_[i].place);
+    return places;
+  }
+
+ private:
+  struct Place {
+    std::string place;
+    std::vector<std::string> above;  ///< folders, the innermost last
+  };
+
+  void add(const std::vector<std::string>& paths, const std::vector<std::string>& places) {
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      Place place{places[i], {}};
+      const fs::path plain = fs::path(paths[i]).lexically_normal().relative_path();
+      for (const fs::path& step : plain) place.above.push_back(step.native());
+      const fs::path kept = fs::path(places[i]).lexically_normal();
+      for (auto step = kept.begin(); step != kept.end() && !place.above.empty(); ++step) {
+        place.above.pop_back();
+      }
+      all_.push_back(std::move(place));
+    }
+  }
+
+  // Whether a place became longer.
+  bool lengthen() {
+    std::map<std::string, std::size_t> uses;
+    for (const Place& place : all_) ++uses[place.place];
+    bool any = false;
+    for (Place& place : all_) {
+      if (uses[place.place] < 2 || place.above.empty() || place.above.back() == "..") continue;
+      place.place = place.above.back() + "/" + place.place;
+      place.above.pop_back();
+      any = true;
+    }
+    return any;
+  }
+
+  const std::size_t own_;
+  std::vector<Place> all_;
+};
+
+Error same_output(const std::string& target) {
+  return {
+      fmt::format("--output: two inputs would be written to {}; name the folder that "
+                  "holds both, or write them one by one.",
+                  quoted(target, 200))};
+}
 
 // "a/b.glb" to "a/b.png"; with both an a/b.glb and an a/b.gltf the whole names stay.
 std::vector<std::string> picture_names(const Inputs& inputs, const std::string& format) {
+  DistinctPlaces distinct(inputs);
+  const std::set<std::string> others = distinct.of_others();
+  const std::vector<std::string> places = std::move(distinct).take();
+  const auto stem = [](const std::string& place) {
+    return fs::path(place).replace_extension().native();
+  };
   std::map<std::string, int> uses;
-  for (const auto* places : {&inputs.places, &inputs.places_of_others}) {
-    for (const std::string& place : *places) ++uses[fs::path(place).replace_extension().native()];
-  }
+  for (const std::string& place : places) ++uses[stem(place)];
+  for (const std::string& place : others) ++uses[stem(place)];
   std::vector<std::string> names;
-  for (const std::string& place : inputs.places) {
-    const std::string stem = fs::path(place).replace_extension().native();
-    names.push_back(fmt::format("{}.{}", uses[stem] > 1 ? place : stem, format));
+  for (const std::string& place : places) {
+    names.push_back(fmt::format("{}.{}", uses[stem(place)] > 1 ? place : stem(place), format));
   }
   return names;
+}
+
+// What an asset is drawn to: its picture, and one for each layer. Those of several sizes or of a
+// turntable all have such endings, so that none of them is called like that of another asset.
+std::vector<std::string> with_layers(const std::string& place, const BakeOptions& options) {
+  std::vector<std::string> pictures{place};
+  const fs::path picture(place);
+  for (const BakeLayer layer : options.layers) {
+    const std::string name = fmt::format("{}-{}{}", picture.stem().native(), bake_layer_name(layer),
+                                         picture.extension().native());
+    pictures.push_back((picture.parent_path() / name).native());
+  }
+  return pictures;
 }
 
 bool is_folder(const Inputs& inputs, const std::string& output) {
@@ -136,8 +215,14 @@ Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::st
     return Error{std::move(problem)};
   }
   std::vector<EditInput> placed;
-  std::set<fs::path> seen;
-  std::set<std::string> taken = taken_by_others(inputs, output);
+  std::set<fs::path> seen, targets;
+  const std::set<fs::path> assets = placing ? real_paths(inputs.paths) : std::set<fs::path>();
+  DistinctPlaces distinct(inputs);
+  // Several shards write into folders only.
+  for (const std::string& place : distinct.of_others()) {
+    targets.insert(real_path(fs::path(output) / place));
+  }
+  const std::vector<std::string> places = std::move(distinct).take();
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
     std::error_code error;
     const fs::path real = fs::canonical(inputs.paths[i], error);
@@ -148,13 +233,13 @@ Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::st
       placed.pop_back();
       continue;
     }
-    auto target = destination.of(inputs.paths[i], inputs.places[i]);
+    auto target = destination.of(inputs.paths[i], places[i]);
     if (!target) return target.error();
-    if (!taken.insert(*target).second) {
-      return Error{
-          fmt::format("--output: two inputs would be written to {}; name the folder that "
-                      "holds both, or write them one by one.",
-                      quoted(*target, 200))};
+    const fs::path place = real_path(*target);
+    if (!targets.insert(place).second) return same_output(*target);
+    if (place != real && assets.contains(place)) {
+      return Error{fmt::format("--output: {} is an asset of this run, which {} would replace.",
+                               quoted(*target, 200), quoted(inputs.paths[i], 200))};
     }
     placed.back().output = *std::move(target);
   }
@@ -185,17 +270,29 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
   if (!folder && !request.sheet.empty() && same_place(request.sheet, output)) {
     return Error{fmt::format("--sheet: {} is where --output writes.", quoted(request.sheet, 200))};
   }
+  const bool all = request.paths.shard.count <= 1 && !inputs.paths.empty();
+  if (folder && all && inputs.several && places.sheet.empty()) {
+    places.sheet = (fs::path(output) / "contact-sheet.png").native();
+  }
+  std::set<fs::path> targets;
+  const fs::path sheet = places.sheet.empty() ? fs::path() : real_path(places.sheet);
   const std::vector<std::string> names = picture_names(inputs, request.format);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
     const std::string place = folder ? (fs::path(output) / names[i]).native() : output;
+    if (folder) {
+      for (const std::string& picture : with_layers(place, request.bake)) {
+        const fs::path target = real_path(picture);
+        if (target == sheet) {
+          return Error{fmt::format("--sheet: {} is a picture of {}, too; name another file.",
+                                   quoted(picture, 200), quoted(inputs.paths[i], 200))};
+        }
+        if (!targets.insert(target).second) return same_output(picture);
+      }
+    }
     if (!place.empty() && fs::equivalent(place, inputs.paths[i], error)) {
       return Error{fmt::format("--output: {} is the asset itself.", quoted(place, 200))};
     }
     places.inputs.push_back({inputs.paths[i], place});
-  }
-  const bool all = request.paths.shard.count <= 1 && !inputs.paths.empty();
-  if (folder && all && inputs.several && places.sheet.empty()) {
-    places.sheet = (fs::path(output) / "contact-sheet.png").native();
   }
   return places;
 }

@@ -15,8 +15,9 @@ namespace gltfx::tool {
 /// file its upgrade is written to; no files when `output` is empty.
 ///
 /// `output` is a folder when it is one already, ends in '/', or more than one file may come (see
-/// Inputs::several). What was found below a folder keeps its place below it; what lies in the
-/// output folder of an earlier run is not found. Else `output` is a file whose ending has to be
+/// Inputs::several). What was found below a folder keeps its place below it, with as much of its
+/// path before that as tells it from others; what lies in the output folder of an earlier run is
+/// not found. Else `output` is a file whose ending has to be
 /// that of the input, because an upgrade keeps the container. The Error says what to write instead.
 Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::string& output);
 
@@ -26,9 +27,9 @@ struct PicturePlaces {
 };
 
 /// `output` is a folder when it is one already, ends in '/', or more than one asset may come: then
-/// pictures are called like the assets, below it as these lie below the folder that was named. Else
-/// it is the file. A run that draws one shard of them makes no sheet of its own. The Error says
-/// what is in the way.
+/// pictures are called like the assets, below it as these lie below the folder that was named, with
+/// as much of the path before that as tells them apart. Else it is the file. A run that draws one
+/// shard of them makes no sheet of its own. The Error says what is in the way.
 Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& request);
 
 }  // namespace gltfx::tool
