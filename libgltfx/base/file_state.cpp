@@ -124,6 +124,10 @@ FileState state_of(const struct stat& status) {
   return state;
 }
 
+FileIdentity identity_of(const FileState& state, std::string_view path) {
+  return {state.device, state.inode, state.inode == 0 ? std::string(path) : std::string()};
+}
+
 Result<FileState> file_state(const std::filesystem::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return file_error("examine", path, errno);

@@ -3,9 +3,12 @@
 /// would lose when another one takes its place.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "base/result.hpp"
 
@@ -21,6 +24,15 @@ struct FileState {
   std::int64_t status_change = 0;  ///< nanoseconds since 1970; nobody can set it back
   friend bool operator==(const FileState&, const FileState&) = default;
 };
+
+/// Which file it is, whatever path leads to it.
+struct FileIdentity {
+  std::uint64_t device = 0, inode = 0;
+  std::string path;  ///< where there is no inode: a file in memory
+  friend auto operator<=>(const FileIdentity&, const FileIdentity&) = default;
+};
+/// `path` identifies a file that is not on a disk.
+FileIdentity identity_of(const FileState& state, std::string_view path);
 
 /// Taken before a file is read. Symbolic links are followed. An Error when there is no regular
 /// file.

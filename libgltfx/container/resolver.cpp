@@ -123,13 +123,14 @@ void LookupLog::add(Lookup lookup) {
   lookups_.push_back(std::move(lookup));
 }
 
-void Resolver::add(const std::string& path, Bytes bytes) {
-  added_.insert_or_assign(path, std::move(bytes));
+void Resolver::add(const std::string& path, Bytes bytes, const FileState& state) {
+  added_.insert_or_assign(path, Added{std::move(bytes), state});
 }
 
 Resolved Resolver::open(std::string_view path) const {
   const auto added = added_.find(path);
-  if (added != added_.end()) return {ResolveError::none, added->second, false, {}, {}};
+  if (added != added_.end())
+    return {ResolveError::none, added->second.bytes, false, {}, added->second.state};
   File file;
   Resolved resolved;
   resolved.error = open_at(path, file);
@@ -164,7 +165,7 @@ Resolved Resolver::open(const Uri& uri) const {
 
 ResolveError Resolver::stat(std::string_view path, std::uint64_t& size) const {
   if (const auto added = added_.find(path); added != added_.end()) {
-    size = added->second.size();
+    size = added->second.bytes.size();
     return ResolveError::none;
   }
   File file;

@@ -77,8 +77,9 @@ class Resolver {
   /// inside the root; only regular files are opened, without blocking.
   Resolved open(std::string_view path) const;
   /// From now on open() gives these bytes for a path, spelled as container::Uri has it, whatever is
-  /// on the disk: files that are about to be written. Copies that were made before do not know it.
-  void add(const std::string& path, Bytes bytes);
+  /// on the disk: files that are about to be written. `state` is that of the file which they are to
+  /// replace, if any. Copies that were made before do not know it.
+  void add(const std::string& path, Bytes bytes, const FileState& state = {});
   /// From now on look-ups on the disk are recorded, those of later copies as well.
   void record(std::shared_ptr<LookupLog> log) { log_ = std::move(log); }
   /// That of all bytes below the root, and of the asset itself. Without a root it is one of its
@@ -95,7 +96,11 @@ class Resolver {
   ResolveError unusable_ = ResolveError::no_root;  ///< why every look-up fails, or none
   std::string problem_;
   Confinement confinement_ = Confinement::automatic;
-  std::map<std::string, Bytes, std::less<>> added_;
+  struct Added {
+    Bytes bytes;
+    FileState state;
+  };
+  std::map<std::string, Added, std::less<>> added_;
   ReadUri read_;  ///< null: files are looked up
   ReadNames names_ = ReadNames::uris;
   std::shared_ptr<LookupLog> log_;  ///< may be null

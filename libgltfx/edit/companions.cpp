@@ -72,6 +72,12 @@ std::optional<Error> put_file(const fs::path& target, const container::Bytes& by
 
 std::set<std::string> referred_paths(const json::Document& document) {
   std::set<std::string> paths;
+  for (const auto& file : referred_files(document)) paths.insert(file.second);
+  return paths;
+}
+
+std::map<json::NodeId, std::string> referred_files(const json::Document& document) {
+  std::map<json::NodeId, std::string> paths;
   const json::KeyId extras = document.key_id("extras");
   const json::KeyId uri = document.key_id("uri");
   for (json::NodeId id = 0; id < document.node_count();) {
@@ -86,7 +92,7 @@ std::set<std::string> referred_paths(const json::Document& document) {
       std::replace(text.begin(), text.end(), '\\', '/');
       container::Uri reference = container::classify_uri(text);
       if (reference.kind == container::UriKind::relative_path) {
-        paths.insert(std::move(reference.path));
+        paths.emplace(id + 1, std::move(reference.path));
       }
     }
     ++id;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -17,6 +18,9 @@ namespace gltfx::edit {
 /// members called "uri", wherever extensions put them, with backslashes turned into slashes. Extras
 /// are left out.
 std::set<std::string> referred_paths(const json::Document& document);
+
+/// The same by the value that names them.
+std::map<json::NodeId, std::string> referred_files(const json::Document& document);
 
 /// Makes a folder and those above it, as far as they are not there.
 std::optional<Error> make_folder(const std::filesystem::path& folder);

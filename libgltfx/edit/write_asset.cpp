@@ -29,143 +29,226 @@ Failure not_written(const Trouble& trouble) {
   return WriteFailure{false, trouble->message};
 }
 
-class Writer {
- public:
-  Writer(const OldAsset& old, const Destination& to, const NewBytes& bytes, const WriteCheck& check)
-      : old_(old), to_(to), bytes_(bytes), check_(check) {}
+Trouble changed_meanwhile(const OldAsset& old) {
+  const auto now = file_state(old.path);
+  if (!now) return now.error();
+  if (*now == old.state) return std::nullopt;
+  return Error{"it was changed by another program since it was read; run again"};
+}
 
-  Failure run() const {
-    std::error_code error;
-    const bool in_place = to_.in_place || fs::equivalent(to_.output, old_.path, error);
-    return in_place ? write_in_place() : write_elsewhere();
-  }
-
- private:
-  // The draft holds the new bytes, and these can take their place: made of what was read, checked
-  // as they are on the disk, with the attributes of what they replace.
-  Failure fill(FileDraft& draft) const {
-    if (auto failure = not_written(container::write_pieces(draft, bytes_.pieces))) return failure;
-    if (auto failure = not_written(changed_meanwhile())) return failure;
-    if (check_) {
-      auto written = container::open_file(container::adopt_regular(draft.reader()), old_.path);
-      if (!written) return not_written(written.error());
-      if (auto why = check_(*std::move(written))) return WriteFailure{true, *std::move(why)};
-    }
-    return not_written(draft.finish());
-  }
-
-  Trouble changed_meanwhile() const {
-    const auto now = file_state(old_.path);
-    if (!now) return now.error();
-    if (*now == old_.state) return std::nullopt;
-    return Error{"it was changed by another program since it was read; run again"};
-  }
-
-  Trouble write_files() const {
-    const fs::path folder = target_folder(old_.path, to_.output);
-    for (const NewFile& file : bytes_.files) {
-      if (auto trouble = put_file(folder / file.path, file.content())) return trouble;
-    }
-    return std::nullopt;
-  }
-
-  Failure write_in_place() const {
-    FileDraft draft(old_.path, old_.state);
-    if (auto failure = fill(draft)) return failure;
-    if (auto failure = not_written(write_files())) return failure;
-    const fs::path copy = old_.path + ".bak";
-    if (auto failure = not_written(to_.backup ? keep_old(copy, old_.path, old_.container.bytes)
-                                              : std::nullopt)) {
-      return failure;
-    }
-    if (auto failure = not_written(replace_files())) return failure;
-    Failure failure = not_written(draft.publish());
-    std::error_code ignored;
-    if (failure && to_.backup) fs::remove(copy, ignored);
+// The draft holds the new bytes, and these can take their place: made of what was read, checked
+// as they are on the disk, with the attributes of what they replace.
+Failure fill(FileDraft& draft, const AssetWrite& asset) {
+  if (auto failure = not_written(container::write_pieces(draft, asset.bytes.pieces))) {
     return failure;
   }
+  if (auto failure = not_written(changed_meanwhile(asset.old))) return failure;
+  if (asset.check) {
+    auto written = container::open_file(container::adopt_regular(draft.reader()), asset.old.path);
+    if (!written) return not_written(written.error());
+    if (auto why = asset.check(*std::move(written))) return WriteFailure{true, *std::move(why)};
+  }
+  return not_written(draft.finish());
+}
 
-  static Trouble keep_old(const fs::path& copy, const fs::path& path,
-                          const container::Bytes& bytes) {
-    FileDraft draft(copy, path);
-    if (auto trouble = container::write_pieces(draft, {bytes})) return trouble;
-    if (auto trouble = draft.finish()) return trouble;
-    return draft.publish();
+Trouble write_new_files(const AssetWrite& asset, const fs::path& folder) {
+  for (const NewFile& file : asset.bytes.files) {
+    if (auto trouble = put_file(folder / file.path, file.content())) return trouble;
+  }
+  return std::nullopt;
+}
+
+/// A file whose place a draft is to take.
+struct Target {
+  Target(std::string file, const FileState& state, container::Bytes bytes)
+      : path(std::move(file)), before(std::move(bytes)), draft(path, state) {}
+
+  std::string copy_name() const { return path + ".bak"; }
+
+  Trouble keep_old() {
+    FileDraft copy(copy_name(), path);
+    if (auto trouble = container::write_pieces(copy, {before})) return trouble;
+    if (auto trouble = copy.finish()) return trouble;
+    if (auto trouble = copy.publish()) return trouble;
+    has_copy = true;
+    return std::nullopt;
+  }
+  Trouble publish() {
+    auto trouble = draft.publish();
+    is_old = trouble.has_value();
+    return trouble;
   }
 
-  // All drafts are there before the first one takes its place.
-  Trouble replace_files() const {
-    const fs::path folder = target_folder(old_.path, {});
-    std::deque<FileDraft> drafts;
-    for (const ReplacedFile& file : bytes_.replaced) {
-      const fs::path path = folder / file.path;
-      FileDraft& draft = drafts.emplace_back(path, file.state);
-      if (auto trouble = container::write_pieces(draft, {file.after})) return trouble;
-      if (auto trouble = draft.finish()) return trouble;
-      if (!to_.backup) continue;
-      if (auto trouble = keep_old(path.native() + ".bak", path, file.before)) return trouble;
+  const std::string path;
+  const container::Bytes before;
+  FileDraft draft;
+  bool has_copy = false;
+  bool is_old = true;  ///< not replaced yet
+};
+
+/// All that is replaced where it lies. Drafts of all are there before the first takes its place.
+class InPlace {
+ public:
+  ~InPlace() {
+    // The copy of what was not replaced would be in the way of the next run.
+    for (const auto* targets : {&files_, &assets_}) {
+      for (const Target& target : *targets) {
+        std::error_code ignored;
+        if (target.has_copy && target.is_old) fs::remove(target.copy_name(), ignored);
+      }
     }
-    for (FileDraft& draft : drafts) {
-      if (auto trouble = draft.publish()) return trouble;
+  }
+
+  // What is in the way, if anything.
+  Failure prepare(const AssetWrite& asset) {
+    const fs::path folder = target_folder(asset.old.path, {});
+    Target& target =
+        assets_.emplace_back(asset.old.path, asset.old.state, asset.old.container.bytes);
+    if (auto failure = fill(target.draft, asset)) return failure;
+    if (auto failure = not_written(write_new_files(asset, folder))) return failure;
+    for (const ReplacedFile& file : asset.bytes.replaced) {
+      const fs::path path = folder / file.path;
+      if (!known_.insert(identity_of(file.state, path.native())).second) continue;
+      Target& place = files_.emplace_back(path.native(), file.state, file.before);
+      if (auto failure = not_written(container::write_pieces(place.draft, {file.after}))) {
+        return failure;
+      }
+      if (auto failure = not_written(place.draft.finish())) return failure;
     }
     return std::nullopt;
   }
 
-  Failure write_elsewhere() const {
-    const fs::path folder = target_folder(old_.path, to_.output);
-    if (auto failure = not_written(make_folder(folder))) return failure;
-    const auto seen = state_if_there(to_.output);
+  Trouble keep_old() {
+    for (auto* targets : {&files_, &assets_}) {
+      for (Target& target : *targets) {
+        if (auto trouble = target.keep_old()) return trouble;
+      }
+    }
+    return std::nullopt;
+  }
+
+  Trouble publish_files() {
+    for (Target& file : files_) {
+      if (auto trouble = file.publish()) return trouble;
+    }
+    return std::nullopt;
+  }
+  Trouble publish_asset(std::size_t position) { return assets_[position].publish(); }
+
+ private:
+  std::deque<Target> assets_, files_;
+  std::set<FileIdentity> known_;
+};
+
+using Failures = std::vector<Failure>;
+
+// What is in the way of one is in the way of all: they may share what is to be replaced.
+void fail_all(const std::vector<const AssetWrite*>& assets, Failures& failures,
+              std::size_t position, Failure failure) {
+  for (std::size_t i = 0; i < assets.size(); ++i) {
+    if (i == position) continue;
+    failures[i] =
+        WriteFailure{false, fmt::format("{}, which shares files with it, cannot be written: {}",
+                                        quoted(assets[position]->old.path, 200), failure->error)};
+  }
+  failures[position] = std::move(failure);
+}
+
+Failures write_in_place(const std::vector<const AssetWrite*>& assets) {
+  Failures failures(assets.size());
+  InPlace places;
+  for (std::size_t i = 0; i < assets.size(); ++i) {
+    if (auto failure = places.prepare(*assets[i])) {
+      fail_all(assets, failures, i, std::move(failure));
+      return failures;
+    }
+  }
+  const bool backup = !assets.empty() && assets.front()->to.backup;
+  Trouble trouble = backup ? places.keep_old() : std::nullopt;
+  if (!trouble) trouble = places.publish_files();
+  for (std::size_t i = 0; i < assets.size(); ++i) {
+    failures[i] = not_written(trouble ? trouble : places.publish_asset(i));
+  }
+  return failures;
+}
+
+/// An asset that goes to another place than its own.
+class Elsewhere {
+ public:
+  explicit Elsewhere(const AssetWrite& asset)
+      : asset_(asset), folder_(target_folder(asset.old.path, asset.to.output)) {}
+
+  Failure write() const {
+    if (auto failure = not_written(make_folder(folder_))) return failure;
+    const auto seen = state_if_there(asset_.to.output);
     if (!seen) return not_written(seen.error());
-    FileDraft draft(to_.output, *seen);
-    if (auto failure = fill(draft)) return failure;
-    if (auto failure = not_written(write_replaced(folder))) return failure;
-    if (auto failure = not_written(copy_others(folder))) return failure;
-    if (auto failure = not_written(write_files())) return failure;
+    FileDraft draft(asset_.to.output, *seen);
+    if (auto failure = fill(draft, asset_)) return failure;
+    if (auto failure = not_written(write_replaced())) return failure;
+    if (auto failure = not_written(copy_others())) return failure;
+    if (auto failure = not_written(write_new_files(asset_, folder_))) return failure;
     return not_written(draft.publish());
   }
 
-  bool is_own_folder(const fs::path& folder) const {
+ private:
+  bool is_own_folder() const {
     std::error_code error;
-    return fs::equivalent(folder, target_folder(old_.path, {}), error);
+    return fs::equivalent(folder_, target_folder(asset_.old.path, {}), error);
   }
 
-  Trouble write_replaced(const fs::path& folder) const {
-    if (bytes_.replaced.empty()) return std::nullopt;
-    if (is_own_folder(folder)) {
+  Trouble write_replaced() const {
+    const std::vector<ReplacedFile>& replaced = asset_.bytes.replaced;
+    if (replaced.empty()) return std::nullopt;
+    if (is_own_folder()) {
       return Error{fmt::format(
           "{} would change, to which the old asset refers, too; use --in-place or another folder",
-          quoted(bytes_.replaced.front().path, 200))};
+          quoted(replaced.front().path, 200))};
     }
-    for (const ReplacedFile& file : bytes_.replaced) {
+    for (const ReplacedFile& file : replaced) {
       if (file.path.starts_with("..")) {
         return Error{fmt::format("{} lies outside the asset's folder", quoted(file.path, 200))};
       }
-      const fs::path target = folder / file.path;
+      const fs::path target = folder_ / file.path;
       if (auto trouble = make_folder(target.parent_path())) return trouble;
       if (auto trouble = put_file(target, file.after)) return trouble;
     }
     return std::nullopt;
   }
 
-  Trouble copy_others(const fs::path& folder) const {
-    if (is_own_folder(folder)) return std::nullopt;
-    std::set<std::string> paths = referred_paths(old_.document());
-    paths.insert(bytes_.referred.begin(), bytes_.referred.end());
-    for (const ReplacedFile& file : bytes_.replaced) paths.erase(file.path);
-    return copy_companions(paths, old_.resolver, folder);
+  Trouble copy_others() const {
+    if (is_own_folder()) return std::nullopt;
+    std::set<std::string> paths = referred_paths(asset_.old.document());
+    paths.insert(asset_.bytes.referred.begin(), asset_.bytes.referred.end());
+    for (const ReplacedFile& file : asset_.bytes.replaced) paths.erase(file.path);
+    return copy_companions(paths, asset_.old.resolver, folder_);
   }
 
-  const OldAsset& old_;
-  const Destination& to_;
-  const NewBytes& bytes_;
-  const WriteCheck& check_;
+  const AssetWrite& asset_;
+  const fs::path folder_;
 };
 
 }  // namespace
 
-Failure write_asset(const OldAsset& old, const Destination& to, const NewBytes& bytes,
-                    const WriteCheck& check) {
-  return Writer(old, to, bytes, check).run();
+bool is_in_place(const Destination& to, const std::string& path) {
+  std::error_code error;
+  return to.in_place || fs::equivalent(to.output, path, error);
+}
+
+Failures write_assets(const std::vector<AssetWrite>& assets) {
+  Failures failures(assets.size());
+  std::vector<const AssetWrite*> here;
+  std::vector<std::size_t> positions;
+  for (std::size_t i = 0; i < assets.size(); ++i) {
+    if (is_in_place(assets[i].to, assets[i].old.path)) {
+      here.push_back(&assets[i]);
+      positions.push_back(i);
+    } else {
+      failures[i] = Elsewhere(assets[i]).write();
+    }
+  }
+  Failures replaced = write_in_place(here);
+  for (std::size_t i = 0; i < here.size(); ++i) failures[positions[i]] = std::move(replaced[i]);
+  return failures;
 }
 
 fs::path target_folder(const std::string& path, const std::string& output) {

@@ -64,8 +64,13 @@ Reason find_delete_obstacle(const OpenedAsset& asset) {
 class DeleteRun {
  public:
   DeleteRun(const ValidatedAsset& before, const FileState& state, const DeleteOptions& options,
-            const SchemaSet& schemas, DeleteReport& report)
-      : before_(before), state_(state), options_(options), schemas_(schemas), report_(report) {}
+            const SchemaSet& schemas, FolderIndex& folders, DeleteReport& report)
+      : before_(before),
+        state_(state),
+        options_(options),
+        schemas_(schemas),
+        folders_(folders),
+        report_(report) {}
 
   void run() {
     const OpenedAsset& asset = before_.asset();
@@ -137,10 +142,10 @@ class DeleteRun {
     const OpenedAsset& asset = before_.asset();
     const auto pieces = edit::rewrite(asset.container(), text, bin);
     if (!pieces) return refuse(pieces.error().message);
-    const std::vector<edit::NewFile> none;
     const bool done = write_edited(
-        asset, state_, {*pieces, none, {}}, options_,
-        [this](container::Container on_disk) { return find_error(std::move(on_disk)); }, report_);
+        asset, state_, {*pieces}, options_,
+        [this](container::Container on_disk) { return find_error(std::move(on_disk)); }, folders_,
+        report_);
     if (!done) report_.deleted.clear();
   }
 
@@ -148,27 +153,28 @@ class DeleteRun {
   const FileState& state_;
   const DeleteOptions& options_;
   const SchemaSet& schemas_;
+  FolderIndex& folders_;
   DeleteReport& report_;
 };
 
-void delete_in(EditedAsset opened, const DeleteOptions& options, DeleteReport& report) {
+void delete_in(EditedAsset opened, const DeleteOptions& options, FolderIndex& folders,
+               DeleteReport& report) {
   if (const auto obstacle = find_obstacle(opened.asset)) {
     return note_failure(report, EditProblem::unreadable, obstacle->message);
   }
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   const ValidatedAsset before(std::move(opened.asset), default_judgement(schemas));
-  DeleteRun(before, opened.state, options, schemas, report).run();
+  DeleteRun(before, opened.state, options, schemas, folders, report).run();
 }
 
-}  // namespace
-
-DeleteReport delete_objects(const std::string& path, const DeleteOptions& options) {
+DeleteReport delete_in_file(const std::string& path, const DeleteOptions& options,
+                            FolderIndex& folders) {
   DeleteReport report;
   report.path = path;
   try {
     auto opened = open_to_edit(path, options.root);
     if (opened) {
-      delete_in(*std::move(opened), options, report);
+      delete_in(*std::move(opened), options, folders, report);
     } else {
       note_failure(report, EditProblem::unreadable, opened.error().message);
     }
@@ -180,14 +186,22 @@ DeleteReport delete_objects(const std::string& path, const DeleteOptions& option
   return report;
 }
 
+}  // namespace
+
+DeleteReport delete_objects(const std::string& path, const DeleteOptions& options) {
+  FolderIndex folders;
+  return delete_in_file(path, options, folders);
+}
+
 void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
                              unsigned jobs, const std::function<void(DeleteReport&&)>& consume) {
+  FolderIndex folders;
   report_in_order<DeleteReport>(
       inputs.size(), jobs,
       [&](std::size_t i) {
         DeleteOptions each = options;
         each.output = inputs[i].output;
-        return delete_objects(inputs[i].path, each);
+        return delete_in_file(inputs[i].path, each, folders);
       },
       consume);
 }

@@ -5,6 +5,10 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/temporary_file.hpp"
+#include "base/text.hpp"
 #include "edit/diff.hpp"
 #include "pipeline/open_asset.hpp"
 
@@ -54,12 +58,17 @@ void note_failure(EditOutcome& outcome, EditProblem problem, std::string error) 
   outcome.diff.clear();
 }
 
-bool write_edited(const OpenedAsset& old, const FileState& state, const edit::NewBytes& bytes,
-                  const EditOptions& options, const edit::WriteCheck& check, EditOutcome& outcome) {
-  const auto failure = edit::write_asset(
-      {old.name(), state, old.container(),
-       [&old]() -> const json::Document& { return old.document(); }, old.resolver()},
-      {options.output, options.in_place, options.backup}, bytes, check);
+edit::AssetWrite asset_write(const OpenedAsset& old, const FileState& state, edit::NewBytes bytes,
+                             const EditOptions& options, edit::WriteCheck check) {
+  return {{old.name(), state, old.container(),
+           [&old]() -> const json::Document& { return old.document(); }, old.resolver()},
+          {options.output, options.in_place, options.backup},
+          std::move(bytes),
+          std::move(check)};
+}
+
+bool note_written(const std::optional<edit::WriteFailure>& failure, const EditOptions& options,
+                  EditOutcome& outcome) {
   if (failure) {
     note_failure(outcome, failure->refused ? EditProblem::refused : EditProblem::not_written,
                  failure->error);
@@ -70,10 +79,35 @@ bool write_edited(const OpenedAsset& old, const FileState& state, const edit::Ne
   return true;
 }
 
+bool write_edited(const OpenedAsset& old, const FileState& state, edit::NewBytes bytes,
+                  const EditOptions& options, edit::WriteCheck check, FolderIndex& folders,
+                  EditOutcome& outcome) {
+  const edit::AssetWrite asset =
+      asset_write(old, state, std::move(bytes), options, std::move(check));
+  if (edit::is_in_place(asset.to, old.name())) {
+    if (auto why = find_reader(old.name(), folders)) {
+      note_failure(outcome, EditProblem::refused, *std::move(why));
+      return false;
+    }
+  }
+  return note_written(edit::write_assets({asset}).front(), options, outcome);
+}
+
+std::optional<std::string> find_reader(const std::string& path, FolderIndex& folders) {
+  const std::string reader = folders.reader_of(path);
+  if (reader.empty()) return std::nullopt;
+  return fmt::format("{} refers to this file, whose bytes would move; use -o", quoted(reader, 200));
+}
+
 bool copy_unchanged(const OpenedAsset& old, const FileState& state, const EditOptions& options,
                     EditOutcome& outcome) {
-  if (options.output.empty()) return true;
-  return write_edited(old, state, {{old.container().bytes}, {}, {}}, options, nullptr, outcome);
+  if (options.output.empty()) {
+    if (options.in_place) remove_stale_files(old.name());
+    return true;
+  }
+  const auto failures =
+      edit::write_assets({asset_write(old, state, {{old.container().bytes}}, options, nullptr)});
+  return note_written(failures.front(), options, outcome);
 }
 
 // No patch changes the JSON inside a binary file: there the diff is a comment of one.

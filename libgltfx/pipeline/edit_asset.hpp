@@ -13,6 +13,7 @@
 #include "edit/write_asset.hpp"
 #include "json/edit.hpp"
 #include "model/opened_asset.hpp"
+#include "pipeline/named_files.hpp"
 
 namespace gltfx {
 
@@ -29,13 +30,27 @@ container::Container without_zero_padding(container::Container container);
 /// Says that nothing was done, and why.
 void note_failure(EditOutcome& outcome, EditProblem problem, std::string error);
 
-/// Writes where the options say, and says in `outcome` what became of it. `state` is that of the
-/// old file, `check` as edit::write_asset() takes it. Whether all is written.
-bool write_edited(const model::OpenedAsset& old, const FileState& state,
-                  const edit::NewBytes& bytes, const EditOptions& options,
-                  const edit::WriteCheck& check, EditOutcome& outcome);
+/// What edit::write_assets() is to write where the options say. `state` is that of the old file;
+/// `old` has to live as long.
+edit::AssetWrite asset_write(const model::OpenedAsset& old, const FileState& state,
+                             edit::NewBytes bytes, const EditOptions& options,
+                             edit::WriteCheck check);
 
-/// Writes the asset as it is, where it is wanted somewhere else.
+/// Says in `outcome` what became of that. Whether all is written.
+bool note_written(const std::optional<edit::WriteFailure>& failure, const EditOptions& options,
+                  EditOutcome& outcome);
+
+/// Both, of one asset. Refused where an asset of `folders` reads the file that would be replaced.
+bool write_edited(const model::OpenedAsset& old, const FileState& state, edit::NewBytes bytes,
+                  const EditOptions& options, edit::WriteCheck check, FolderIndex& folders,
+                  EditOutcome& outcome);
+
+/// Why the asset at `path` must not be replaced by other bytes, or nothing: another one that lies
+/// beside it reads its bytes.
+std::optional<std::string> find_reader(const std::string& path, FolderIndex& folders);
+
+/// Writes the asset as it is, where it is wanted somewhere else; in place, what a killed run has
+/// left beside it goes.
 bool copy_unchanged(const model::OpenedAsset& old, const FileState& state,
                     const EditOptions& options, EditOutcome& outcome);
 

@@ -139,7 +139,9 @@ Result<OpenedAsset> with_changes(const OpenedAsset& asset, const Fixing::Changes
   auto container = changed_container(asset, changes, text);
   if (!container) return container.error();
   container::Resolver resolver = asset.resolver();
-  for (const edit::ReplacedFile& file : changes.buffers.files) resolver.add(file.path, file.after);
+  for (const edit::ReplacedFile& file : changes.buffers.files) {
+    resolver.add(file.path, file.after, file.state);
+  }
   return OpenedAsset(asset.name(), *std::move(container), std::move(resolver));
 }
 

@@ -122,9 +122,9 @@ class Rounds {
         options_(options),
         asked_(asked_of(asset_.asset(), options)),
         schemas_(schemas),
+        effort_(effort),
         first_{asset_.asset().container().json, asset_.sites()},
         dropped_(first_.sites.size()),
-        content_bytes_(effort.content_bytes),
         trials_(affordable_trials(asset_.asset(), effort.trial_bytes)) {}
 
   FixedAsset run() {
@@ -182,7 +182,7 @@ class Rounds {
   }
 
   PlannedFixes plan(const std::vector<bool>& wanted) const {
-    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted, content_bytes_);
+    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted, effort_.content_bytes);
   }
 
   // One more round; whether there may be another one.
@@ -226,9 +226,21 @@ class Rounds {
     return names;
   }
 
+  // Why one of the files is not to be changed so, or nothing.
+  std::optional<std::string> find_guarded(const std::vector<edit::ReplacedFile>& files) const {
+    if (!effort_.guard) return std::nullopt;
+    for (edit::ReplacedFile file : files) {
+      const auto known = files_.find(file.path);
+      if (known != files_.end()) file.before = known->second.before;
+      if (auto why = effort_.guard(file)) return why;
+    }
+    return std::nullopt;
+  }
+
   // What the changes make of the asset, or why it is not to be taken.
   Result<Trial> judge(PlannedFixes planned) {
     if (!planned.obstacle.empty()) return Error{planned.obstacle};
+    if (auto why = find_guarded(planned.changes.buffers.files)) return Error{*std::move(why)};
     auto changed = with_changes(asset_.asset(), planned.changes);
     if (!changed) return changed.error();
     const bool was_read = !asset_.asset().document().empty();
@@ -320,6 +332,7 @@ class Rounds {
   const FixOptions& options_;
   const ValidateOptions asked_;
   const std::shared_ptr<const schema::Set>& schemas_;
+  const FixEffort& effort_;
   const struct {
     SharedText text;
     Sites sites;
@@ -331,7 +344,6 @@ class Rounds {
   std::vector<std::string> reasons_{""};
   bool changes_ = false;
   bool retries_ = false;  // something was accepted after something was dropped
-  const std::uint64_t content_bytes_;
   std::uint64_t trials_;  // left, for what stands against others
 };
 

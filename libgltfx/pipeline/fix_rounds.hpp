@@ -5,8 +5,10 @@
 #include <gltfx/fix.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,10 +28,15 @@ struct FixedAsset {
   bool changes = false;
 };
 
-/// What the rounds may cost.
+/// Why a file may not be changed so, as half a sentence, or nothing. Its content `before` is that
+/// which the first round found.
+using FileGuard = std::function<std::optional<std::string>(const edit::ReplacedFile& file)>;
+
+/// What the rounds may cost, and what they may change.
 struct FixEffort {
   std::uint64_t trial_bytes = 32U << 20U;    ///< of assets that trials validate, about
   std::uint64_t content_bytes = UINT64_MAX;  ///< of buffers that fixes may change; see Fixing
+  FileGuard guard = nullptr;                 ///< null: any file may be changed
 };
 
 /// `before` was judged by fix_judgement(). Where all fixes together bring a new finding, those that

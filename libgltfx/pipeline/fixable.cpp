@@ -27,7 +27,7 @@ using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
 
 // Whoever validates asked for no fix: what a run would do is found out at little cost, or not.
-constexpr FixEffort kEffort = {.trial_bytes = 4U << 20U, .content_bytes = 16U << 20U};
+const FixEffort kEffort = {.trial_bytes = 4U << 20U, .content_bytes = 16U << 20U};
 constexpr std::size_t kMostNodes = 1U << 20U;  // of the JSON text
 
 bool is_safe(const Site& site) { return validate::description(site.code).fix == Fix::safe; }

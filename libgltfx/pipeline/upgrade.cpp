@@ -159,7 +159,7 @@ UpgradeReport copy(const OpenedAsset& asset, const FileState& state, UpgradeRepo
 }
 
 UpgradeReport write(const ValidatedAsset& before, const FileState& state, PlannedUpgrade planned,
-                    const SchemaSet& schemas, const UpgradeOptions& options) {
+                    const SchemaSet& schemas, const UpgradeOptions& options, FolderIndex& folders) {
   const OpenedAsset& asset = before.asset();
   const auto pieces = edit::rewrite(asset.container(), planned.text, planned.bin);
   if (!pieces) {
@@ -172,11 +172,12 @@ UpgradeReport write(const ValidatedAsset& before, const FileState& state, Planne
     return judge.find_error(after, planned.report);
   };
   const bool done =
-      write_edited(asset, state, {*pieces, planned.files, {}}, options, check, planned.report);
+      write_edited(asset, state, {*pieces, planned.files}, options, check, folders, planned.report);
   return written(std::move(planned.report), done);
 }
 
-UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options) {
+UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options,
+                           FolderIndex& folders) {
   auto opened = open_to_edit(path, options.root);
   if (!opened) return unreadable(path, opened.error().message);
   OpenedAsset& asset = opened->asset;
@@ -197,7 +198,7 @@ UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& option
   if (options.output.empty() && !options.in_place) {
     return try_out(before, std::move(planned), schemas, options).report;
   }
-  return write(before, state, std::move(planned), schemas, options);
+  return write(before, state, std::move(planned), schemas, options, folders);
 }
 
 }  // namespace
@@ -229,11 +230,13 @@ UpgradeReport rehearse_upgrade(OpenedAsset& asset, const UpgradeOptions& options
 }
 
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
-  return guarded(path, [&] { return upgrade_path(path, options); });
+  FolderIndex folders;
+  return guarded(path, [&] { return upgrade_path(path, options, folders); });
 }
 
 void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& options,
                    unsigned jobs, const std::function<void(UpgradeReport&&)>& consume) {
+  FolderIndex folders;
   report_in_order<UpgradeReport>(
       inputs.size(), jobs,
       [&](std::size_t i) {
@@ -242,7 +245,7 @@ void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& o
           // Many files keep all threads busy by themselves.
           each.jobs = inputs.size() == 1 ? jobs : 1;
           each.output = inputs[i].output;
-          return upgrade_file(inputs[i].path, each);
+          return upgrade_path(inputs[i].path, each, folders);
         });
       },
       consume);

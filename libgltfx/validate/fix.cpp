@@ -7,6 +7,7 @@
 #include "edit/deletion.hpp"
 #include "json/parse.hpp"
 #include "validate/context.hpp"
+#include "validate/files_read.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -202,9 +203,11 @@ Result<Fixing::Changes> Fixing::take() {
   std::erase_if(contents_.changed, [&](const auto& content) {
     return content.second == resources().buffers[content.first]->text();
   });
+  if (auto error = unite_buffers(*this, contents_.changed)) return *std::move(error);
   auto buffers = edit::change_buffers(document_, opened_.container(), opened_.resolver(),
                                       std::move(contents_.changed), editor_);
   if (!buffers) return buffers.error();
+  if (!buffers->files.empty()) add_other_names(*this, buffers->files);
   changes.buffers = *std::move(buffers);
   names_.used.apply(editor_);
   names_.required.apply(editor_);

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/fix_member.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "edit/companions.hpp"
+#include "edit/rewrite.hpp"
+#include "pipeline/open_asset.hpp"
+#include "validate/files_read.hpp"
+
+namespace gltfx {
+namespace {
+
+using model::OpenedAsset;
+
+container::Bytes bin_of(const container::Container& container) {
+  const auto& bin = container.bin;
+  return bin ? container.bytes.part(bin->offset, bin->length) : container::Bytes();
+}
+
+std::set<Code> codes_of(const container::Container& container) {
+  std::set<Code> codes;
+  for (const auto* errors : {&container.errors, &container.late_errors}) {
+    for (const container::ContainerError& error : *errors) codes.insert(error.code);
+  }
+  return codes;
+}
+
+// What was judged in memory is what lies on the disk now.
+edit::WriteCheck check_of(const container::Container& judged) {
+  return [&judged](container::Container on_disk) -> std::optional<std::string> {
+    const std::set<Code> known = codes_of(judged), found = codes_of(on_disk);
+    const bool same = judged.json && on_disk.json &&
+                      edit::same_but_for_padding(*judged.json, *on_disk.json) &&
+                      container::same_bytes(bin_of(judged), bin_of(on_disk)) &&
+                      std::includes(known.begin(), known.end(), found.begin(), found.end());
+    if (same) return std::nullopt;
+    return "the file on the disk is not the one that was validated";
+  };
+}
+
+}  // namespace
+
+FixMember::FixMember(const std::string& path, FixOptions options,
+                     std::shared_ptr<const schema::Set> schemas)
+    : options_(std::move(options)), schemas_(std::move(schemas)) {
+  report_.path = path;
+  auto opened = open_to_edit(path, options_.root);
+  if (!opened) {
+    fail(EditProblem::unreadable, opened.error().message);
+    return;
+  }
+  // A text that cannot be read may be what is fixed.
+  const auto obstacle = find_obstacle(opened->asset);
+  if (obstacle && !(opened->asset.container().json && opened->asset.document().empty())) {
+    fail(EditProblem::unreadable, obstacle->message);
+    return;
+  }
+  old_.emplace(*std::move(opened));
+}
+
+OpenedAsset FixMember::opened() const {
+  return {old_->asset.name(), old_->asset.container(), old_->asset.resolver()};
+}
+
+// With the document, which is not to be held beside that of the new asset.
+OpenedAsset FixMember::take_opened() {
+  OpenedAsset fresh = opened();
+  return std::exchange(old_->asset, std::move(fresh));
+}
+
+ValidateOptions FixMember::judgement() const {
+  return fix_judgement(schemas_, asked_of(old_->asset, options_));
+}
+
+void FixMember::plan(const FileGuard& guard) {
+  if (!is_sound()) return;
+  FixEffort effort;
+  effort.guard = guard;
+  fixed_.reset();
+  fixed_.emplace(fix_in_rounds({take_opened(), judgement()}, options_, schemas_, effort));
+  if (const auto obstacle = find_obstacle(fixed_->after.asset())) {
+    return fail(EditProblem::unreadable, obstacle->message);
+  }
+  referred_ = edit::referred_paths(fixed_->after.asset().document());
+  fixed_->after.forget_large_document();
+  uses_.clear();
+}
+
+void FixMember::find_uses() {
+  if (!is_sound()) return;
+  const OpenedAsset before = opened();
+  if (!before.document().empty()) use(before);
+  if (fixed_ && fixed_->changes) use(fixed_->after.asset());
+}
+
+void FixMember::use(const OpenedAsset& asset) {
+  validate::Fixing fixing(asset, *schemas_);
+  const auto& read = fixing.table<validate::FilesRead>();
+  for (const auto& [file, how] : read.files()) {
+    FileUse& use = uses_[file];
+    use.paths.insert(how.paths.begin(), how.paths.end());
+    use.reads.add(read.reads_of(how));
+  }
+}
+
+std::map<FileIdentity, const edit::ReplacedFile*> FixMember::changed_files() const {
+  std::map<FileIdentity, const edit::ReplacedFile*> files;
+  if (!is_sound() || !fixed_) return files;
+  for (const auto& [path, file] : fixed_->files) {
+    files.emplace(identity_of(file.state, path), &file);
+  }
+  return files;
+}
+
+bool FixMember::is_in_place() const {
+  return edit::is_in_place({options_.output, options_.in_place, false}, report_.path);
+}
+
+bool FixMember::changes_files_in_place() const { return options_.output.empty() || is_in_place(); }
+
+bool FixMember::replaces_asset() const {
+  return is_sound() && fixed_ && fixed_->changes && is_in_place();
+}
+
+std::vector<edit::ReplacedFile> FixMember::replaced_by(const NewContents& contents) const {
+  std::vector<edit::ReplacedFile> replaced;
+  for (const auto& [file, content] : contents) {
+    const auto use = uses_.find(file);
+    if (use == uses_.end()) continue;
+    for (const std::string& path : use->second.paths) {
+      replaced.push_back({path, content.state, content.before, content.after});
+    }
+  }
+  return replaced;
+}
+
+std::optional<edit::AssetWrite> FixMember::write(const NewContents& contents) {
+  if (!is_sound()) return std::nullopt;
+  if (options_.diff) report_.diff = diff_of(old_->asset, fixed_->edits);
+  report_.actions = fixed_->actions;
+  report_.changes = fixed_->changes;
+  for (const auto& [path, file] : fixed_->files) report_.changed_files.push_back(path);
+  const bool asked = options_.in_place || !options_.output.empty();
+  if (asked && !fixed_->changes && contents.empty()) {
+    if (!copy_unchanged(old_->asset, old_->state, options_, report_)) {
+      fail(report_.problem, std::move(report_.error));
+    }
+    return std::nullopt;
+  }
+  if (!asked || (options_.output.empty() && !fixed_->changes)) return std::nullopt;
+  const container::Container& container =
+      fixed_->changes ? fixed_->after.asset().container() : old_->asset.container();
+  edit::NewBytes bytes{{container.bytes}, {}, replaced_by(contents), referred_};
+  if (fixed_->changes) {
+    auto pieces = edit::rewrite(container, container.json, {});
+    if (!pieces) {
+      fail(EditProblem::refused, pieces.error().message);
+      return std::nullopt;
+    }
+    bytes.pieces = *std::move(pieces);
+  }
+  return asset_write(old_->asset, old_->state, std::move(bytes), options_,
+                     fixed_->changes ? check_of(container) : nullptr);
+}
+
+void FixMember::note(const std::optional<edit::WriteFailure>& failure) {
+  if (!note_written(failure, options_, report_)) fail(report_.problem, std::move(report_.error));
+}
+
+void FixMember::fail(EditProblem problem, std::string why) {
+  note_failure(report_, problem, std::move(why));
+  for (FixAction& action : report_.actions) action.done = false;
+  report_.changed_files.clear();
+}
+
+bool FixMember::is_worse_with(const NewContents& contents) const {
+  OpenedAsset before = opened();
+  container::Resolver resolver = before.resolver();
+  for (const edit::ReplacedFile& file : replaced_by(contents)) {
+    resolver.add(file.path, file.after, file.state);
+  }
+  const validate::ValidatedAsset now(std::move(before), judgement());
+  const validate::ValidatedAsset then({path(), old_->asset.container(), std::move(resolver)},
+                                      judgement());
+  return !worse_codes(findings_by_code(now.report()), then.report()).empty();
+}
+
+FixReport FixMember::take_report() { return std::move(report_); }
+
+}  // namespace gltfx

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/named_files.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include "base/directory.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "container/container.hpp"
+#include "edit/companions.hpp"
+#include "json/parse.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What a search for neighbours of an asset may cost.
+constexpr std::size_t kMostAssets = 4096;
+constexpr std::size_t kMostText = std::size_t{256} << 20U;
+
+fs::path folder_of(const fs::path& path) {
+  return path.parent_path().empty() ? fs::path(".") : path.parent_path();
+}
+
+std::set<json::NodeId> buffer_uris(const json::Document& document) {
+  std::set<json::NodeId> values;
+  const json::NodeId list = document.empty() || !document.is_object(document.root())
+                                ? json::kNoNode
+                                : document.find(document.root(), "buffers");
+  if (list == json::kNoNode || document.kind(list) != json::Kind::array) return values;
+  for (const json::NodeId buffer : document.elements(list)) {
+    if (document.is_object(buffer)) values.insert(document.find(buffer, "uri"));
+  }
+  return values;
+}
+
+// Adds the length of the text that was read to `cost`.
+NamedFiles named_by(const std::string& path, std::size_t& cost) {
+  NamedFiles named;
+  named.path = path;
+  if (const auto state = file_state(path)) named.own = identity_of(*state, path);
+  const auto container = container::open_file(path);
+  if (!container || !container->json) return named;
+  const std::string_view text = *container->json;
+  cost += text.size();
+  if (text.find("uri") == text.npos && text.find("\\u") == text.npos) return named;
+  const json::Parsed parsed = json::parse(container->json);
+  if (parsed.document.empty()) return named;
+  const std::set<json::NodeId> buffers = buffer_uris(parsed.document);
+  for (const auto& [value, name] : edit::referred_files(parsed.document)) {
+    const auto state = file_state(folder_of(path) / name);
+    if (!state) continue;
+    const FileIdentity file = identity_of(*state, name);
+    named.files.insert(file);
+    if (buffers.contains(value)) named.buffers.insert(file);
+  }
+  return named;
+}
+
+std::vector<NamedFiles> assets_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  DirectoryReader directory(folder.native());
+  while (const char* entry = directory.next()) {
+    const std::string ending = ending_of(entry);
+    const bool is_asset = ending == ".gltf" || ending == ".glb" || ending == ".vrm";
+    if (is_asset && directory.is_file()) names.emplace_back(entry);
+    if (names.size() == kMostAssets) break;
+  }
+  std::sort(names.begin(), names.end());
+  std::vector<NamedFiles> assets;
+  std::size_t cost = 0;
+  for (const std::string& name : names) {
+    if (cost > kMostText) break;
+    assets.push_back(named_by((folder / name).native(), cost));
+  }
+  return assets;
+}
+
+/// Groups that grow together.
+class Groups {
+ public:
+  explicit Groups(std::size_t count) : parents_(count) {
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+  }
+  std::size_t first_of(std::size_t position) {
+    while (parents_[position] != position) {
+      parents_[position] = parents_[parents_[position]];
+      position = parents_[position];
+    }
+    return position;
+  }
+  void join(std::size_t one, std::size_t other) {
+    const auto [first, second] = std::minmax(first_of(one), first_of(other));
+    parents_[second] = first;
+  }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+}  // namespace
+
+bool NamedFiles::names(const std::set<FileIdentity>& wanted) const {
+  return std::any_of(wanted.begin(), wanted.end(),
+                     [this](const FileIdentity& file) { return files.contains(file); });
+}
+
+std::vector<InputGroup> groups_of(const std::vector<std::string>& paths, unsigned jobs) {
+  std::vector<NamedFiles> named(paths.size());
+  if (paths.size() > 1) {
+    parallel_ordered(
+        paths.size(), jobs,
+        [&](std::size_t i) {
+          std::size_t cost = 0;
+          named[i] = named_by(paths[i], cost);
+        },
+        [](std::size_t) {});
+  }
+  // Files that may change, and one of those that would change them.
+  std::map<FileIdentity, std::size_t> changing;
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    changing.emplace(named[i].own, i);
+    for (const FileIdentity& file : named[i].buffers) changing.emplace(file, i);
+  }
+  Groups groups(paths.size());
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    if (named[i].own.inode != 0) named[i].files.insert(named[i].own);
+    for (const FileIdentity& file : named[i].files) {
+      if (const auto other = changing.find(file); other != changing.end()) {
+        groups.join(i, other->second);
+      }
+    }
+  }
+  std::map<std::size_t, InputGroup> members;
+  for (std::size_t i = 0; i < paths.size(); ++i) members[groups.first_of(i)].push_back(i);
+  std::vector<InputGroup> all;
+  for (auto& [first, group] : members) all.push_back(std::move(group));
+  return all;
+}
+
+std::vector<std::string> FolderIndex::naming(const fs::path& folder,
+                                             const std::set<FileIdentity>& files) {
+  const std::lock_guard lock(mutex_);
+  auto known = folders_.find(folder);
+  if (known == folders_.end()) known = folders_.emplace(folder, assets_in(folder)).first;
+  std::vector<std::string> paths;
+  for (const NamedFiles& asset : known->second) {
+    if (asset.names(files)) paths.push_back(asset.path);
+  }
+  return paths;
+}
+
+std::string FolderIndex::reader_of(const std::string& path) {
+  const auto state = file_state(path);
+  if (!state) return {};
+  for (std::string& asset : naming(folder_of(path), {identity_of(*state, path)})) {
+    return std::move(asset);
+  }
+  return {};
+}
+
+}  // namespace gltfx
