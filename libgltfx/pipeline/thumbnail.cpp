@@ -50,13 +50,14 @@ class Embedding {
     const auto pieces = edit::rewrite(
         container(), share_text(json::apply_edits(*container().json, editor.take())), {more_, {}});
     if (!pieces) return pieces.error();
-    const std::vector<edit::NewFile> none;
+    FolderIndex folders;
     EditOptions options;
     options.in_place = true;
     EditOutcome outcome;
     const bool done = write_edited(
-        asset, state_, {*pieces, none, {}}, options,
-        [this](container::Container on_disk) { return find_error(std::move(on_disk)); }, outcome);
+        asset, state_, {*pieces}, options,
+        [this](container::Container on_disk) { return find_error(std::move(on_disk)); }, folders,
+        outcome);
     return done ? std::nullopt : std::optional<Error>(Error{outcome.error});
   }
 
