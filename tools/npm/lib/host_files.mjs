@@ -87,8 +87,8 @@ class HostFiles {
     return path;
   }
 
-  // The engine refuses by the mode of a node, whoever the user is. So a node has all rights, which the system may refuse
-  // later; but for that to write a file, which access() asks for.
+  // The engine refuses by the mode of a node, whoever the user is. So a node has all rights, and the system refuses;
+  // but access() asks the node alone whether a file can be written.
   #found(parent, name) {
     const path = this.#path(parent, name);
     const status = fs.lstatSync(path);
