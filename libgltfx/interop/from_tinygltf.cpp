@@ -23,7 +23,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_glb(const std::string& name) { return ending_of(name) == ".glb"; }
+bool is_glb(const std::string& name) {
+  return ending_of(name) == ".glb" || ending_of(name) == ".vrm";
+}
 
 // A GLB with nothing but "{}": what a rewrite starts from.
 std::string empty_glb() { return std::string("glTF\2\0\0\0\x18\0\0\0\4\0\0\0JSON{}  ", 24); }

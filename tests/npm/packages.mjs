@@ -61,7 +61,7 @@ function below(folder) {
 }
 
 export function assetsBelow(...names) {
-  return names.flatMap((name) => below(resolve(root, name))).filter((path) => /\.(gltf|glb)$/i.test(path));
+  return names.flatMap((name) => below(resolve(root, name))).filter((path) => /\.(gltf|glb|vrm)$/i.test(path));
 }
 
 /** Reads what an asset refers to, as users of gltf-validator do. */

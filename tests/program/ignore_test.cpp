@@ -93,7 +93,7 @@ TEST_F(LeftOut, EveryVerbThatSearchesFoldersLooksAlike) {
     if (verb == "bake") words.insert(words.end(), {"-o", "out/"});
     const Outcome outcome = gltfx(words, {folder_.path().native(), {}, {}});
     EXPECT_EQ(outcome.code, 2) << verb;
-    EXPECT_THAT(outcome.err, HasSubstr("no .gltf or .glb in '.'")) << verb;
+    EXPECT_THAT(outcome.err, HasSubstr("no .gltf, .glb or .vrm in '.'")) << verb;
   }
 }
 

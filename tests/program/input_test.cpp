@@ -45,6 +45,19 @@ TEST_F(Input, FoldersAreSearchedThroughInSortedOrder) {
   EXPECT_THAT(checked({"a"}), ElementsAre("a/.hidden/w.gltf", "a/B.GLTF", "a/b/y.glb", "a/z.gltf"));
 }
 
+TEST_F(Input, AvatarsInAFolderAreAssets) {
+  folder_.write("a/chair.glb", "glTF");
+  folder_.write("a/avatar.vrm", "glTF");
+  folder_.write("b/AVATAR.VRM", "glTF");
+  EXPECT_THAT(checked({"a"}), ElementsAre("a/avatar.vrm", "a/chair.glb"));
+  EXPECT_THAT(checked({"b"}), ElementsAre("b/AVATAR.VRM"));
+  for (const char* verb : {"fix", "upgrade", "inspect"}) {
+    EXPECT_THAT(gltfx({verb, "b"}, {folder_.path().native(), {}, {}}).err,
+                testing::Not(HasSubstr("no .gltf")))
+        << verb;
+  }
+}
+
 TEST_F(Input, ArgumentsKeepTheirOrderAndEachFileIsCheckedOnce) {
   folder_.write("a/1.gltf", kSound);
   folder_.write("b.gltf", kSound);
@@ -153,7 +166,7 @@ TEST_F(Input, AFolderWithoutAssetsBesideOthersIsANote) {
   folder_.write("a.gltf", kSound);
   EXPECT_THAT(checked({"void", "a.gltf"}), ElementsAre("a.gltf"));
   EXPECT_EQ(outcome_.code, 0);
-  EXPECT_EQ(outcome_.err, "gltfx: note: no .gltf or .glb in 'void'\n");
+  EXPECT_EQ(outcome_.err, "gltfx: note: no .gltf, .glb or .vrm in 'void'\n");
   checked({"void", "a.gltf", "--quiet"});
   EXPECT_EQ(outcome_.err, "");
 }
@@ -190,17 +203,17 @@ TEST_P(NothingFound, IsAMistakeThatNamesTheInputs) {
     std::vector<std::string> inputs;
     std::string said;
   };
-  std::vector<Case> cases{{{"void"}, "no .gltf or .glb in 'void'."},
-                          {{"void/"}, "no .gltf or .glb in 'void/'."},
-                          {{"**/*.glb"}, "no .gltf or .glb in '**/*.glb'."},
-                          {{"*/"}, "no .gltf or .glb in '*/'."},
-                          {{"void", "more", "-q"}, "no .gltf or .glb in 'void', 'more'."},
+  std::vector<Case> cases{{{"void"}, "no .gltf, .glb or .vrm in 'void'."},
+                          {{"void/"}, "no .gltf, .glb or .vrm in 'void/'."},
+                          {{"**/*.glb"}, "no .gltf, .glb or .vrm in '**/*.glb'."},
+                          {{"*/"}, "no .gltf, .glb or .vrm in '*/'."},
+                          {{"void", "more", "-q"}, "no .gltf, .glb or .vrm in 'void', 'more'."},
                           {{"void", "more", "more/deep", "*.glb", "*.gltf"},
-                           "no .gltf or .glb in 'void', 'more', 'more/deep' and 2 more."}};
+                           "no .gltf, .glb or .vrm in 'void', 'more', 'more/deep' and 2 more."}};
   if (takes_lists()) {
-    cases.push_back({{"--files-from", "list"}, "no .gltf or .glb in 'void', 'more'."});
-    cases.push_back({{"void", "--files-from", "empty list"}, "no .gltf or .glb in 'void'."});
-    cases.push_back({{"void", "--shard", "2/3"}, "no .gltf or .glb in 'void'."});
+    cases.push_back({{"--files-from", "list"}, "no .gltf, .glb or .vrm in 'void', 'more'."});
+    cases.push_back({{"void", "--files-from", "empty list"}, "no .gltf, .glb or .vrm in 'void'."});
+    cases.push_back({{"void", "--shard", "2/3"}, "no .gltf, .glb or .vrm in 'void'."});
   }
   for (const Case& each : cases) {
     const Outcome outcome = run(each.inputs);
@@ -215,7 +228,7 @@ TEST_P(NothingFound, IsNoneWhenAllowed) {
   for (const std::string input : {"void", "*.glb"}) {
     const Outcome outcome = run({input, "--allow-empty"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr("note: no .gltf or .glb in '" + input + "'"));
+    EXPECT_THAT(outcome.err, HasSubstr("note: no .gltf, .glb or .vrm in '" + input + "'"));
     EXPECT_THAT(outcome.out + outcome.err, testing::Not(HasSubstr("contact-sheet")));
   }
   if (!takes_lists()) return;

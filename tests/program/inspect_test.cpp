@@ -131,8 +131,9 @@ TEST_F(Inspect, WhatCannotBeReadIsAnExitCode) {
   EXPECT_EQ(here({"-"}).code, 2);
   EXPECT_EQ(here({"sound.gltf", "--format", "xml"}).code, 2);
   folder_.write("empty/readme", "");
-  EXPECT_THAT(here({"empty"}).err, HasSubstr("no .gltf or .glb in 'empty'"));
-  EXPECT_THAT(here({"empty", "sound.gltf"}).err, HasSubstr("note: no .gltf or .glb in 'empty'"));
+  EXPECT_THAT(here({"empty"}).err, HasSubstr("no .gltf, .glb or .vrm in 'empty'"));
+  EXPECT_THAT(here({"empty", "sound.gltf"}).err,
+              HasSubstr("note: no .gltf, .glb or .vrm in 'empty'"));
   EXPECT_THAT(here({"empty", "sound.gltf", "--quiet"}).err, IsEmpty());
 }
 

@@ -20,7 +20,7 @@ const OPTIONS = {
 
 function assetsBelow(folder) {
   return readdirSync(folder, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile() && /\.(gltf|glb)$/.test(entry.name))
+    .filter((entry) => entry.isFile() && /\.(gltf|glb|vrm)$/.test(entry.name))
     .map((entry) => join(entry.parentPath ?? entry.path, entry.name))
     .sort();
 }

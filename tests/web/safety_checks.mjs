@@ -352,7 +352,7 @@ async function saysWhatIsMissing(one, url, native) {
   const page = await open(one, url);
   assert.equal(
     await choose(page, "files", join(native.folder, "tour/quad.bin")),
-    "There is no .gltf or .glb file in it.",
+    "There is no .gltf, .glb or .vrm file in it.",
   );
   assert.equal(await page.$eval("#results", (element) => element.hidden), true);
   await page.close();

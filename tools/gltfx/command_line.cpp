@@ -39,7 +39,7 @@ class Declaration {
     app_.get_formatter()->column_width(28);
     app_.footer([] { return help_footer(""); });
     app_.add_flag("-V,--version", version_, "Print the versions of gltfx and its libraries");
-    verb("validate", "Validate .gltf and .glb files", declare_validate, validate_);
+    verb("validate", "Validate .gltf, .glb and .vrm files", declare_validate, validate_);
     verb("fix", "Fix what a program can fix with certainty", declare_fix, fix_);
     verb("upgrade", "Upgrade legacy extensions to their successors", declare_upgrade, upgrade_);
     verb("edit", "Delete objects and renumber what refers to others", declare_edit, edit_);
@@ -117,7 +117,7 @@ std::string Declaration::unknown_verb(const std::string& word) const {
   for (const CLI::App* verb : app_.get_subcommands(nullptr)) names.push_back(verb->get_name());
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   std::string hint = suggestion(word, candidates);
-  const bool path = word.ends_with(".gltf") || word.ends_with(".glb") || word.ends_with("/");
+  const bool path = is_asset_name(word) || word.ends_with("/");
   if (path) hint = fmt::format(" Did you mean 'gltfx validate {}'?", printable(word));
   return fmt::format("unknown verb {}.{}", gltfx::quoted(word), hint);
 }

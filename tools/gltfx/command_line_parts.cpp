@@ -67,7 +67,7 @@ void add_search(CLI::App& app, std::vector<std::string>& exclude, bool& no_ignor
                 bool& allow_empty) {
   add_list(app, "--exclude", exclude, "GLOB", "Skip matches in folders and globs (repeatable)");
   app.add_flag("--no-ignore", no_ignore, "Include files that .gitignore excludes");
-  app.add_flag("--allow-empty", allow_empty, "Exit 0 if there are no .gltf or .glb files");
+  app.add_flag("--allow-empty", allow_empty, "Exit 0 if there are no .gltf, .glb or .vrm files");
 }
 
 void add_listing(CLI::App& app, ListingWords& words) {

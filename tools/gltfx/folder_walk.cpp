@@ -114,7 +114,7 @@ namespace fs = std::filesystem;
 
 bool is_asset_name(const std::string& path) {
   const std::string ending = ending_of(path);
-  return ending == ".gltf" || ending == ".glb";
+  return ending == ".gltf" || ending == ".glb" || ending == ".vrm";
 }
 
 FolderWalk::FolderWalk(const NamedPaths& named) : named_(named) {

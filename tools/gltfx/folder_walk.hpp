@@ -53,10 +53,10 @@ struct FoundFile {
   std::string place;  ///< below the folder that was named
 };
 
-/// Walks one folder after the other for .gltf and .glb files (in any case of letters), in the order
-/// of the bytes of their paths. Folders that are symbolic links are entered only when named, `.git`
-/// never. Leaves out what .gitignore files name, or NamedPaths::exclude. Holds the names of the
-/// folders that it is in, so that memory does not grow with the number of files.
+/// Walks one folder after the other for assets, in the order of the bytes of their paths. Folders
+/// that are symbolic links are entered only when named, `.git` never. Leaves out what .gitignore
+/// files name, or NamedPaths::exclude. Holds the names of the folders that it is in, so that memory
+/// does not grow with the number of files.
 class FolderWalk {
  public:
   /// `named` outlives the walk.
@@ -91,7 +91,7 @@ class FolderWalk {
   std::uint64_t ignored_ = 0;
 };
 
-/// Whether a path ends in .gltf or .glb, in any case of letters.
+/// Whether a path ends in .gltf, .glb or .vrm (an avatar in a GLB), in any case of letters.
 bool is_asset_name(const std::string& path);
 
 }  // namespace gltfx::tool

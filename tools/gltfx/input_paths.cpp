@@ -22,7 +22,7 @@ Error no_assets(const InputWalk& walk) {
   for (const std::string& name : all) {
     if (names.size() < kMostNames) names.push_back(quoted(name, 200));
   }
-  std::string text = fmt::format("no .gltf or .glb in {}", fmt::join(names, ", "));
+  std::string text = fmt::format("no .gltf, .glb or .vrm in {}", fmt::join(names, ", "));
   if (all.size() > kMostNames) text += fmt::format(" and {} more", all.size() - kMostNames);
   if (walk.ignored() > 0)
     text += fmt::format(" ({} in .gitignore; see --no-ignore)", walk.ignored());
@@ -54,7 +54,7 @@ Result<Inputs> expand_paths(const NamedPaths& named, bool quiet) {
 
 void say_notes(const InputWalk& walk) {
   for (const std::string& name : walk.without_assets()) {
-    complain(fmt::format("note: no .gltf or .glb in {}", quoted(name, 200)));
+    complain(fmt::format("note: no .gltf, .glb or .vrm in {}", quoted(name, 200)));
   }
   if (walk.ignored() > 0) {
     complain(fmt::format("note: {} asset{} left out, as .gitignore asks; --no-ignore includes them",

@@ -73,7 +73,7 @@ class Destination {
     const std::string own = ending_of(path);
     if (!is_asset_name(output_)) {
       return Error{
-          fmt::format("--output: {} is neither a folder nor the name of a .gltf or .glb "
+          fmt::format("--output: {} is neither a folder nor the name of a .gltf, .glb or .vrm "
                       "file; write {} for a folder.",
                       quoted(output_, 200), quoted(output_ + "/", 200))};
     }

@@ -35,9 +35,9 @@ the container, the JSON text, types and ranges, references, accessors, compresse
 images. Each finding has a code, a place, what was expected and, where there is one, a way to fix
 it; gltfx-explain(1) tells more about a code.
 
-A PATH is a file, a folder that is searched for .gltf and .glb files, a glob, or - for one asset on
-standard input. Findings go to standard output as text; other formats replace the text or are
-written to files in addition, any number of them.
+A PATH is a file, a folder that is searched for .gltf, .glb and .vrm files, a glob, or - for one
+asset on standard input. Findings go to standard output as text; other formats replace the text or
+are written to files in addition, any number of them.
 
 Images are judged by their headers. Where a rule needs pixels, `--pixels` says whether they are
 decoded.
@@ -162,7 +162,7 @@ const VerbText* find_verb_text(std::string_view verb) {
   return found == kTexts.end() ? nullptr : found;
 }
 
-// "Check .gltf and .glb files" as the line behind a name.
+// "Check .gltf, .glb and .vrm files" as the line behind a name.
 std::string summary_of(const CommandEntry& command) {
   if (command.name.empty()) return "validate, fix, upgrade and draw glTF 2.0 assets";
   std::string text = command.text;

@@ -54,7 +54,7 @@ Values picture_or_folder() {
   values.folders = true;
   return values;
 }
-Values assets() { return {.files = true, .folders = true, .endings = {"gltf", "glb"}}; }
+Values assets() { return {.files = true, .folders = true, .endings = {"gltf", "glb", "vrm"}}; }
 
 Values severities() {
   WordSet levels;
@@ -109,7 +109,7 @@ Table common_values() {
       {"--generation", choice(set_of(sorted_once(generation_names(set))))},
       {"--sheet", picture()},
       {"--layer", comma_list(set_of(kLayerWords))},
-      {"--compare", file({"gltf", "glb"})},
+      {"--compare", file({"gltf", "glb", "vrm"})},
       {"--projection", choice(set_of(kProjectionWords))},
       {"--interior", choice(set_of(kInteriorWords))},
       {"--lights", choice(set_of(kLightWords))},

@@ -20,7 +20,7 @@ export function pathProblem(path) {
     : "";
 }
 
-const isAsset = (path) => /\.(gltf|glb)$/i.test(path);
+const isAsset = (path) => /\.(gltf|glb|vrm)$/i.test(path);
 const isZip = (path) => /^[^/]*\.zip$/i.test(path);
 const isOtherArchive = (path) => /^[^/]*\.(7z|bz2|gz|rar|tar|tgz|xz|zst)$/i.test(path);
 

@@ -85,7 +85,7 @@ function hear(said) {
       showBusy("");
       byId("results").hidden = byId("left-out").childElementCount === 0;
       const cause = leftOut.find((one) => one.mayHideAssets);
-      return say(cause ? notChecked(cause) : "There is no .gltf or .glb file in it.");
+      return say(cause ? notChecked(cause) : "There is no .gltf, .glb or .vrm file in it.");
     }
     byId("downloads").hidden = false;
     byId("get-upgraded").hidden = upgradable === 0;
