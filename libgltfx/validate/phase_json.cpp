@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/legacy_encoding.hpp"
 #include "base/text.hpp"
 #include "json/equal.hpp"
 #include "json/parse.hpp"
@@ -125,8 +128,37 @@ std::string help_for(const json::ParseError& error, std::string_view text,
   }
 }
 
+// Bytes of strings that another encoding reads: which string it is, and what it says.
+std::optional<Finding> explain_encoding(std::string_view text) {
+  const auto legacy = read_legacy_text(text);
+  if (!legacy || legacy->parts.empty()) return std::nullopt;
+  const Span first = legacy->parts.front().span;
+  const json::Parsed read = json::parse(share_text(legacy->convert(text)));
+  if (read.document.empty()) return std::nullopt;
+  // Nothing before the first stretch has moved.
+  const json::Document& document = read.document;
+  const json::NodeId node = node_around(document, {first.begin, first.begin + 1});
+  if (node == json::kNoNode) return std::nullopt;
+  const bool key = document.kind(node) == json::Kind::key;
+  if (!key && !document.is_string(node)) return std::nullopt;
+  Finding finding(Code::JSON_INVALID_UTF8);
+  finding.message = fmt::format(
+      "{} is not UTF-8; read as {}, it is {}.",
+      key ? "A name of a member" : gltfx::quoted(document.pointer_of(node)), legacy->encoding,
+      gltfx::quoted(key ? std::string(document.key(document.node(node).next))
+                        : document.string(node)));
+  finding.help = fmt::format("convert the text from {} to UTF-8", legacy->encoding);
+  finding.span = first;
+  return finding;
+}
+
 void report_error(const json::ParseError& error, std::string_view text,
                   const json::LineIndex& lines, bool syntax, Collector& collector) {
+  if (error.error == json::SyntaxError::invalid_utf8 && !syntax) {
+    if (auto explained = explain_encoding(text)) {
+      return collector.report_file(Phase::json, *std::move(explained));
+    }
+  }
   Finding finding(syntax ? Code::INVALID_JSON : code_of(error.error));
   finding.message = sentence(error.detail.empty() ? default_message(error.error) : error.detail);
   finding.help = help_for(error, text, lines);
@@ -231,7 +263,15 @@ bool remove_equal_repeat(Fixing& fixing, Span place) {
   return equal && json::equal(document, before, key) && fixing.remove_member(before + 1);
 }
 
+bool convert_to_utf8(Fixing& fixing, Span) {
+  const auto legacy = read_legacy_text(*fixing.opened().container().json);
+  if (!legacy) return false;
+  for (const LegacyText::Part& part : legacy->parts) fixing.replace_text(part.span, part.utf8);
+  return !legacy->parts.empty();
+}
+
 constexpr FixEntry kTextFixes[] = {
+    {Code::JSON_INVALID_UTF8, convert_to_utf8, FixStage::syntax},
     {Code::JSON_BYTE_ORDER_MARK, cut_out<json::SyntaxError::byte_order_mark>, FixStage::syntax},
     {Code::JSON_TRAILING_COMMA, cut_out<json::SyntaxError::trailing_comma>, FixStage::syntax},
     {Code::JSON_MISSING_COMMA, add_comma, FixStage::syntax},
