@@ -14,6 +14,14 @@ DirectoryReader::DirectoryReader(const std::string& path)
   if (stream_ == nullptr) error_.assign(errno, std::generic_category());
 }
 
+DirectoryReader::DirectoryReader(UniqueFd folder) : stream_(::fdopendir(folder.get())) {
+  if (stream_ == nullptr) {
+    error_.assign(errno, std::generic_category());
+  } else {
+    folder.release();
+  }
+}
+
 DirectoryReader::~DirectoryReader() {
   if (stream_ != nullptr) ::closedir(stream_);
 }

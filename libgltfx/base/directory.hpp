@@ -7,6 +7,8 @@
 
 #include <dirent.h>
 
+#include "base/unique_fd.hpp"
+
 namespace gltfx {
 
 /// Reads a directory entry by entry, in the order of the file system, without "." and "..".
@@ -17,6 +19,7 @@ class DirectoryReader {
  public:
   /// `path` "" is the working directory.
   explicit DirectoryReader(const std::string& path);
+  explicit DirectoryReader(UniqueFd folder);
   DirectoryReader(const DirectoryReader&) = delete;
   DirectoryReader& operator=(const DirectoryReader&) = delete;
   ~DirectoryReader();

@@ -83,6 +83,13 @@ Result<Container> open_file(const File& file, const std::filesystem::path& path,
   return copy_whole(file, path);
 }
 
+Container literal_reading(const Container& container) {
+  if (!container.literal) return container;
+  Container literal = *container.literal;
+  literal.bytes = container.bytes;
+  return literal;
+}
+
 Container open_bytes(Bytes bytes, std::string_view name) {
   const Format format = sniff(bytes.text(), bytes.size(), name);
   return open_bytes(std::move(bytes), format);

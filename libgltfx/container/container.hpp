@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -70,7 +71,13 @@ struct Container {
   /// GLB: the file's last chunk is complete and has no data. (The Khronos validator reads no
   /// resources then and does not compare the lengths.)
   bool ends_in_empty_chunk = false;
+  /// GLB with a known mistake of writers, of which `errors` names the cause alone: all that follows
+  /// from reading it as it is. Its `bytes` are not set.
+  std::shared_ptr<const Container> literal;
 };
+
+/// The container as it is, mistakes and what follows from them.
+Container literal_reading(const Container& container);
 
 struct OpenLimits {
   std::uint64_t max_bytes = UINT64_MAX;  ///< larger files are refused

@@ -49,9 +49,15 @@ struct Magic {
 };
 
 constexpr Content image(std::string_view name, std::string_view media_type = {}) {
-  return {name, media_type, true};
+  return {name, media_type, true, {}};
 }
-constexpr Content other(std::string_view name) { return {name, {}, false}; }
+constexpr Content other(std::string_view name) { return {name, {}, false, {}}; }
+constexpr Content model_file(std::string_view name) {
+  return {name, {}, false, "convert it to glTF 2.0: another name does not do that"};
+}
+constexpr Content tile(std::string_view name) {
+  return {name, {}, false, "take the GLB out of the tile"};
+}
 
 constexpr std::array kMagics{
     Magic{"GIF87a"sv, image("a GIF", "image/gif")},
@@ -88,6 +94,22 @@ constexpr std::array kMagics{
     Magic{"PK\x03\x04"sv, other("a ZIP archive")},
     Magic{"\x1f\x8b"sv, other("a gzip archive")},
     Magic{"%PDF-"sv, other("a PDF document")},
+    Magic{"\x28\xb5\x2f\xfd"sv, other("a Zstandard archive")},
+    Magic{"7z\xbc\xaf\x27\x1c"sv, other("a 7-Zip archive")},
+    Magic{"Rar!\x1a\x07"sv, other("a RAR archive")},
+    Magic{"Kaydara FBX Binary"sv, model_file("an FBX model")},
+    Magic{"; FBX "sv, model_file("an FBX model")},
+    Magic{"BLENDER"sv, model_file("a Blender file")},
+    Magic{"PXR-USDC"sv, model_file("a USD model")},
+    Magic{"#usda"sv, model_file("a USD model")},
+    Magic{"ply\n"sv, model_file("a PLY model")},
+    Magic{"ply\r"sv, model_file("a PLY model")},
+    Magic{"#VRML"sv, model_file("a VRML model")},
+    Magic{"b3dm\1\0\0\0"sv, tile("a b3dm tile of 3D Tiles")},
+    Magic{"i3dm\1\0\0\0"sv, tile("an i3dm tile of 3D Tiles")},
+    Magic{"pnts\1\0\0\0"sv, model_file("a pnts tile of 3D Tiles (a point cloud)")},
+    Magic{"cmpt\1\0\0\0"sv, tile("a cmpt tile of 3D Tiles")},
+    Magic{"DRACO"sv, other("bare Draco data")},
 };
 
 bool begins_with(std::string_view text, std::string_view lower) {
@@ -101,6 +123,50 @@ bool is_bmp(std::string_view bytes) {
   return bytes.size() >= 10 && bytes.starts_with("BM") && bytes.substr(6, 4) == "\0\0\0\0"sv;
 }
 
+// A ZIP archive whose first file is a USD layer.
+bool is_usdz(std::string_view bytes) {
+  if (!bytes.starts_with("PK\x03\x04") || bytes.size() < 30) return false;
+  const auto length = static_cast<unsigned char>(bytes[26]);
+  const std::string_view name = bytes.substr(30, length);
+  const std::size_t dot = name.rfind(".usd");
+  return dot != name.npos && name.size() - dot <= 5;
+}
+
+// 80 bytes of anything, the number of triangles, and 50 bytes for each.
+bool is_binary_stl(std::string_view bytes, std::uint64_t size) {
+  if (bytes.size() < 84) return false;
+  std::uint64_t count = 0;
+  for (unsigned i = 0; i < 4; ++i) {
+    count |= std::uint64_t{static_cast<unsigned char>(bytes[80 + i])} << (8U * i);
+  }
+  return count > 0 && size == 84 + 50 * count;
+}
+
+// A statement of Wavefront OBJ at the beginning of some line: a vertex, a group or a material file.
+bool is_obj(std::string_view text) {
+  if (std::any_of(text.begin(), text.end(), is_binary_byte)) return false;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (line.starts_with("mtllib ")) return true;
+    const bool vertex = line.starts_with("v ") && line.find_first_of("0123456789") != line.npos;
+    if (vertex) return true;
+    constexpr std::string_view kSilent = "#og\r";
+    if (!line.empty() && kSilent.find(line.front()) == kSilent.npos) return false;
+  }
+  return false;
+}
+
+Content name_model_text(std::string_view head) {
+  if (head.starts_with("solid") && head.find("facet") != head.npos)
+    return model_file("an STL model");
+  if (head.starts_with("Z2xURg")) {
+    return {"the base64 text of a GLB", {}, false, "decode it, for example with 'base64 --decode'"};
+  }
+  return is_obj(head) ? model_file("a Wavefront OBJ model") : Content{};
+}
+
 // Of text that may be an answer of a server instead of a file.
 Content name_text(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
@@ -111,12 +177,13 @@ Content name_text(std::string_view head) {
   if (head.starts_with("<svg") || (head.starts_with("<?xml") && head.find("<svg") != head.npos)) {
     return image("an SVG drawing", "image/svg+xml");
   }
+  if (head.find("<COLLADA") != head.npos) return model_file("a COLLADA model");
   if (head.starts_with("<?xml") || head.starts_with("<Error>")) {
     return other("an XML document (a failed download?)");
   }
   if (head.starts_with('{')) return other("JSON text (a failed download?)");
   if (head.starts_with("data:")) return other("text of a data URI");
-  return {};
+  return name_model_text(head);
 }
 
 }  // namespace
@@ -135,8 +202,9 @@ Format sniff(std::string_view head, std::size_t file_size, std::string_view name
   return std::any_of(head.begin(), head.end(), is_binary_byte) ? Format::unknown : Format::gltf;
 }
 
-Content name_content(std::string_view bytes) {
+Content name_content(std::string_view bytes, std::uint64_t size) {
   if (bytes.empty()) return other("an empty file");
+  if (is_usdz(bytes)) return model_file("a USDZ model");
   for (const Magic& magic : kMagics) {
     if (bytes.size() >= magic.offset && bytes.substr(magic.offset).starts_with(magic.bytes)) {
       return magic.content;
@@ -146,6 +214,7 @@ Content name_content(std::string_view bytes) {
   if (is_git_lfs_pointer(bytes, bytes.size())) return other("a Git LFS pointer");
   const std::string_view head = bytes.substr(0, kSniffBytes);
   if (head.find_first_not_of('\0') == head.npos) return other("a file of zeros");
+  if (is_binary_stl(bytes, size)) return model_file("an STL model");
   return name_text(head);
 }
 

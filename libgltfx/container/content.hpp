@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 
 #include "container/container.hpp"
@@ -24,10 +25,13 @@ struct Content {
   std::string_view name;        ///< "a GIF", "an HTML page (a failed download?)"; or empty
   std::string_view media_type;  ///< of an image that no part of glTF itself knows; or empty
   bool image = false;           ///< some reader may take it for an image
+  std::string_view advice;      ///< what to do where it is in the place of an asset; or empty
 };
 
 /// Names formats that glTF has no use for, and those that only extensions bring. PNG, JPEG, WebP
 /// and KTX 2 are named where they are too short to be read. No name: nothing that is known here.
-Content name_content(std::string_view bytes);
+/// `bytes` may be the first kSniffBytes of a file of `size` bytes.
+Content name_content(std::string_view bytes, std::uint64_t size);
+inline Content name_content(std::string_view bytes) { return name_content(bytes, bytes.size()); }
 
 }  // namespace gltfx::container

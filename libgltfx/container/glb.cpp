@@ -2,10 +2,13 @@
 #include "container/glb.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "base/checked.hpp"
+#include "base/text.hpp"
 #include "container/content.hpp"
 #include "container/glb_errors.hpp"
 
@@ -24,10 +27,17 @@ std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
+/// repaired: known mistakes of writers are corrected, and reported in place of what follows.
+enum class GlbReading : std::uint8_t { literal, repaired };
+
 /// One pass over the chunk headers. A step returns false when there is nothing left to read.
 class GlbReader {
  public:
-  GlbReader(const Source& source, Container& out) : source_(source), out_(out) {}
+  GlbReader(const Source& source, Container& out, GlbReading reading)
+      : source_(source), out_(out), is_repaired_(reading == GlbReading::repaired) {}
+
+  /// Whether the file has a known mistake.
+  bool has_repaired() const { return is_numbered_ || is_uncounted_; }
 
   std::optional<Copied> run() {
     if (!read_header()) return std::move(failure_);
@@ -69,8 +79,8 @@ class GlbReader {
     if (magic != kMagic) {
       SharedText head;
       if (!copy(0, std::min(source_.size(), std::uint64_t{kSniffBytes}), head)) return false;
-      const Content found = name_content(*head);
-      early(glb_error::invalid_magic(magic, found.image ? std::string_view() : found.name));
+      const Content found = name_content(*head, source_.size());
+      early(glb_error::invalid_magic(magic, found.image ? Content() : found));
       return false;
     }
     out_.glb_version = version;
@@ -97,7 +107,58 @@ class GlbReader {
     }
     SharedText header;
     if (!copy(at_, kChunkHeaderSize, header)) return false;
-    return take_chunk(little_endian(*header, 0), little_endian(*header, 4));
+    std::uint32_t length = little_endian(*header, 0);
+    std::uint32_t type = little_endian(*header, 4);
+    if (is_repaired_ && !repair(length, type)) return false;
+    return take_chunk(length, type);
+  }
+
+  bool repair(std::uint32_t& length, std::uint32_t& type) {
+    const Chunk chunk{type, at_, at_ + kChunkHeaderSize, length};
+    bool numbered = false;
+    if (!has_number(chunk, numbered)) return false;
+    if (numbered) {
+      if (!std::exchange(is_numbered_, true)) early(glb_error::numbered_type(chunk));
+      type = type == 0 ? kChunkJson : kChunkBin;
+    }
+    bool uncounted = false;
+    if (length % 4 != 0 && !has_padding(chunk, type == kChunkJson ? ' ' : '\0', uncounted)) {
+      return false;
+    }
+    if (!uncounted) return true;
+    is_uncounted_ = true;
+    early(glb_error::uncounted_padding(chunk, length));
+    length += 4 - length % 4;
+    return true;
+  }
+
+  // Whether the type is the position of the chunk, and a text is where that type promises one.
+  // False: unreadable.
+  bool has_number(const Chunk& chunk, bool& found) {
+    found = chunk.type == 1 && out_.chunks.size() == 1;
+    if (chunk.type != 0 || !out_.chunks.empty() || !fits(chunk.offset, 1, source_.size())) {
+      return true;
+    }
+    SharedText first;
+    if (!copy(chunk.offset, 1, first)) return false;
+    found = *first == "{";
+    return true;
+  }
+
+  // Whether blanks are behind the data that the header counts, and behind those a chunk or the end
+  // of the file. False: unreadable.
+  bool has_padding(const Chunk& chunk, char blank, bool& found) {
+    const std::uint64_t end = chunk.offset + chunk.length;
+    const std::uint32_t padding = 4U - chunk.length % 4;
+    const bool last = end + padding == source_.size();
+    const std::uint32_t more = last ? 0 : kChunkHeaderSize;
+    if (!fits(end, padding + more, source_.size())) return true;
+    SharedText bytes;
+    if (!copy(end, padding + more, bytes)) return false;
+    const std::uint32_t type = last ? kChunkBin : little_endian(*bytes, padding + 4);
+    found = bytes->substr(0, padding) == std::string(padding, blank) &&
+            (type == kChunkBin || type == kChunkJson || (type == 1 && out_.chunks.empty()));
+    return true;
   }
 
   bool take_chunk(std::uint32_t length, std::uint32_t type) {
@@ -155,12 +216,91 @@ class GlbReader {
   std::uint64_t at_ = kHeaderSize;
   std::uint32_t declared_ = 0;
   bool seen_json_ = false;
+  bool is_repaired_;
+  bool is_numbered_ = false;
+  bool is_uncounted_ = false;
 };
+
+std::uint64_t count_of(std::string_view text, std::string_view part) {
+  std::uint64_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string_view::npos;
+       at = text.find(part, at + part.size())) {
+    ++found;
+  }
+  return found;
+}
+
+// Each line feed got a carriage return in front of it, and the header knows how many there are.
+bool has_new_line_ends(std::string_view bytes) {
+  std::string header;
+  for (std::size_t i = 0; i < bytes.size() && header.size() < kHeaderSize; ++i) {
+    if (bytes[i] != '\r' || !bytes.substr(i + 1).starts_with('\n')) header += bytes[i];
+  }
+  const std::uint64_t ends = count_of(bytes, "\r\n");
+  return ends > 0 && header.size() == kHeaderSize && ends == count_of(bytes, "\n") &&
+         little_endian(header, 8) == bytes.size() - ends;
+}
+
+// Where all bytes are UTF-8, and some outside of the JSON are not ASCII, a program has seen to
+// that.
+TextDamage damage_of(std::string_view bytes, std::uint64_t json_end) {
+  if (has_new_line_ends(bytes)) return TextDamage::line_ends;
+  const std::size_t brace = std::min(bytes.find('{'), bytes.size());
+  bool replaced = false;
+  bool other = false;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const CodePoint point = decode_utf8(bytes, at);
+    const bool cut = bytes.size() - at < 4;
+    if (!point.valid) {
+      if (cut) break;
+      return TextDamage::none;
+    }
+    const bool outside = at < brace || at >= json_end;
+    if (point.value == 0xFFFD && outside) replaced = true;
+    if (point.value >= 0x80 && point.value < 0x100 && outside) other = true;
+    at += point.size;
+  }
+  if (replaced) return TextDamage::replaced;
+  return other ? TextDamage::encoded : TextDamage::none;
+}
+
+constexpr std::uint64_t kMostText = std::uint64_t{64} << 20U;
+
+// Takes what a repaired reading finds for the errors of a literal one, which is kept beside it.
+void take_cause(Container& container, Container cause) {
+  auto literal = std::make_shared<Container>(std::move(container));
+  container = std::move(cause);
+  container.literal = std::move(literal);
+}
 
 }  // namespace
 
 std::optional<Copied> read_glb(const Source& source, Container& container) {
-  return GlbReader(source, container).run();
+  const Format format = container.format;
+  auto failure = GlbReader(source, container, GlbReading::literal).run();
+  if (failure || (container.errors.empty() && container.late_errors.empty())) return failure;
+  Container repaired;
+  repaired.format = format;
+  GlbReader reader(source, repaired, GlbReading::repaired);
+  failure = reader.run();
+  if (failure) return failure;
+  if (reader.has_repaired()) {
+    take_cause(container, std::move(repaired));
+    return std::nullopt;
+  }
+  const bool no_magic = !container.glb_version;
+  if (no_magic) return std::nullopt;
+  const Copied text = source.copy(0, std::min(source.size(), kMostText));
+  if (text.error != ResolveError::none) return text;
+  const bool has_json = !container.chunks.empty() && container.chunks.front().type == kChunkJson;
+  const Chunk json = has_json ? container.chunks.front() : Chunk{0, 0, source.size(), 0};
+  const TextDamage damage = damage_of(*text.text, json.offset + json.length);
+  if (damage == TextDamage::none) return std::nullopt;
+  Container damaged;
+  damaged.format = format;
+  damaged.errors.push_back(glb_error::changed_as_text(damage));
+  take_cause(container, std::move(damaged));
+  return std::nullopt;
 }
 
 }  // namespace gltfx::container

@@ -33,12 +33,15 @@ std::string bytes_text(std::uint64_t count) {
 
 }  // namespace
 
-ContainerError invalid_magic(std::uint32_t magic, std::string_view found) {
+ContainerError invalid_magic(std::uint32_t magic, const Content& found) {
+  if (!found.name.empty()) {
+    return {Code::GLB_INVALID_MAGIC, 0, fmt::format("The file is {}, not a GLB.", found.name),
+            std::string(found.advice.empty() ? "export the file again" : found.advice)};
+  }
   return {
       Code::GLB_INVALID_MAGIC, 0,
       fmt::format("The magic of the file is {}; it must be 0x46546c67 ('glTF').", type_text(magic)),
-      found.empty() ? "export the file again: the name ends in .glb, but the content is not a GLB"
-                    : fmt::format("export the file again: it is {}", found)};
+      "export the file again: the name ends in .glb, but the content is not a GLB"};
 }
 
 ContainerError invalid_version(std::uint32_t version) {
@@ -154,6 +157,35 @@ ContainerError unknown_type(const Chunk& chunk) {
   return {Code::GLB_UNKNOWN_CHUNK_TYPE, chunk.header_offset,
           fmt::format("The chunk type {} is unknown; the chunk is ignored.", type_text(chunk.type)),
           "store the data in a buffer: loaders skip unknown chunks"};
+}
+
+ContainerError numbered_type(const Chunk& chunk) {
+  return {Code::GLB_CHUNK_TYPE_NUMBER, chunk.header_offset,
+          fmt::format("The type of chunk {} is the number {}; chunk types must be 0x4e4f534a "
+                      "('JSON') and 0x004e4942 ('BIN').",
+                      chunk.type + 1, chunk.type),
+          "write 'JSON' and 'BIN' to the last four bytes of the chunk headers"};
+}
+
+ContainerError uncounted_padding(const Chunk& chunk, std::uint32_t length) {
+  const std::uint32_t padding = 4U - length % 4U;
+  return {
+      Code::GLB_CHUNK_LENGTH_UNALIGNED, chunk.header_offset,
+      fmt::format("The length of chunk {} is {}, without the {} of padding that follow; it must "
+                  "be a multiple of 4.",
+                  type_text(chunk.type), bytes_text(length), bytes_text(padding)),
+      fmt::format("write {} to byte {}", length + padding, chunk.header_offset)};
+}
+
+ContainerError changed_as_text(TextDamage damage) {
+  const auto because = [damage] {
+    if (damage == TextDamage::line_ends) return "each line feed has become a line break of Windows";
+    if (damage == TextDamage::encoded) return "each byte has become a character of UTF-8";
+    return "bytes that are not UTF-8 have been replaced";
+  };
+  return {Code::GLB_CHANGED_AS_TEXT, 0,
+          fmt::format("A program has changed the file as if it were text: {}.", because()),
+          "copy the original file again, in binary mode"};
 }
 
 }  // namespace gltfx::container::glb_error

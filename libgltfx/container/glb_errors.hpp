@@ -3,14 +3,26 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
 #include "container/container.hpp"
+#include "container/content.hpp"
+
+namespace gltfx::container {
+
+/// What a program does to a GLB that it takes for text.
+enum class TextDamage : std::uint8_t {
+  none,
+  line_ends,  ///< "\n" became "\r\n"
+  replaced,   ///< what is no UTF-8 became U+FFFD
+  encoded,    ///< each byte became a character of UTF-8
+};
+
+}  // namespace gltfx::container
 
 namespace gltfx::container::glb_error {
 
-/// `found`: what the file is instead, or empty.
-ContainerError invalid_magic(std::uint32_t magic, std::string_view found);
+/// `found`: what the file is instead, as far as that is known.
+ContainerError invalid_magic(std::uint32_t magic, const Content& found);
 ContainerError invalid_version(std::uint32_t version);
 ContainerError length_too_small(std::uint32_t declared);
 ContainerError length_mismatch(std::uint32_t declared, std::uint64_t actual);
@@ -29,5 +41,11 @@ ContainerError empty_json(const Chunk& chunk);
 ContainerError empty_bin(const Chunk& chunk);
 ContainerError duplicate(const Chunk& chunk);
 ContainerError unknown_type(const Chunk& chunk);
+
+/// What a chunk type of 0 or 1 stands for.
+ContainerError numbered_type(const Chunk& chunk);
+/// `length` lacks the padding, which the file has.
+ContainerError uncounted_padding(const Chunk& chunk, std::uint32_t length);
+ContainerError changed_as_text(TextDamage damage);
 
 }  // namespace gltfx::container::glb_error

@@ -10,11 +10,14 @@
 #include <fmt/format.h>
 #include <sys/stat.h>
 
+#include "base/directory.hpp"
 #include "container/content.hpp"
 #include "container/uri.hpp"
 
 namespace gltfx::container {
 namespace {
+
+constexpr int kFolder = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
 
 std::filesystem::path or_current(const std::filesystem::path& path) {
   return path.empty() ? std::filesystem::path(".") : path;
@@ -161,6 +164,30 @@ Resolved Resolver::open(const Uri& uri) const {
   resolved.bytes = *std::move(bytes);
   resolved.git_lfs_pointer = is_git_lfs_pointer(resolved.bytes.text(), resolved.bytes.size());
   return resolved;
+}
+
+std::vector<FolderEntry> Resolver::list(const std::string& folder) const {
+  constexpr std::size_t kMostEntries = 10'000;
+  std::vector<FolderEntry> entries;
+  for (const auto& [added, bytes] : added_) {
+    if (!added.starts_with(folder)) continue;
+    const std::string rest = added.substr(folder.size());
+    entries.push_back({rest.substr(0, rest.find('/')), rest.find('/') != std::string::npos});
+  }
+  if (unusable_ != ResolveError::none) return entries;
+  UniqueFd here(::openat(root_->get(), ".", kFolder));
+  const std::string path = base_ + folder;
+  for (const std::string_view name : components(path)) {
+    if (name == "..") return entries;
+    here = UniqueFd(::openat(here.get(), std::string(name).c_str(), kFolder));
+  }
+  if (!here) return entries;
+  DirectoryReader reader(std::move(here));
+  for (const char* name = reader.next(); name != nullptr && entries.size() < kMostEntries;
+       name = reader.next()) {
+    entries.push_back({name, reader.is_directory()});
+  }
+  return entries;
 }
 
 ResolveError Resolver::stat(std::string_view path, std::uint64_t& size) const {

@@ -53,6 +53,12 @@ class LookupLog {
   std::vector<Lookup> lookups_;
 };
 
+/// What a folder holds: a file or a link, or a folder.
+struct FolderEntry {
+  std::string name;
+  bool folder = false;
+};
+
 /// Confined to `root`; relative references are resolved against `base`, which lies inside the root.
 /// The root is opened once, by the constructor, and every look-up starts from that descriptor: a
 /// folder renamed or replaced meanwhile cannot lead elsewhere. Copies share the descriptor.
@@ -87,6 +93,9 @@ class Resolver {
   const Origin& origin() const { return origin_; }
   /// Whether open() would find a file, without reading it. Size in bytes in `size`.
   ResolveError stat(std::string_view path, std::uint64_t& size) const;
+  /// What a folder below the base holds ("" or with '/' at the end), in no order; of large folders
+  /// a part, and nothing where it cannot be read or the way leads through "..", or a link.
+  std::vector<FolderEntry> list(const std::string& folder) const;
 
  private:
   ResolveError open_at(std::string_view path, File& file) const;

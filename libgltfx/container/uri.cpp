@@ -11,41 +11,16 @@
 
 #include "base/text.hpp"
 #include "container/base64.hpp"
+#include "container/percent.hpp"
+#include "container/uri_parts.hpp"
 
 namespace gltfx::container {
 namespace {
 
 constexpr std::string_view kDataScheme = "data:";
 
-constexpr bool is_alpha(char c) { return ascii_lower(c) >= 'a' && ascii_lower(c) <= 'z'; }
-constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
-// RFC 3986 section 2.3: means the same escaped or not.
-constexpr bool is_unreserved(char c) {
-  return is_alpha(c) || is_digit(c) || c == '-' || c == '.' || c == '_' || c == '~';
-}
-// RFC 3986 section 3.3: may stand in a path as it is, '/' included.
-constexpr bool is_path_character(char c) {
-  return is_unreserved(c) || std::string_view("!$&'()*+,;=:@/").find(c) != std::string_view::npos;
-}
 // C0 controls and DEL.
 constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\x7f'; }
-
-// 0 to 15, or -1.
-constexpr int hex_value(char c) {
-  if (is_digit(c)) return c - '0';
-  const char low = ascii_lower(c);
-  return low >= 'a' && low <= 'f' ? low - 'a' + 10 : -1;
-}
-
-// Whether `text` has a whole percent escape at `at`.
-constexpr bool is_escape(std::string_view text, std::size_t at) {
-  return text[at] == '%' && text.size() - at > 2 && hex_value(text[at + 1]) >= 0 &&
-         hex_value(text[at + 2]) >= 0;
-}
-// The byte that the escape at `at` stands for.
-constexpr char escaped_byte(std::string_view text, std::size_t at) {
-  return static_cast<char>(hex_value(text[at + 1]) * 16 + hex_value(text[at + 2]));
-}
 
 // Whether it begins with "data:", in whatever case.
 bool has_data_scheme(std::string_view uri) {
@@ -63,44 +38,16 @@ std::size_t find_bad_escape(std::string_view text) {
   return at;
 }
 
-void append_escaped(std::string& out, char c) {
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  const auto byte = static_cast<unsigned char>(c);
-  out += '%';
-  out += kDigits[byte >> 4U];
-  out += kDigits[byte & 15U];
-}
-
-// RFC 3986 section 6.2.2, and as lenient readers do: '\' is '/', what may not stand there is
-/// escaped. `kept` are further characters that stay as they are.
-std::string normalize_escapes(std::string_view text, std::string_view kept = {}) {
-  std::string out;
-  out.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i] == '\\' ? '/' : text[i];
-    if (is_escape(text, i)) {
-      const char byte = escaped_byte(text, i);
-      is_unreserved(byte) ? out.push_back(byte) : append_escaped(out, byte);
-      i += 2;
-    } else if (is_path_character(c) || kept.find(c) != npos) {
-      out += c;
-    } else {
-      append_escaped(out, c);
-    }
-  }
-  return out;
-}
-
 // RFC 3986 section 5.2.4 for a relative path: ".." stays only in front, a folder keeps its '/'.
-std::string remove_dot_segments(std::string_view path) {
+// ".//a" names "a", or "/a" where `hollow_count`.
+std::string remove_dot_segments(std::string_view path, bool hollow_count = false) {
   std::vector<std::string_view> segments;
   std::size_t parents = 0;  // leading ".." in `segments`
   bool folder = false;      // the last segment is no name, so a '/' follows what is left
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('/', begin), path.size());
     const std::string_view segment = path.substr(begin, end - begin);
-    // ".//a" names "a", not "/a".
-    const bool hollow = segment.empty() && segments.empty() && begin != 0;
+    const bool hollow = !hollow_count && segment.empty() && segments.empty() && begin != 0;
     begin = end + 1;
     folder = segment == "." || segment == ".." || hollow;
     if (segment == "..") {
@@ -153,6 +100,7 @@ std::string hide_colons(std::string path) {
 
 /// What no URI may hold, as the end of a sentence; empty when there is nothing.
 std::string find_problem(std::string_view uri) {
+  if (uri.empty()) return "is empty";
   for (std::size_t i = 0; i < uri.size(); ++i) {
     const char c = uri[i];
     const bool escape = is_escape(uri, i);
@@ -177,34 +125,48 @@ std::string find_problem(std::string_view uri) {
   return {};
 }
 
-/// Where the ':' of a scheme stands: in the first segment, or npos.
-std::size_t scheme_end(std::string_view uri) {
-  const std::size_t end = uri.find_first_of(":/\\?#");
-  return end != npos && uri[end] == ':' ? end : npos;
-}
-
-std::string scheme_problem(std::string_view scheme) {
-  if (scheme.empty()) return "starts with ':'";
-  const auto allowed = [](char c) {
-    return is_alpha(c) || is_digit(c) || c == '+' || c == '-' || c == '.';
-  };
-  if (is_alpha(scheme.front()) && std::all_of(scheme.begin(), scheme.end(), allowed)) return {};
-  return fmt::format("has the invalid scheme {}; write a ':' in a file name as '%3A'",
-                     quoted(scheme));
-}
-
-Uri absolute(std::string_view uri, std::size_t scheme) {
+// What no file beside the asset is called.
+Uri elsewhere(const UriParts& parts) {
   Uri out;
-  out.problem = scheme_problem(uri.substr(0, scheme));
-  if (!out.problem.empty()) return out;
   out.kind = UriKind::non_relative;
-  out.normalized = normalize_escapes(uri, "?#[]");
-  for (std::size_t i = 0; i < scheme; ++i) out.normalized[i] = ascii_lower(out.normalized[i]);
-  out.local = scheme == 1 || out.normalized.starts_with("file:");  // a drive's letter is no scheme
+  out.normalized = parts.text();
+  const bool drive = parts.scheme.size() == 1;
+  out.local = parts.scheme.empty() || drive || parts.scheme == "file";
   return out;
 }
 
+// A ':' that would end a scheme, were the path read again.
+std::string hide_scheme(std::string path) {
+  const std::size_t colon = path.find_first_of(":/");
+  if (colon == npos || path[colon] != ':') return path;
+  if (colon > 0 && split_uri(path).scheme.empty()) return path;
+  return path.replace(colon, 1, "%3A");
+}
+
+// The decoded path of a reference; empty where it would hold a NUL.
+std::string path_of(const std::string& escaped, const std::string& normalized) {
+  // Again, because an escaped slash may have hidden a dot segment.
+  std::string path =
+      normalized.empty() ? normalized : remove_dot_segments(percent_decode(normalized));
+  // Readers decode before or after they follow dot segments.
+  for (const std::string* each : {&escaped, &normalized}) {
+    if (leads_up(path) || path.starts_with('/')) break;
+    std::string found = way_out(percent_decode(*each));
+    if (!found.empty()) path = std::move(found);
+  }
+  return path.find('\0') == npos ? path : std::string();
+}
+
 constexpr std::string_view kBase64 = "base64";
+
+// What readers make of base64 for URLs, without padding or with escapes.
+std::string repaired_base64(std::string_view payload) {
+  std::string text = percent_decode(payload);
+  std::replace(text.begin(), text.end(), '-', '+');
+  std::replace(text.begin(), text.end(), '_', '/');
+  if (!text.ends_with('=')) text.append((4 - text.size() % 4) % 4, '=');
+  return text;
+}
 
 /// Cuts the part before the next ';' off the front.
 std::string_view next_part(std::string_view& rest) {
@@ -233,49 +195,55 @@ std::optional<Error> take_parameter(std::string_view part, bool last, DataUri& o
 
 }  // namespace
 
-std::string percent_decode(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool escape = is_escape(text, i);
-    out += escape ? escaped_byte(text, i) : text[i];
-    if (escape) i += 2;
-  }
-  return out;
-}
-
-Uri classify_uri(std::string_view uri) {
+Uri classify_uri(std::string_view uri, UriReading reading) {
   Uri out;
   if (has_data_scheme(uri)) {
     out.kind = UriKind::data;
     return out;
   }
-  const std::size_t scheme = scheme_end(uri);
-  if (scheme != npos) return absolute(uri, scheme);
-  const bool rooted = !uri.empty() && (uri.front() == '/' || uri.front() == '\\');
-  const std::size_t path_end = std::min(uri.find_first_of("?#"), uri.size());
-  if (rooted || path_end < uri.size()) {
+  UriParts parts = split_uri(uri);
+  out.problem = std::move(parts.problem);
+  if (!out.problem.empty()) return out;
+  const bool strict = reading == UriReading::strict;
+  if (parts.has_place()) return elsewhere(parts);
+  const std::string escaped = std::move(parts.path);
+  const std::string normalized =
+      escaped.empty() ? escaped : remove_dot_segments(escaped, /*hollow_count=*/!strict);
+  parts.path = strict ? hide_colons(normalized) : hide_scheme(normalized);
+  out.normalized = parts.text();
+  if (parts.query || parts.fragment || normalized.starts_with('/')) {
     out.kind = UriKind::non_relative;
-    out.normalized = normalize_escapes(uri, "?#");
-    const bool host = uri.starts_with("//") && !uri.starts_with("///");
-    out.local = rooted ? !host : leads_up(classify_uri(uri.substr(0, path_end)).path);
+    out.suffixed = parts.query || parts.fragment;
+    out.local = leads_up(classify_uri(uri.substr(0, uri.find_first_of("?#"))).path);
     return out;
   }
-  out.problem = find_problem(uri);
+  if (strict) out.problem = find_problem(uri);
   out.kind = out.problem.empty() ? UriKind::relative_path : UriKind::invalid;
-  const std::string escaped = normalize_escapes(uri);
-  const std::string normalized = remove_dot_segments(escaped);
-  out.normalized = hide_colons(normalized);
-  // Again, because an escaped slash may have hidden a dot segment.
-  out.path = remove_dot_segments(percent_decode(normalized));
-  // Readers decode before or after they follow dot segments.
-  for (const std::string* each : {&escaped, &normalized}) {
-    if (leads_up(out.path) || out.path.starts_with('/')) break;
-    std::string found = way_out(percent_decode(*each));
-    if (!found.empty()) out.path = std::move(found);
-  }
-  if (out.path.find('\0') != npos) out.path.clear();
+  out.path = path_of(escaped, normalized);
   out.lenient_path = out.kind == UriKind::invalid && !out.path.empty();
+  return out;
+}
+
+Unescaped find_unescaped(std::string_view uri) {
+  Unescaped found;
+  for (const char c : uri) {
+    const bool known = static_cast<unsigned char>(c) >= 0x80 || c == '%' || is_path_character(c);
+    if (known || found.characters.find(c) != std::string::npos) continue;
+    found.characters += c;
+    found.reserved = found.reserved || c == '[' || c == ']';
+  }
+  return found;
+}
+
+std::string escape_characters(std::string_view uri, std::string_view characters) {
+  std::string out;
+  for (const char c : uri) {
+    if (characters.find(c) == npos) {
+      out += c;
+    } else {
+      append_escaped(out, c);
+    }
+  }
   return out;
 }
 
@@ -291,7 +259,7 @@ Result<DataUri> split_data_uri(std::string_view uri) {
   std::string_view rest = content.substr(0, comma);
   bool more = rest.find(';') != std::string_view::npos;
   const std::string_view type = next_part(rest);
-  if (!type.empty() && type.find('/') == std::string_view::npos) {
+  if (!type.empty() && std::count(type.begin(), type.end(), '/') != 1) {
     return Error{
         fmt::format("{} is not a media type, such as 'application/octet-stream'.", quoted(type))};
   }
@@ -303,8 +271,10 @@ Result<DataUri> split_data_uri(std::string_view uri) {
   return out;
 }
 
-Result<std::string> decode_payload(const DataUri& uri) {
-  if (uri.base64) return decode_base64(uri.payload);
+Result<std::string> decode_payload(const DataUri& uri, UriReading reading) {
+  const bool strict = reading == UriReading::strict;
+  if (uri.base64) return decode_base64(strict ? uri.payload : repaired_base64(uri.payload));
+  if (!strict) return percent_decode(uri.payload);
   const std::size_t bad = find_bad_escape(uri.payload);
   if (bad != std::string_view::npos) {
     return Error{

@@ -28,16 +28,35 @@ struct Uri {
   /// digits are undone, hexadecimal digits are upper case.
   std::string normalized;
   std::string problem;  ///< invalid: why, as the printable end of a sentence ("it ... at byte 3")
-  /// non_relative: names a place of this machine or its network, such as "/etc", "C:\\a", "file:"
-  /// or "../a?b".
+  /// non_relative: names a place of this machine or its network, such as "/etc", "//host/share",
+  /// "C:\\a", "file:" or "../a?b".
   bool local = false;
+  bool suffixed = false;  ///< non_relative: a relative path but for a query or a fragment
   /// invalid: a lenient reader still takes it for a relative path, which `path` and `normalized`
   /// then hold ('\\' read as '/', a stray '%' as itself). False where nobody can.
   bool lenient_path = false;
 };
 
+enum class UriReading : std::uint8_t {
+  strict,
+  /// As the Khronos validator has it: only scheme, host and port can be invalid. A '\\' is '/', and
+  /// what no URI may hold is taken as if it were escaped. ".//a" is "/a".
+  lenient,
+};
+
 /// Never fails: what is wrong is in `kind` and `problem`. Data URIs are not decoded here.
-Uri classify_uri(std::string_view uri);
+Uri classify_uri(std::string_view uri, UriReading reading = UriReading::strict);
+
+/// What a relative path must escape (glTF 2.0, "URIs"; RFC 3986 section 3.3). Characters outside
+/// of ASCII may stand in an IRI.
+struct Unescaped {
+  std::string characters;  ///< each once
+  bool reserved = false;   ///< '[' or ']' is among them
+};
+Unescaped find_unescaped(std::string_view uri);
+
+/// With each of `characters` percent-encoded, and nothing else.
+std::string escape_characters(std::string_view uri, std::string_view characters);
 
 struct DataUri {
   std::string media_type;  ///< lower case, without parameters; "text/plain" when none is given
@@ -45,16 +64,15 @@ struct DataUri {
   std::string_view payload;  ///< points into the URI
 };
 
-/// Undoes percent escapes; a '%' that begins none stands for itself.
-std::string percent_decode(std::string_view text);
-
 /// Splits "data:[type][;parameter]*[;base64],payload". Case of the scheme and
 /// type does not matter; "base64" is lower case, as every reader takes it. An Error when there is
 /// no comma, the type has no '/', or a parameter no '='.
 Result<DataUri> split_data_uri(std::string_view uri);
 
 /// Decodes the payload: base64 strictly (RFC 4648: alphabet, padding, no whitespace, zero spare
-/// bits), otherwise percent escapes. The Error names the first bad byte.
-Result<std::string> decode_payload(const DataUri& uri);
+/// bits), otherwise percent escapes. The Error names the first bad byte. Where `reading` is
+/// lenient, base64 may be that of URLs, lack its padding and have escapes, and a '%' need not begin
+/// one.
+Result<std::string> decode_payload(const DataUri& uri, UriReading reading = UriReading::strict);
 
 }  // namespace gltfx::container

@@ -2,6 +2,7 @@
 #include "pipeline/fix_plan.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "edit/rewrite.hpp"
@@ -151,11 +152,17 @@ FindingsByCode findings_by_code(const FileReport& report) {
   return counts;
 }
 
-std::vector<std::string_view> worse_codes(const FindingsByCode& known, const FileReport& after) {
+std::vector<std::string_view> worse_codes(const FindingsByCode& known, const FileReport& after,
+                                          Severity least) {
+  std::set<std::string_view> loud;
+  for (const Diagnostic& finding : after.diagnostics) {
+    if (finding.severity <= least) loud.insert(finding.code);
+  }
   std::vector<std::string_view> worse;
   for (const auto& [code, count] : findings_by_code(after)) {
     const auto was = known.find(code);
-    if (count > (was == known.end() ? 0 : was->second)) worse.push_back(code);
+    const bool more = count > (was == known.end() ? 0 : was->second);
+    if (more && loud.contains(code)) worse.push_back(code);
   }
   return worse;
 }

@@ -48,8 +48,9 @@ Result<model::OpenedAsset> with_changes(const model::OpenedAsset& asset,
 using FindingsByCode = std::map<std::string_view, std::uint64_t>;
 FindingsByCode findings_by_code(const FileReport& report);
 
-/// Codes of which `after` has more findings than `before`.
-std::vector<std::string_view> worse_codes(const FindingsByCode& before, const FileReport& after);
+/// Codes of which `after` has more findings than `before`, and some as loud as `least` or louder.
+std::vector<std::string_view> worse_codes(const FindingsByCode& before, const FileReport& after,
+                                          Severity least = Severity::hint);
 
 /// Which sites, by position, are not among those that the asset has `after` edits of its text.
 std::vector<bool> sites_gone(const validate::Sites& sites, const validate::Sites& after,

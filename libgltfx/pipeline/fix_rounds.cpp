@@ -237,17 +237,42 @@ class Rounds {
     return std::nullopt;
   }
 
+  // Whether all fixes of the plan are of some codes.
+  template <class Is>
+  bool fixes_only(const PlannedFixes& planned, const Is& is) const {
+    for (std::size_t i = 0; i < planned.fixed.size(); ++i) {
+      if (planned.fixed[i] && !is(asset_.sites()[i].code)) return false;
+    }
+    return true;
+  }
+
+  // What is wrong with a file that could not be opened is no fault of the name that leads to it;
+  // but a file with errors may not be the one that is meant, unless it has the name that was asked
+  // for.
+  Severity least_that_counts(const PlannedFixes& planned) const {
+    const bool files = fixes_only(planned, [](Code code) {
+      return validate::find_fix(code)->stage == validate::FixStage::files;
+    });
+    return files ? Severity::error : Severity::hint;
+  }
+  bool names_the_same_files(const PlannedFixes& planned) const {
+    return fixes_only(planned, [](Code code) {
+      return code == Code::NON_RELATIVE_URI || code == Code::INVALID_URI;
+    });
+  }
+
   // What the changes make of the asset, or why it is not to be taken.
   Result<Trial> judge(PlannedFixes planned) {
     if (!planned.obstacle.empty()) return Error{planned.obstacle};
     if (auto why = find_guarded(planned.changes.buffers.files)) return Error{*std::move(why)};
     auto changed = with_changes(asset_.asset(), planned.changes);
     if (!changed) return changed.error();
-    const bool was_read = !asset_.asset().document().empty();
+    const bool was_read = !asset_.asset().document().empty() && !names_the_same_files(planned);
     const Names names = declared(planned);
     forget_document();
     ValidatedAsset next(*std::move(changed), fix_judgement(schemas_, asked_));
-    const auto worse = worse_codes(findings_by_code(asset_.report()), next.report());
+    const auto worse =
+        worse_codes(findings_by_code(asset_.report()), next.report(), least_that_counts(planned));
     // What could not be read could not be found.
     if (!worse.empty() && (was_read || next.asset().document().empty())) {
       return Error{fmt::format("the new file would have the new finding {}", worse.front())};

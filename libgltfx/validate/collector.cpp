@@ -146,7 +146,8 @@ Severity Collector::severity_of(const Finding& finding) const {
   if (deviations_.severity_follows_code) return rule.khronos_severity;
   if (options_.lfs == LfsPolicy::error && finding.code == Code::GIT_LFS_POINTER)
     return Severity::error;
-  return finding.severity.value_or(rule.severity);
+  if (finding.severity) return *finding.severity;
+  return options_.profile == Profile::strict ? strict_severity(finding.code) : rule.severity;
 }
 
 // What nobody will see, where nothing folds into it, is counted alone.

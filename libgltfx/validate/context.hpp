@@ -13,6 +13,7 @@
 #include "base/sink.hpp"
 #include "container/container.hpp"
 #include "container/opened_files.hpp"
+#include "container/uri.hpp"
 #include "json/document.hpp"
 #include "model/asset.hpp"
 #include "model/scene_graph.hpp"
@@ -51,6 +52,11 @@ struct Context {
 
   /// Of the profile, which rules do not ask.
   const Deviations& deviations = deviations_of(options.profile);
+
+  container::UriReading uri_reading() const {
+    return deviations.uris_are_repaired ? container::UriReading::lenient
+                                        : container::UriReading::strict;
+  }
 };
 
 /// A rule about the members of one object, run right behind its members have been checked. Reports
@@ -107,6 +113,8 @@ std::vector<Family> all_families();
 
 /// What is known of a rule.
 const RuleDescription& description(Code code);
+/// Its severity in the profile `strict`.
+Severity strict_severity(Code code);
 
 /// Span of a member's value, or of the first character of the object when it has no such member.
 Span member_span(const json::Document& document, json::NodeId object, std::string_view member);

@@ -2,22 +2,19 @@
 #include "validate/data_uris.hpp"
 
 #include <utility>
-
-#include "container/uri.hpp"
-
 namespace gltfx::validate {
 namespace {
 
-Result<container::Bytes> decode(const container::DataUri& uri) {
-  auto decoded = container::decode_payload(uri);
+Result<container::Bytes> decode(const container::DataUri& uri, container::UriReading reading) {
+  auto decoded = container::decode_payload(uri, reading);
   if (!decoded) return decoded.error();
   return container::Bytes::from_string(*std::move(decoded));
 }
 
-Result<DataUriContent> read(std::string_view text) {
+Result<DataUriContent> read(std::string_view text, container::UriReading reading) {
   const auto uri = container::split_data_uri(text);
   if (!uri) return uri.error();
-  return DataUriContent{uri->media_type, decode(*uri)};
+  return DataUriContent{uri->media_type, decode(*uri, reading)};
 }
 
 }  // namespace
@@ -25,7 +22,7 @@ Result<DataUriContent> read(std::string_view text) {
 const Result<DataUriContent>& DataUris::get(json::NodeId value, std::string_view text) {
   const auto found = known_.find(value);
   if (found != known_.end()) return found->second;
-  return known_.emplace(value, read(text)).first->second;
+  return known_.emplace(value, read(text, reading_)).first->second;
 }
 
 }  // namespace gltfx::validate

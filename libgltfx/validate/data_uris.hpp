@@ -8,6 +8,7 @@
 
 #include "base/result.hpp"
 #include "container/bytes.hpp"
+#include "container/uri.hpp"
 #include "json/document.hpp"
 
 namespace gltfx::validate {
@@ -21,10 +22,13 @@ struct DataUriContent {
 /// Keeps what was decoded until it is destroyed. Not for several threads at once.
 class DataUris {
  public:
+  explicit DataUris(container::UriReading reading) : reading_(reading) {}
+
   /// What the text of the string at `value` holds. Decodes it on the first call for that value.
   const Result<DataUriContent>& get(json::NodeId value, std::string_view text);
 
  private:
+  container::UriReading reading_;
   std::unordered_map<json::NodeId, Result<DataUriContent>> known_;
 };
 

@@ -25,6 +25,7 @@ using Sites = std::vector<Site>;
 enum class FixStage : std::uint8_t {
   container,  ///< of the file, whatever its text is
   syntax,     ///< of the text: there may be no document
+  files,      ///< of references to files: what these hold is checked from then on
   document,
   deletion,  ///< of objects: what refers to others is counted anew
 };

@@ -90,6 +90,7 @@ void check_light_profiles(const Context& context, const model::ResourceData& res
     const Path path(list, i);
     ResourceInfo info;
     const Resource resource{context, sink, report, path, lights[i], info};
+    check_resource_uri(resource);
     const auto bytes = fetch_uri_or_view(resource, resources);
     if (!bytes) continue;
     const std::span<const std::byte> view = bytes->view();

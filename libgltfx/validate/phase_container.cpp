@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "container/content.hpp"
 #include "validate/context.hpp"
 #include "validate/fix.hpp"
 #include "validate/phases.hpp"
@@ -100,10 +102,25 @@ bool drop_trailing_zeros(Fixing& fixing, Span) {
   return true;
 }
 
+// A text or a file of a known kind that is not JSON: the first error of its syntax would not tell.
+bool check_kind(const container::Container& container, Collector& collector) {
+  if (container.format == container::Format::glb) return true;
+  const std::string_view bytes = container.bytes.text();
+  const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  if (bytes.substr(first).starts_with('{')) return true;
+  const container::Content found = container::name_content(bytes);
+  if (found.name.empty() || found.image) return true;
+  collector.report_file(Phase::container, make(Code::INVALID_JSON,
+                                               fmt::format("The file is {}, not glTF.", found.name),
+                                               std::string(found.advice)));
+  return false;
+}
+
 constexpr FixEntry kContainerFixes[] = {
     {Code::GLB_LENGTH_MISMATCH, drop_trailing_zeros, FixStage::container},
     {Code::GLB_CHUNK_LENGTH_UNALIGNED, rewrite, FixStage::container},
     {Code::GLB_CHUNK_TOO_BIG, rewrite, FixStage::container},
+    {Code::GLB_CHUNK_TYPE_NUMBER, rewrite, FixStage::container},
     {Code::GLB_EXTRA_DATA, drop_trailing_zeros, FixStage::container},
     {Code::GLB_JSON_PADDING, pad_with_spaces, FixStage::syntax},
 };
@@ -137,9 +154,9 @@ bool check_container(const container::Container& container, const std::string& n
                                "The file name ends in .gltf, but the file is a binary GLB.",
                                "rename the file to .glb"));
   }
-  if (container.format == container::Format::unknown ||
-      container.format == container::Format::empty) {
-    const bool empty = container.format == container::Format::empty;
+  const bool empty = container.format == container::Format::empty;
+  if (!empty && !check_kind(container, collector)) return false;
+  if (container.format == container::Format::unknown || empty) {
     collector.report_file(
         Phase::container,
         make(Code::INVALID_JSON,

@@ -73,6 +73,18 @@ std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared)
   return chunk;
 }
 
+// An extension of the buffer may say where its data is, or that it has none.
+void report_missing_data(const Resource& resource, bool first) {
+  const json::Document& document = resource.context.document;
+  if (model::object_member(document, resource.object, "extensions") != json::kNoNode) return;
+  const bool text = resource.context.container.format != container::Format::glb;
+  resource.find(Code::BUFFER_WITHOUT_DATA, "",
+                text && first
+                    ? "The buffer has no uri; a .gltf file has no BIN chunk that could be its data."
+                    : "The buffer has no uri; only the first buffer of a GLB can be the BIN chunk.",
+                "write the data to a file and add its name as uri");
+}
+
 std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uint64_t declared,
                                  bool cut_short) {
   resource.info.byte_length = bytes.size();
@@ -109,11 +121,12 @@ std::optional<Bytes> undeclared_bytes(const Resource& resource) {
 std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index) {
   const json::Document& document = resource.context.document;
   resource.info.mime_type = "application/gltf-buffer";
-  const auto declared = model::unsigned_member(document, resource.object, "byteLength");
-  if (!declared || *declared == 0) return undeclared_bytes(resource);
   const bool has_uri = document.holds(resource.object, "uri");
   const container::Container& container = resource.context.container;
   const bool glb = !has_uri && index == 0 && container.format == container::Format::glb;
+  if (!has_uri && !glb) report_missing_data(resource, index == 0);
+  const auto declared = model::unsigned_member(document, resource.object, "byteLength");
+  if (!declared || *declared == 0) return undeclared_bytes(resource);
   if (glb && !container.bin && is_fallback(resource.context, resource.object)) return std::nullopt;
   auto bytes = glb ? glb_bytes(resource, *declared) : fetch_uri(resource);
   if (!bytes) return std::nullopt;

@@ -11,6 +11,8 @@
 #include "container/resolve_error.hpp"
 #include "container/uri.hpp"
 #include "image/header.hpp"
+#include "validate/missing_files.hpp"
+#include "validate/rules/uri_form.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -46,7 +48,7 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
     const bool same = resource.context.deviations.refused_files_have_no_code;
     resource.find(same ? Code::IO_ERROR : code_of(resolved.error), resource.uri_member,
                   container::describe(resolved.error, uri.normalized, resolved.problem),
-                  std::string(container::help(resolved.error)));
+                  missing_file_help(resource.context, resolved.error, uri.path));
     return std::nullopt;
   }
   if (resolved.git_lfs_pointer && !resource.context.deviations.lfs_pointers_are_data) {
@@ -92,13 +94,19 @@ void Resource::find(Code code, std::string_view where, std::string message, std:
   }
 }
 
+void check_resource_uri(const Resource& resource) {
+  const json::NodeId value = resource.context.document.find(resource.object, resource.uri_member);
+  if (value == json::kNoNode || !resource.context.document.is_string(value)) return;
+  check_uri_form(resource.context, resource.sink, value, Path(resource.path, resource.uri_member));
+}
+
 std::optional<container::Bytes> fetch_uri(const Resource& resource) {
   const json::Document& document = resource.context.document;
   const json::NodeId member = document.find(resource.object, resource.uri_member);
   if (member == json::kNoNode || !document.is_string(member)) return std::nullopt;
   std::string buffer;
   const std::string_view text = document.string(member, buffer);
-  const container::Uri uri = container::classify_uri(text);
+  const container::Uri uri = container::classify_uri(text, resource.context.uri_reading());
   if (uri.kind == container::UriKind::data) return data_of(resource, member, text);
   const bool non_relative = uri.kind == container::UriKind::non_relative;
   if (non_relative) {

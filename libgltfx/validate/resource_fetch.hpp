@@ -29,6 +29,10 @@ struct Resource {
             std::optional<Severity> severity = {}) const;
 };
 
+/// Reports the form of the URI of a resource that is neither a buffer nor an image: theirs is
+/// checked with their other members.
+void check_resource_uri(const Resource& resource);
+
 /// The bytes that `resource.uri_member` names: mapped, copied or decoded. Nothing when there is no
 /// such member, it is malformed, or the file cannot be had, which is reported here.
 std::optional<container::Bytes> fetch_uri(const Resource& resource);

@@ -122,8 +122,10 @@ bool check_document(Context& context, json::Document& own, Collector& collector,
 
 FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, Sites* sites) {
   ++work_count.validated;
-  const container::Container& container = opened.container();
   const Deviations& deviations = deviations_of(options.profile);
+  const bool literal = deviations.mistakes_of_glbs_are_not_named;
+  const container::Container container =
+      literal ? container::literal_reading(opened.container()) : opened.container();
   const bool hides = deviations.broken_values_are_absent;
   FileReport report;
   report.path = opened.name();
@@ -157,7 +159,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
                     earlier ? static_cast<Sink&>(outside_forms) : forms,
                     order ? static_cast<Sink&>(*order) : heard_links};
     if (order) context.order = &*order;
-    DataUris data_uris;
+    DataUris data_uris(context.uri_reading());
     context.data_uris = &data_uris;
     Suppressions suppressions;
     if (options.inline_suppressions && additions) suppressions = Suppressions(document);

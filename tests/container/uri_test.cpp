@@ -3,9 +3,13 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include "container/percent.hpp"
 
 namespace gltfx::container {
 namespace {
@@ -33,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
     Table, RelativeUri,
     testing::Values(
         Relative{"a.bin", "a.bin", "a.bin"}, Relative{"x/a.bin", "x/a.bin", "x/a.bin"},
-        Relative{"", "", ""}, Relative{"a b", "a b", "a%20b"}, Relative{"a%20b", "a b", "a%20b"},
+        Relative{"a b", "a b", "a%20b"}, Relative{"a%20b", "a b", "a%20b"},
         Relative{"\xC3\xA4", "\xC3\xA4", "%C3%A4"}, Relative{"%c3%a4", "\xC3\xA4", "%C3%A4"},
         Relative{"%41%7e%2D", "A~-", "A~-"}, Relative{"a%25b", "a%b", "a%25b"},
         Relative{"a%2541", "a%41", "a%2541"}, Relative{"a%3fb%23", "a?b#", "a%3Fb%23"},
@@ -83,11 +87,11 @@ TEST(Uri, WaysOutOfTheFolderAreSeenInAnySpelling) {
     const Uri found = classify_uri(uri);
     EXPECT_TRUE(found.local || found.path.substr(0, 1) == "/") << uri << " " << found.path;
   }
-  for (const char* uri :
-       {"///x", "\\\\host\\x", "../x?y", "a/../../x#y", "%2e%2e/x?", "C:/x", "FILE:///x"}) {
+  for (const char* uri : {"///x", "//host/x", "\\\\host\\x", "../x?y", "a/../../x#y", "%2e%2e/x?",
+                          "C:/x", "FILE:///x"}) {
     EXPECT_TRUE(classify_uri(uri).local) << uri;
   }
-  for (const char* uri : {"x?y", "a/../x#y", "https://h/../x", "//h/x"}) {
+  for (const char* uri : {"x?y", "a/../x#y", "https://h/../x"}) {
     EXPECT_FALSE(classify_uri(uri).local) << uri;
   }
   for (const char* uri : {"a/../x", "a//x", "...", ".../x", "..x", "a..", "a%5cx"}) {
@@ -98,6 +102,92 @@ TEST(Uri, WaysOutOfTheFolderAreSeenInAnySpelling) {
 TEST(Uri, NonRelativeOnesArePrintedNormalizedToo) {
   EXPECT_EQ(classify_uri("HTTP://h/a b?c#d").normalized, "http://h/a%20b?c#d");
   EXPECT_EQ(classify_uri("C:\\x").normalized, "c:/x");
+}
+
+// RFC 3986 sections 6.2.2 and 6.2.3.
+TEST(Uri, SchemeHostAndPortAreNormalized) {
+  for (const auto& [uri, normalized] : std::vector<std::pair<const char*, const char*>>{
+           {"HTTP://X/a%2f.bin", "http://x/a%2F.bin"},
+           {"http://x:80/", "http://x/"},
+           {"https://x:443/a", "https://x/a"},
+           {"http://x:8080/", "http://x:8080/"},
+           {"//x:/z", "//x/z"},
+           {"//x@Y:1/z", "//x@y:1/z"},
+           {"http://[::1]/a", "http://[::1]/a"},
+           {"http://[1:2:3:4:5:6:127.0.0.1]/a", "http://[1:2:3:4:5:6:127.0.0.1]/a"},
+           {"http://%41/", "http://a/"},
+           {"http://x/a/../b/./c", "http://x/b/c"},
+           {"http://x/..", "http://x/"},
+           {"file:a", "file:///a"},
+           {"FILE://h/a", "file://h/a"},
+           {"a\\b?c\\d", "a/b?c%5Cd"},
+           {"a?b?c#d#e", "a?b?c#d%23e"},
+           {"x/../a?b", "a?b"},
+           {"a?%", "a?%25"},
+           {"/\\x", "//x"}}) {
+    const Uri found = classify_uri(uri);
+    EXPECT_EQ(found.kind, UriKind::non_relative) << uri;
+    EXPECT_EQ(found.normalized, normalized) << uri;
+  }
+}
+
+TEST(Uri, SchemeHostAndPortCanBeInvalid) {
+  for (const char* uri : {"http://x:ab/", "http://[::1", "http://[x]/", "//[::1/z", "//a[b/z",
+                          "//a:b:c/z", "//[1::2::3]/", "//[1:2:3:4:5:6:7]/",
+                          "//[1:2:3:4:5:6:7:8:9]/", "//[1:2:3:4:5:6:1.2.3.256]/", "//[::12345]/"}) {
+    for (const UriReading reading : {UriReading::strict, UriReading::lenient}) {
+      EXPECT_EQ(classify_uri(uri, reading).kind, UriKind::invalid) << uri;
+    }
+  }
+}
+
+TEST(Uri, QueriesAndFragmentsOfRelativePathsAreTold) {
+  for (const char* uri : {"a#b.png", "a?b", "a#", "x/y.bin?z=1#f", "#"}) {
+    EXPECT_TRUE(classify_uri(uri).suffixed) << uri;
+  }
+  for (const char* uri : {"a", "http://h/a?b", "/a#b", "C:/a?b", "a%23b"}) {
+    EXPECT_FALSE(classify_uri(uri).suffixed) << uri;
+  }
+}
+
+TEST(Uri, ThatIsEmptyIsInvalid) {
+  EXPECT_EQ(classify_uri("").kind, UriKind::invalid);
+  EXPECT_FALSE(classify_uri("").lenient_path);
+  EXPECT_EQ(classify_uri("", UriReading::lenient).kind, UriKind::relative_path);
+  EXPECT_EQ(classify_uri("", UriReading::lenient).normalized, "");
+}
+
+// As the Khronos validator reads them.
+TEST(LenientUri, IsRepairedWhereItCanBe) {
+  for (const auto& [uri, normalized] :
+       std::vector<std::pair<std::string, std::string>>{{"100%.bin", "100%25.bin"},
+                                                        {"a%2", "a%252"},
+                                                        {"%zz", "%25zz"},
+                                                        {"a%%41", "a%25A"},
+                                                        {"sub\\a.bin", "sub/a.bin"},
+                                                        {"a\n.bin", "a%0A.bin"},
+                                                        {"a%01.bin", "a%01.bin"},
+                                                        {"./c:.bin", "c%3A.bin"},
+                                                        {"./a:b:c", "a%3Ab:c"},
+                                                        {"./:a", "%3Aa"},
+                                                        {"sub//a", "sub//a"},
+                                                        {".", "./"}}) {
+    const Uri found = classify_uri(uri, UriReading::lenient);
+    EXPECT_EQ(found.kind, UriKind::relative_path) << uri;
+    EXPECT_EQ(found.normalized, normalized) << uri;
+    EXPECT_EQ(found.problem, "") << uri;
+  }
+  EXPECT_EQ(classify_uri(".//a", UriReading::lenient).kind, UriKind::non_relative);
+  EXPECT_EQ(classify_uri(".//a", UriReading::lenient).normalized, "/a");
+}
+
+TEST(UnescapedCharacters, AreThoseThatNoPathHasAsTheyAre) {
+  EXPECT_EQ(find_unescaped("a+b;c=d@e,f!g$h&i'j(k)*l~m%20n").characters, "");
+  EXPECT_EQ(find_unescaped("grande_sph\xC3\xA8re.png").characters, "");
+  EXPECT_EQ(find_unescaped("a b  \"c\"").characters, " \"");
+  EXPECT_FALSE(find_unescaped("a b<>^`{|}").reserved);
+  EXPECT_TRUE(find_unescaped("a[1] b").reserved);
+  EXPECT_EQ(escape_characters("a b\xC3\xA8[1] c%20d", " []"), "a%20b\xC3\xA8%5B1%5D%20c%20d");
 }
 
 TEST(Uri, AColonInTheFirstSegmentNeedsAScheme) {

@@ -28,21 +28,22 @@ const char* fix_value(Fix fix) {
   return fix == Fix::safe ? "Fix::safe" : "Fix::unsafe";
 }
 
+std::string severity_value(gltfx::Severity value) {
+  return " static_cast<Severity>(" + std::to_string(static_cast<int>(value)) + ")";
+}
+
 std::string row(const RulePage& page) {
   // With their lengths: a compiler that counts characters of so much text gives up on constexpr.
   const auto text = [](const std::string& value) {
     return gltfx::schema::cpp_literal(value) + "sv,";
   };
   const auto flag = [](bool value) { return value ? "true" : "false"; };
-  const auto severity = [](gltfx::Severity value) {
-    return " static_cast<Severity>(" + std::to_string(static_cast<int>(value)) + ")";
-  };
-  return "  {" + text(page.code) + severity(page.severity) + "," + text(page.summary()) +
+  return "  {" + text(page.code) + severity_value(page.severity) + "," + text(page.summary()) +
          text(page.checks) + text(page.why) + text(page.help) + text(page.section) +
          text(page.link) + text(page.bad) + text(page.good) + text(page.fix_does) +
          text(page.fixed) + " " + fix_value(page.fix) + ", " + flag(page.khronos) + ", " +
          flag(page.pixels) + ", " + flag(page.picture) + "," +
-         severity(page.khronos_severity.value_or(page.severity)) + "},\n";
+         severity_value(page.khronos_severity.value_or(page.severity)) + "},\n";
 }
 
 }  // namespace
@@ -51,11 +52,13 @@ int main(int argc, char** argv) {
   if (argc < 3) return fail("usage: gltfx_rule_compiler OUT.cpp PAGE...");
   std::string out =
       "// Written by gltfx_rule_compiler from schema/rules/.\n#include <gltfx/validate.hpp>\n\n"
-      "#include <string_view>\n\n#include \"base/codes.hpp\"\n\nnamespace gltfx {\nnamespace "
+      "#include <string_view>\n\n#include \"base/codes.hpp\"\n#include "
+      "\"validate/context.hpp\"\n\nnamespace gltfx {\nnamespace "
       "{\n\nusing "
       "namespace std::string_view_literals;\n\n"
       "constexpr RuleDescription kRules[]{\n";
   std::string checks;
+  std::string strict;
   for (int i = 2; i < argc; ++i) {
     const std::filesystem::path path = argv[i];
     std::ifstream file(path, std::ios::binary);
@@ -65,11 +68,14 @@ int main(int argc, char** argv) {
     const RulePage page = gltfx::schema::read_rule_page(path.stem().string(), text, mistake);
     if (!mistake.empty()) return fail(path.string() + ":" + mistake);
     out += row(page);
+    strict += severity_value(page.strict_severity.value_or(page.severity)) + ",\n";
     checks += "static_assert(static_cast<int>(Code::" + page.code +
               ") == " + std::to_string(i - 2) + ");\n";
   }
-  out += "};\n\n" + checks +
+  out += "};\n\nconstexpr Severity kStrictSeverities[]{\n" + strict + "};\n\n" + checks +
          "\n}  // namespace\n\nstd::span<const RuleDescription> rules() { return kRules; }\n\n"
+         "Severity validate::strict_severity(Code code) {\n"
+         "  return kStrictSeverities[static_cast<std::size_t>(code)];\n}\n\n"
          "}  // namespace gltfx\n";
   std::ofstream file(argv[1], std::ios::binary);
   file << out;

@@ -101,6 +101,9 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Read
     page.khronos_severity = severity_from_word(value);
     const auto khronos = page.khronos_severity ? std::optional(true) : yes_or_no(value);
     set(page.khronos, khronos, "yes, no, or that validator's severity", reader);
+  } else if (key == "strict") {
+    page.strict_severity = severity_from_word(value);
+    if (!page.strict_severity) reader.fail("expected one of error, warning, info, hint");
   } else if (key == "pixels") {
     set(page.pixels, yes_or_no(value), "yes, no", reader);
   } else if (key == "picture") {
@@ -112,7 +115,7 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Read
   } else if (key == "link") {
     page.link = value;
   } else {
-    reader.fail("expected one of severity, khronos, pixels, picture, fix, section, link");
+    reader.fail("expected one of severity, khronos, strict, pixels, picture, fix, section, link");
   }
 }
 

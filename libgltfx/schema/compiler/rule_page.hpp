@@ -17,6 +17,8 @@ struct RulePage {
   bool khronos = false;
   /// That of the Khronos validator; nothing: the same.
   std::optional<Severity> khronos_severity;
+  /// In the profile `strict`; nothing: the same.
+  std::optional<Severity> strict_severity;
   bool pixels = false;
   bool picture = true;  ///< an asset with this error is drawn
   Fix fix = Fix::none;

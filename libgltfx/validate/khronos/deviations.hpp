@@ -49,6 +49,11 @@ struct Deviations : schema::Deviations {
   /// up. Specification: silent. Seen: reports without `info`.
   bool data_of_short_files_is_skipped = false;
 
+  /// Khronos: reports what follows from chunk types 0 and 1, from padding that is not counted, and
+  /// from bytes that were changed as text. Specification ("Chunks"): silent; elsewhere the cause is
+  /// reported. Seen: several codes for one mistake.
+  bool mistakes_of_glbs_are_not_named = false;
+
   /// Khronos: the pointer to a channel without sampler stays in front of pointers behind it.
   /// Specification: silent. Seen: pointers such as /animations/0/channels/0/samplers/1.
   bool pointers_keep_stray_steps = false;
@@ -63,6 +68,15 @@ struct Deviations : schema::Deviations {
   /// NON_RELATIVE_URI. Specification ("URIs"): leaves to readers what they open. Seen: its list
   /// of codes.
   bool refused_files_have_no_code = false;
+
+  /// Khronos: repairs a URI where it can and opens what that names: '\\' becomes '/', a '%' without
+  /// digits "%25". Data URIs need neither padding nor the right alphabet. Specification ("URIs"):
+  /// RFC 3986. Seen: INVALID_URI for schemes, hosts and ports alone.
+  bool uris_are_repaired = false;
+
+  /// Khronos: data URIs of a GLB are external files too. Specification ("GLB-stored Buffer"):
+  /// speaks of external resources. Seen: URI_GLB with DATA_URI_GLB.
+  bool data_uris_are_external = false;
 
   /// Khronos: the text of a Git-LFS pointer is the data. Specification: silent. Seen: its list of
   /// codes.

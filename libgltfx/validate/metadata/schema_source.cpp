@@ -65,6 +65,7 @@ bool MetadataSource::read_file(MetadataPhase& phase, const Path& path) {
   ResourceInfo info;
   const Resource resource{phase.context(), phase.sink(), phase.report, path,
                           phase.root,      info,         "schemaUri"};
+  check_resource_uri(resource);
   const auto bytes = fetch_uri(resource);
   if (!bytes) return false;
   name_ = info.uri.empty() ? "schemaUri" : info.uri;

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where buffers and images come from: the form of a URI, and what phase 5 finds behind it.
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
-#include "container/resolver.hpp"
 #include "container/uri.hpp"
 #include "image/header.hpp"
 #include "json/writer.hpp"
 #include "validate/context.hpp"
 #include "validate/fix.hpp"
+#include "validate/rules/uri_form.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -62,22 +64,15 @@ void check_uri(const Context& context, json::NodeId object, const Path& path, bo
   if (value == json::kNoNode || !document.is_string(value)) return;
   std::string unescaped;
   const std::string_view text = document.string(value, unescaped);
-  const container::Uri uri = container::classify_uri(text);
+  const container::Uri uri = container::classify_uri(text, context.uri_reading());
   const Path at(path, "uri");
   const bool data = uri.kind == container::UriKind::data;
   if (data) check_data_uri(context, value, at, text, buffer);
-  if (uri.kind == container::UriKind::invalid) {
-    report(context, at, value, Code::INVALID_URI,
-           fmt::format("{} is not a valid URI: it {}.", gltfx::quoted(text), uri.problem));
-  }
-  if (uri.kind == container::UriKind::non_relative) {
-    const bool outside = uri.local && !context.deviations.refused_files_have_no_code;
-    report(context, at, value, outside ? Code::URI_OUTSIDE_ROOT : Code::NON_RELATIVE_URI,
-           fmt::format("{} is not a relative path; the resource is not checked.",
-                       gltfx::quoted(uri.normalized)));
-  }
+  check_uri_form(context, context.schema_sink, value, at);
   if (context.container.format != container::Format::glb) return;
-  report(context, at, value, Code::URI_GLB, "The GLB references an external file.");
+  if (!data || context.deviations.data_uris_are_external) {
+    report(context, at, value, Code::URI_GLB, "The GLB references an external file.");
+  }
   if (data) report(context, at, value, Code::DATA_URI_GLB, "The GLB contains a data URI.");
 }
 
@@ -105,26 +100,7 @@ bool say_octets(Fixing& fixing, Span place) {
   return fixing.replace_scalar(value, std::move(text));
 }
 
-// Where a lenient reader finds a file, every reader finds it by the URI that says the same.
-bool encode_uri(Fixing& fixing, Span place) {
-  const json::NodeId value = fixing.node_at(place);
-  if (value == json::kNoNode || !fixing.document().is_string(value)) return false;
-  const container::Uri uri = container::classify_uri(fixing.document().string(value));
-  if (uri.kind != container::UriKind::invalid || !uri.lenient_path) return false;
-  const container::Uri sound = container::classify_uri(uri.normalized);
-  std::uint64_t size = 0;
-  const bool there =
-      fixing.opened().resolver().stat(uri.path, size) == container::ResolveError::none;
-  if (!there || sound.kind != container::UriKind::relative_path || sound.path != uri.path) {
-    return false;
-  }
-  std::string text;
-  json::append_string(text, uri.normalized);
-  return fixing.replace_scalar(value, std::move(text));
-}
-
-constexpr FixEntry kUriFixes[] = {{Code::BUFFER_DATA_URI_MIME_TYPE_INVALID, say_octets},
-                                  {Code::INVALID_URI, encode_uri}};
+constexpr FixEntry kUriFixes[] = {{Code::BUFFER_DATA_URI_MIME_TYPE_INVALID, say_octets}};
 
 }  // namespace
 

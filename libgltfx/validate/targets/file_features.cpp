@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "container/percent.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
 #include "validate/targets/features.hpp"

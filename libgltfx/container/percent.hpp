@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Characters of URIs and their percent escapes (RFC 3986 section 2).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "base/text.hpp"
+
+namespace gltfx::container {
+
+constexpr bool is_alpha(char c) { return ascii_lower(c) >= 'a' && ascii_lower(c) <= 'z'; }
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+/// RFC 3986 section 2.3: means the same escaped or not.
+constexpr bool is_unreserved(char c) {
+  return is_alpha(c) || is_digit(c) || c == '-' || c == '.' || c == '_' || c == '~';
+}
+/// RFC 3986 section 3.3: may stand in a path as it is, '/' included.
+constexpr bool is_path_character(char c) {
+  return is_unreserved(c) || std::string_view("!$&'()*+,;=:@/").find(c) != std::string_view::npos;
+}
+
+/// 0 to 15, or -1.
+constexpr int hex_value(char c) {
+  if (is_digit(c)) return c - '0';
+  const char low = ascii_lower(c);
+  return low >= 'a' && low <= 'f' ? low - 'a' + 10 : -1;
+}
+
+/// Whether `text` has a whole percent escape at `at`.
+constexpr bool is_escape(std::string_view text, std::size_t at) {
+  return text[at] == '%' && text.size() - at > 2 && hex_value(text[at + 1]) >= 0 &&
+         hex_value(text[at + 2]) >= 0;
+}
+/// The byte that the escape at `at` stands for.
+constexpr char escaped_byte(std::string_view text, std::size_t at) {
+  return static_cast<char>(hex_value(text[at + 1]) * 16 + hex_value(text[at + 2]));
+}
+
+void append_escaped(std::string& out, char c);
+
+/// Undoes percent escapes; a '%' that begins none stands for itself.
+std::string percent_decode(std::string_view text);
+
+/// RFC 3986 section 6.2.2: escapes of unreserved characters are undone, the others get upper case,
+/// and what is neither in a path nor among `kept` is escaped. '\\' becomes `backslash` first.
+std::string normalize_escapes(std::string_view text, std::string_view kept = {},
+                              char backslash = '/');
+
+}  // namespace gltfx::container
