@@ -99,7 +99,7 @@ TEST(Interactivity, AnEarlierDraftIsToldToBeUndeclaredToo) {
 
 TEST(Interactivity, ASingleSlipIsNoEarlierDraft) {
   const std::string graph =
-      R"({"graph": 0, "graphs": [{"declarations": [{"op": "a/b"}], "nodes": [{"declaration": 0, "flows": {}}]}]})";
+      R"({"graph": 0, "graphs": [{"declarations": [{"op": "math/add"}], "nodes": [{"declaration": 0, "flows": {}}]}]})";
   EXPECT_EQ(in_graph(graph),
             Lines{"EMPTY_ENTITY /extensions/KHR_interactivity/graphs/0/nodes/0/flows"});
   EXPECT_EQ(in_graph("{}"), Lines{"UNDEFINED_PROPERTY /extensions/KHR_interactivity"});
