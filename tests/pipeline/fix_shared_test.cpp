@@ -23,12 +23,12 @@ using container::test::TempFolder;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::string text_of(const fs::path& path) {
+std::string bytes_at(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string floats(const std::vector<float>& values) {
+std::string packed_floats(const std::vector<float>& values) {
   std::string bytes(values.size() * sizeof(float), '\0');
   std::memcpy(bytes.data(), values.data(), bytes.size());
   return bytes;
@@ -59,9 +59,10 @@ struct Triangle {
 };
 
 // Positions, and twice three vectors along z.
-std::string content(float first, float second) {
-  return floats({0, 0, 0, 1, 0, 0, 0, 1, 0}) + floats({0, 0, first, 0, 0, first, 0, 0, first}) +
-         floats({0, 0, second, 0, 0, second, 0, 0, second});
+std::string shared_bytes(float first, float second) {
+  return packed_floats({0, 0, 0, 1, 0, 0, 0, 1, 0}) +
+         packed_floats({0, 0, first, 0, 0, first, 0, 0, first}) +
+         packed_floats({0, 0, second, 0, 0, second, 0, 0, second});
 }
 
 Triangle with_second_normals() {
@@ -80,12 +81,12 @@ Triangle with_positions_there() {
 
 class FixShared : public testing::Test {
  protected:
-  void SetUp() override { folder_.write("shared.bin", content(2, 4)); }
+  void SetUp() override { folder_.write("shared.bin", shared_bytes(2, 4)); }
 
   void write(const std::string& name, const Triangle& asset) const {
     folder_.write(name, asset.json());
   }
-  std::string bytes(const std::string& name) const { return text_of(folder_.path() / name); }
+  std::string bytes(const std::string& name) const { return bytes_at(folder_.path() / name); }
 
   std::vector<FixReport> fix(const std::vector<std::string>& names, FixOptions options,
                              const std::string& output = {}, unsigned jobs = 1) const {
@@ -132,11 +133,11 @@ TEST_F(FixShared, AllCorrectionsOfAFileAreOneChange) {
   write("c.gltf", {});
   for (unsigned jobs = 1; jobs <= 4; ++jobs) {
     for (int run = 0; run < 5; ++run) {
-      folder_.write("shared.bin", content(2, 4));
+      folder_.write("shared.bin", shared_bytes(2, 4));
       const auto reports = fix_in_place({"a.gltf", "b.gltf", "c.gltf"}, jobs);
       ASSERT_EQ(reports.size(), 3U);
       expect_fixed(reports, 1);
-      EXPECT_EQ(bytes("shared.bin"), content(1, 1)) << jobs;
+      EXPECT_EQ(bytes("shared.bin"), shared_bytes(1, 1)) << jobs;
       EXPECT_EQ(bytes("a.gltf"), Triangle().json());
     }
   }
@@ -148,15 +149,15 @@ TEST_F(FixShared, AllCorrectionsOfAFileAreInTheCopy) {
   for (unsigned jobs = 1; jobs <= 4; ++jobs) {
     const std::string output = "out" + std::to_string(jobs);
     expect_fixed(fix({"a.gltf", "b.gltf"}, {}, output, jobs), 1);
-    EXPECT_EQ(bytes(output + "/shared.bin"), content(1, 1));
+    EXPECT_EQ(bytes(output + "/shared.bin"), shared_bytes(1, 1));
     EXPECT_EQ(bytes(output + "/b.gltf"), with_second_normals().json());
   }
-  EXPECT_EQ(bytes("shared.bin"), content(2, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
 }
 
 TEST_F(FixShared, ReportsComeInTheOrderOfTheInputs) {
   write("a.gltf", {});
-  folder_.write("own.bin", content(2, 4));
+  folder_.write("own.bin", shared_bytes(2, 4));
   Triangle alone;
   alone.uri = "own.bin";
   write("b.gltf", alone);
@@ -166,7 +167,7 @@ TEST_F(FixShared, ReportsComeInTheOrderOfTheInputs) {
   EXPECT_THAT(reports[1].path, HasSubstr("b.gltf"));
   EXPECT_EQ(reports[2].problem, EditProblem::unreadable);
   EXPECT_THAT(reports[3].path, HasSubstr("c.gltf"));
-  EXPECT_EQ(bytes("own.bin"), content(1, 4));
+  EXPECT_EQ(bytes("own.bin"), shared_bytes(1, 4));
 }
 
 TEST_F(FixShared, BytesThatAnotherAssetReadsAsSomethingElseStay) {
@@ -179,9 +180,9 @@ TEST_F(FixShared, BytesThatAnotherAssetReadsAsSomethingElseStay) {
     ASSERT_EQ(reports.size(), 2U);
     expect_left(reports[0], "b.gltf' reads the same bytes of 'shared.bin'");
     EXPECT_EQ(reports[1].error, "");
-    EXPECT_EQ(bytes("shared.bin"), content(2, 4));
+    EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
   }
-  EXPECT_EQ(bytes("out/shared.bin"), content(2, 4));
+  EXPECT_EQ(bytes("out/shared.bin"), shared_bytes(2, 4));
 }
 
 TEST_F(FixShared, OtherFindingsOfSuchAnAssetAreFixed) {
@@ -194,7 +195,7 @@ TEST_F(FixShared, OtherFindingsOfSuchAnAssetAreFixed) {
   EXPECT_GE(reports[0].fixed(), 1U);
   EXPECT_EQ(reports[0].left(), 1U);
   EXPECT_NE(bytes("a.gltf"), asset.json());
-  EXPECT_EQ(bytes("shared.bin"), content(2, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
 }
 
 // One place may stay while another one in the same file is fixed.
@@ -211,19 +212,19 @@ TEST_F(FixShared, OnlyTheBytesThatAreReadStay) {
   write("b.gltf", with_positions_there());
   const auto reports = fix_in_place({"a.gltf", "b.gltf"});
   EXPECT_EQ(reports[0].left(), 1U);
-  EXPECT_EQ(bytes("shared.bin"), content(2, 1));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 1));
 }
 
 TEST_F(FixShared, AnAssetBesideItCountsThoughTheRunDoesNotNameIt) {
   write("a.gltf", {});
   write("b.gltf", with_positions_there());
   expect_left(fix_in_place({"a.gltf"})[0], "b.gltf' reads the same bytes");
-  EXPECT_EQ(bytes("shared.bin"), content(2, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
   FixOptions dry;
   expect_left(fix({"a.gltf"}, dry)[0], "b.gltf' reads the same bytes");
   // A copy is not what that asset reads.
   expect_fixed(fix({"a.gltf"}, {}, "out"), 1);
-  EXPECT_EQ(bytes("out/shared.bin"), content(1, 4));
+  EXPECT_EQ(bytes("out/shared.bin"), shared_bytes(1, 4));
 }
 
 TEST_F(FixShared, AnAssetBesideItThatAgreesIsNotInTheWay) {
@@ -231,7 +232,7 @@ TEST_F(FixShared, AnAssetBesideItThatAgreesIsNotInTheWay) {
   write("b.gltf", {});
   write("c.gltf", with_second_normals());
   expect_fixed(fix_in_place({"a.gltf"}), 1);
-  EXPECT_EQ(bytes("shared.bin"), content(1, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(1, 4));
 }
 
 // The text of an asset that the run does not name stays as it is, and so must what it states.
@@ -242,13 +243,14 @@ TEST_F(FixShared, AnAssetBesideItWhoseBoundsWouldBeWrongIsInTheWay) {
   write("b.gltf", bounded);
   expect_left(fix_in_place({"a.gltf"})[0], "b.gltf' reads the same bytes");
   expect_fixed(fix_in_place({"a.gltf", "b.gltf"}), 1);
-  EXPECT_EQ(bytes("shared.bin"), content(1, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(1, 4));
   EXPECT_THAT(bytes("b.gltf"), HasSubstr(R"("min":[0,0,1],"max":[0,0,1])"));
 }
 
 // Elements of one view lie between each other: only those that are read count.
 TEST_F(FixShared, ElementsBesideThoseThatChangeAreNotRead) {
-  folder_.write("shared.bin", floats({0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 0, 2, 0, 1, 0, 0, 0, 2}));
+  folder_.write("shared.bin",
+                packed_floats({0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 0, 2, 0, 1, 0, 0, 0, 2}));
   const auto interleaved = [](bool normals) {
     return fmt::format(
         R"({{"asset":{{"version":"2.0"}},"meshes":[{{"primitives":[{{"attributes":{{"POSITION":0{}}}}}]}}],
@@ -261,7 +263,8 @@ TEST_F(FixShared, ElementsBesideThoseThatChangeAreNotRead) {
   folder_.write("a.gltf", interleaved(true));
   folder_.write("b.gltf", interleaved(false));
   expect_fixed(fix_in_place({"a.gltf"}), 1);
-  EXPECT_EQ(bytes("shared.bin"), floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1}));
+  EXPECT_EQ(bytes("shared.bin"),
+            packed_floats({0, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 1}));
 }
 
 TEST_F(FixShared, LinksLeadToTheSameFile) {
@@ -271,22 +274,22 @@ TEST_F(FixShared, LinksLeadToTheSameFile) {
   write("a.gltf", {});
   write("b.gltf", linked);
   expect_fixed(fix_in_place({"a.gltf", "b.gltf"}, 2), 1);
-  EXPECT_EQ(bytes("shared.bin"), content(1, 1));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(1, 1));
   EXPECT_TRUE(fs::is_symlink(folder_.path() / "link.bin"));
 
-  folder_.write("shared.bin", content(2, 4));
+  folder_.write("shared.bin", shared_bytes(2, 4));
   Triangle other = with_positions_there();
   other.uri = "hard.bin";
   fs::create_hard_link(folder_.path() / "shared.bin", folder_.path() / "hard.bin");
   write("c.gltf", other);
   expect_left(fix({"a.gltf", "c.gltf"}, {}, "out")[0], "c.gltf' reads the same bytes");
-  EXPECT_EQ(bytes("out/hard.bin"), content(2, 4));
+  EXPECT_EQ(bytes("out/hard.bin"), shared_bytes(2, 4));
 }
 
 TEST_F(FixShared, TwoBuffersOfAnAssetThatAreOneFileGetOneContent) {
   folder_.link("link.bin", "shared.bin");
   for (const std::string name : {"shared.bin", "link.bin"}) {
-    folder_.write("shared.bin", content(2, 4));
+    folder_.write("shared.bin", shared_bytes(2, 4));
     Triangle asset;
     asset.buffers = fmt::format(R"(,{{"byteLength":108,"uri":"{}"}})", name);
     asset.views += R"(,{"buffer":1,"byteOffset":72,"byteLength":36,"target":34962})";
@@ -297,7 +300,7 @@ TEST_F(FixShared, TwoBuffersOfAnAssetThatAreOneFileGetOneContent) {
                  primitive + R"(,{"attributes":{"POSITION":0,"NORMAL":2}})");
     folder_.write("a.gltf", json);
     expect_fixed(fix_in_place({"a.gltf"}), 2);
-    EXPECT_EQ(bytes("shared.bin"), content(1, 1)) << name;
+    EXPECT_EQ(bytes("shared.bin"), shared_bytes(1, 1)) << name;
     EXPECT_TRUE(fs::is_symlink(folder_.path() / "link.bin"));
   }
 }
@@ -310,7 +313,7 @@ TEST_F(FixShared, BytesThatAnotherBufferOfTheAssetReadsStay) {
   asset.accessors += fmt::format(R"(,{{"bufferView":2,{}}})", kVec3);
   write("a.gltf", asset);
   expect_left(fix_in_place({"a.gltf"})[0], "buffer 1 reads the same bytes of 'shared.bin'");
-  EXPECT_EQ(bytes("shared.bin"), content(2, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
 }
 
 TEST_F(FixShared, ABufferThatIsAnImageStays) {
@@ -321,16 +324,16 @@ TEST_F(FixShared, ABufferThatIsAnImageStays) {
   EXPECT_EQ(report.error, "");
   ASSERT_FALSE(report.actions.empty());
   EXPECT_THAT(report.actions.back().why_not, HasSubstr("'shared.bin' is not only a buffer"));
-  EXPECT_EQ(bytes("shared.bin"), content(2, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
 
   write("a.gltf", {});
   Triangle other = with_second_normals();
   other.uri = "other.bin";
   other.more = asset.more;
-  folder_.write("other.bin", content(1, 1));
+  folder_.write("other.bin", shared_bytes(1, 1));
   write("b.gltf", other);
   expect_left(fix_in_place({"a.gltf", "b.gltf"})[0], "b.gltf' reads the same bytes");
-  EXPECT_EQ(bytes("shared.bin"), content(2, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
 }
 
 TEST_F(FixShared, NothingIsWrittenWhereOneOfThoseThatShareCannotBe) {
@@ -345,7 +348,7 @@ TEST_F(FixShared, NothingIsWrittenWhereOneOfThoseThatShareCannotBe) {
     EXPECT_THAT(report.error, HasSubstr("read-only"));
     EXPECT_EQ(report.fixed(), 0U);
   }
-  EXPECT_EQ(bytes("shared.bin"), content(2, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
   EXPECT_EQ(bytes("b.gltf"), bounded.json());
 }
 
@@ -355,13 +358,13 @@ TEST_F(FixShared, CopiesOfTheOldBytesAreKeptOnce) {
   FixOptions options;
   options.in_place = options.backup = true;
   expect_fixed(fix({"a.gltf", "b.gltf"}, options), 1);
-  EXPECT_EQ(bytes("shared.bin.bak"), content(2, 4));
-  EXPECT_EQ(bytes("shared.bin"), content(1, 1));
+  EXPECT_EQ(bytes("shared.bin.bak"), shared_bytes(2, 4));
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(1, 1));
 }
 
 // A binary file may be the buffer of another asset: whatever moves its bytes breaks that.
 TEST_F(FixShared, AnAssetThatIsABufferOfAnotherOneIsNotReplaced) {
-  const std::string glb = text_of(fs::path(GLTFX_SOURCE_DIR) / "fixtures/good/bowl.glb");
+  const std::string glb = bytes_at(fs::path(GLTFX_SOURCE_DIR) / "fixtures/good/bowl.glb");
   folder_.write("bowl.glb", glb);
   Triangle reader;
   reader.uri = "bowl.glb";
