@@ -106,8 +106,13 @@ ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas,
   return options;
 }
 
+bool allows_unsafe(const FixOptions& options, Code code) {
+  return options.unsafe && options.only.contains(code_name(code));
+}
+
 PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const schema::Set& schemas,
-                        const std::vector<bool>& wanted, std::uint64_t content_bytes) {
+                        const std::vector<bool>& wanted, std::uint64_t content_bytes,
+                        const FixOptions& options) {
   PlannedFixes planned;
   auto stage = first_stage(sites, wanted, FixStage::container);
   while (stage) {
@@ -116,7 +121,10 @@ PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const sche
     for (std::size_t i = 0; i < sites.size(); ++i) {
       if (!wanted[i]) continue;
       const validate::FixEntry& entry = *validate::find_fix(sites[i].code);
-      if (entry.stage == *stage) planned.fixed[i] = entry.fix(fixing, sites[i].span);
+      if (entry.stage != *stage) continue;
+      const bool more = entry.unsafe != nullptr && allows_unsafe(options, entry.code);
+      planned.fixed[i] =
+          entry.fix(fixing, sites[i].span) || (more && entry.unsafe(fixing, sites[i].span));
     }
     auto changes = fixing.take();
     if (changes) {

@@ -35,10 +35,14 @@ struct PlannedFixes {
 };
 
 /// `sites` are those of the asset as it is; those that are `wanted`, by position, are to be fixed.
-/// Only fixes of the first stage that has some are made. `content_bytes`: see Fixing.
+/// Only fixes of the first stage that has some are made. `content_bytes`: see Fixing. `options` say
+/// which rules may have unsafe fixes.
 PlannedFixes plan_fixes(const model::OpenedAsset& asset, const validate::Sites& sites,
                         const schema::Set& schemas, const std::vector<bool>& wanted,
-                        std::uint64_t content_bytes = UINT64_MAX);
+                        std::uint64_t content_bytes, const FixOptions& options);
+
+/// Whether fixes of a rule may be unsafe.
+bool allows_unsafe(const FixOptions& options, Code code);
 
 /// The asset with the changes.
 Result<model::OpenedAsset> with_changes(const model::OpenedAsset& asset,

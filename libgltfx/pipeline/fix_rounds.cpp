@@ -38,12 +38,14 @@ SitePlace place_of(const Site& site) {
 /// Actions by code; those that were planned and left out stand apart from those without a plan.
 class Tally {
  public:
-  explicit Tally(bool done) : is_done_(done) {}
+  Tally(bool done, const FixOptions& options) : is_done_(done), options_(options) {}
   void add(const json::Document& document, const Site& site, Severity severity,
            const std::string& why_not = {}) {
     FixAction& action = actions_[{code_name(site.code), why_not.empty()}];
     action.code = code_name(site.code);
-    action.kind = validate::description(site.code).fix;
+    const bool more = validate::find_fix(site.code)->unsafe != nullptr;
+    action.kind = more && allows_unsafe(options_, site.code) ? Fix::unsafe
+                                                             : validate::description(site.code).fix;
     action.severity = std::min(action.severity, severity);
     action.done = is_done_;
     if (action.why_not.empty()) action.why_not = why_not;
@@ -60,6 +62,7 @@ class Tally {
  private:
   std::map<std::pair<std::string_view, bool>, FixAction> actions_;
   bool is_done_;
+  const FixOptions& options_;
 };
 
 // A trial costs a validation, and there may be as many as findings: their cost is bounded. Large
@@ -155,13 +158,13 @@ class Rounds {
   bool is_asked_for(const Site& site) const {
     const RuleDescription& rule = validate::description(site.code);
     if (options_.skip.contains(rule.code)) return false;
-    const bool named = options_.only.contains(rule.code);
-    if (rule.fix != Fix::safe) return named && options_.unsafe;
-    return options_.only.empty() ? validate::accepts(asked_, site.code, severity_of(site)) : named;
+    if (rule.fix != Fix::safe) return allows_unsafe(options_, site.code);
+    if (!options_.only.empty()) return options_.only.contains(rule.code);
+    return validate::accepts(asked_, site.code, severity_of(site));
   }
 
   Tally done() const {
-    Tally done(true);
+    Tally done(true, options_);
     const json::Parsed first = json::parse(first_.text);
     const std::vector<bool> gone = sites_gone(first_.sites, asset_.sites(), edits_);
     for (std::size_t i = 0; i < gone.size(); ++i) {
@@ -172,7 +175,7 @@ class Rounds {
   }
 
   Tally left_over() const {
-    Tally left(false);
+    Tally left(false, options_);
     for (std::size_t i = 0; i < dropped_.size(); ++i) {
       const Site& site = asset_.sites()[i];
       if (!is_asked_for(site)) continue;
@@ -182,7 +185,8 @@ class Rounds {
   }
 
   PlannedFixes plan(const std::vector<bool>& wanted) const {
-    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted, effort_.content_bytes);
+    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted, effort_.content_bytes,
+                      options_);
   }
 
   // One more round; whether there may be another one.

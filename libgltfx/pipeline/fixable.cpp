@@ -88,7 +88,7 @@ std::shared_ptr<const ProposedFix> proposal(const ValidatedAsset& validated,
                                             const SchemaSet& schemas) {
   const OpenedAsset& asset = validated.asset();
   const auto planned =
-      plan_fixes(asset, validated.sites(), *schemas, wanted, kEffort.content_bytes);
+      plan_fixes(asset, validated.sites(), *schemas, wanted, kEffort.content_bytes, {});
   if (planned.changes.edits.empty()) return nullptr;
   if (planned.changes.container || !planned.changes.buffers.files.empty()) return nullptr;
   auto changed = with_changes(asset, planned.changes);

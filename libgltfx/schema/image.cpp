@@ -50,7 +50,8 @@ void exchange(Archive& archive, Shape& shape) {
           shape.property_names, shape.all_of, shape.any_of, shape.one_of, shape.not_shape,
           shape.conditions, shape.dependent_required, shape.ref, shape.ref_has, shape.ref_name,
           shape.unit_length, shape.should_match, shape.may_refer, shape.may_point, shape.essential,
-          shape.by_position, shape.slot, shape.title, shape.description, shape.hint);
+          shape.by_position, shape.slot, shape.title, shape.description, shape.hint,
+          shape.zero_hint);
 }
 
 template <class Archive>

@@ -6,6 +6,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "schema/meant.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -35,21 +36,6 @@ std::string json_literals(const Shape& shape) {
                                                           : literal_text(literal));
   }
   return join_or(texts);
-}
-
-bool looks_like_number(const std::string& text) {
-  return !text.empty() && text.size() < 30 &&
-         text.find_first_not_of("+-.0123456789eE") == text.npos &&
-         text.find_first_of("0123456789") != text.npos;
-}
-
-// A JSON string that holds what should stand there bare.
-std::string unquoted_help(const std::string& text, std::uint8_t types) {
-  const bool wants_number = (types & (kNumber | kInteger)) != 0;
-  const bool wants_flag = (types & kBoolean) != 0;
-  const bool fits = (wants_number && looks_like_number(text)) ||
-                    (wants_flag && (text == "true" || text == "false"));
-  return fits ? "remove the quotes: write " + text : std::string();
 }
 
 // One value where so many of them should stand.
@@ -156,22 +142,15 @@ std::string all_of_phrase(const std::vector<std::string>& names) {
   return join_and(items);
 }
 
-std::string type_help(const Set& set, const Values& values, const Shape& shape, Value value) {
+std::string type_help(const Set& set, const Values& values, const Shape& shape, Value value,
+                      bool optional) {
   const json::Kind kind = values.kind(value);
-  if (kind == json::Kind::string) {
-    return unquoted_help(values.document.string(value.node), shape.types);
-  }
-  if (kind == json::Kind::number && shape.types == kBoolean) {
-    const double number = values.number(value).value;
-    if (number == 0 || number == 1) return number == 0 ? "write false" : "write true";
-  }
+  const bool text = kind == json::Kind::string;
+  const std::string meant = meant_value(set, values, shape, value);
+  if (!meant.empty()) return (text ? "remove the quotes: write " : "write ") + meant;
+  if (text) return {};
+  if (kind == json::Kind::null && optional) return "remove the member";
   const std::string raw(values.raw(value).substr(0, kShown));
-  if (kind == json::Kind::number && shape.type != kNone && values.has_type(value, kInteger) &&
-      set.find_property(shape.type, "index") != nullptr) {
-    return "write { \"index\": " + raw + " }";
-  }
-  if (kind == json::Kind::number && shape.types == kString) return "write \"" + raw + "\"";
-  if (kind == json::Kind::null) return "remove the member to use its default";
   if (shape.types == kArray && shape.items != kNone) {
     const std::uint8_t items = set.shape(shape.items).types;
     if (kind == json::Kind::object && (items & kObject) != 0)

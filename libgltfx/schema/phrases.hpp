@@ -30,7 +30,9 @@ std::string scalar_phrase(const Set& set, const Shape& shape);
 std::string all_of_phrase(const std::vector<std::string>& names);
 
 /// What to write instead of a value of the wrong type; empty when there is nothing obvious.
-std::string type_help(const Set& set, const Values& values, const Shape& shape, Value value);
+/// `optional`: it is that of a member which may be absent.
+std::string type_help(const Set& set, const Values& values, const Shape& shape, Value value,
+                      bool optional);
 /// What to add for a member that is missing.
 std::string missing_help(const Set& set, const Property& property);
 

@@ -141,6 +141,7 @@ struct Shape {
   std::string by_position;  ///< why no element of an array may go: what goes by their positions
   std::optional<Slot> slot;
   std::string title, description, hint;
+  std::string zero_hint;  ///< help for a 0 that is out of range
 };
 
 /// An object with known members.

@@ -12,7 +12,8 @@ constexpr std::size_t kLongestName = 1000;
 // Bytes that a copy of a shape takes, roughly.
 std::uint64_t copy_size(const Shape& shape) {
   std::uint64_t size = sizeof(Shape) + shape.title.size() + shape.description.size() +
-                       shape.hint.size() + shape.format.size() + shape.label.size();
+                       shape.hint.size() + shape.zero_hint.size() + shape.format.size() +
+                       shape.label.size();
   for (const Literal& literal : shape.literals) {
     size += sizeof(Literal) + literal.string.size() + literal.name.size();
   }

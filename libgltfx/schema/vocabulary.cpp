@@ -87,6 +87,7 @@ constexpr std::array kWord{
     Word{"deprecated", F::nonempty_text},
     Word{"draft", F::nonempty_text},
     Word{"hint", F::nonempty_text},
+    Word{"zeroHint", F::nonempty_text},
 };
 
 constexpr std::array kExtension{

@@ -7,6 +7,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "schema/meant.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
 
@@ -211,10 +212,12 @@ void Walker::count_items(const Shape& shape, std::uint64_t size, Value value, co
            path.parent() != nullptr && shape.min_items == 1 ? "remove the member" : "");
     return;
   }
+  const std::string meant = with_decimal_points(document_, value.node, shape);
   report(path, Code::ARRAY_LENGTH_NOT_IN_LIST, values_.span(value),
          name_of(path) + " has " + std::to_string(size) + (size == 1 ? " element" : " elements") +
              "; it must have " +
-             count_phrase(shape.min_items, shape.max_items, "element", "elements") + ".");
+             count_phrase(shape.min_items, shape.max_items, "element", "elements") + ".",
+         meant.empty() ? "" : "write decimal points: " + meant);
 }
 
 void Walker::array_step(Frame& frame) {
@@ -329,7 +332,7 @@ bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uin
   const bool at_element = (shape.types & (kString | kArray)) != 0;
   const std::string message = name_of({array, index}) + " is " + shown(values_, value) +
                               "; it must be " + type_phrase(shape.types) + ".";
-  const std::string help = type_help(set_, values_, shape, value);
+  const std::string help = type_help(set_, values_, shape, value, false);
   if (shape.types == kObject && is_root_array) {
     report({array, index}, Code::TYPE_MISMATCH, values_.span(value), message, help);
   } else if (at_element) {

@@ -102,42 +102,6 @@ void Walker::gather(Frame& frame) {
   }
 }
 
-void Walker::other_name(Frame& frame, json::KeyId key, json::NodeId value) {
-  const ObjectType& type = set_.type(frame.type);
-  if (type.open || other_shape(frame, document_.key(key)) != kNone) return;
-  if (!frame.further) return unexpected(frame, key, value);
-  if (!type.strict) return;
-  report({frame.path, document_.key(key)}, Code::CONDITION_MISMATCH, document_.span(value - 1),
-         quoted(document_.key(key)) + " is not allowed with the other members.");
-}
-
-void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
-  const ObjectType& type = set_.type(frame.type);
-  std::vector<std::string_view> known{"extensions", "extras"};
-  if (type.properties.size() < comparisons_left_) {
-    for (const Property& property : type.properties) known.push_back(property.name);
-  }
-  std::string help = did_you_mean(document_.key(key), known);
-  if (help.empty() && set_.find_extension(document_.key(key)) != kNone) {
-    help = "move it into \"extensions\": { … }";
-  }
-  report({frame.path, document_.key(key)}, Code::UNEXPECTED_PROPERTY, document_.span(value - 1),
-         quoted(document_.key(key)) + " is not a known member of " + quoted(type.name) + ".",
-         std::move(help));
-}
-
-void Walker::renamed(const Frame& frame, const Property& property, json::NodeId value) {
-  const std::string_view name = key_of(value);
-  if (deviations().draft_names_are_unexpected) {
-    report({frame.path, name}, Code::UNEXPECTED_PROPERTY, document_.span(value - 1),
-           quoted(name) + " is not a known member of " + quoted(set_.type(frame.type).name) + ".");
-    return;
-  }
-  report({frame.path, name}, Code::PROPERTY_RENAMED, document_.span(value - 1),
-         quoted(name) + " is the name of " + quoted(property.name) + " in an earlier draft.",
-         "rename it to " + quoted(property.name));
-}
-
 bool Walker::properties(Frame& frame) {
   const TypePlan& plan = frame.type == kNone ? no_type() : tables_.types[frame.type];
   const auto count = static_cast<std::uint32_t>(plan.properties.size());

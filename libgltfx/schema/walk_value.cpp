@@ -15,8 +15,9 @@ namespace {
 // RFC 6901: empty, or steps that begin with '/', in which '~' is followed by 0 or 1.
 bool is_json_pointer(std::string_view text) { return split_pointer(text).has_value(); }
 
-// A colour from a program that counts from 0 to 255.
+// A colour from a program that counts from 0 to 255, or what 0 should have been.
 std::string range_help(const Shape& shape, double number, const Path& path) {
+  if (number == 0) return shape.zero_hint;
   const bool byte = shape.minimum == 0 && shape.maximum == 1 && number > 1 && number <= 255 &&
                     number == std::floor(number);
   if (!byte || !path.is_index() || path.parent()->parent() == nullptr) return {};
@@ -123,6 +124,13 @@ void Walker::judge(ShapeId id, Value value, const Path& path) {
   if (tables_.shapes[id].combined) combine(id, value, path, false);
 }
 
+// Whether the place is a member of the object that is walked, and one that it need not have.
+bool Walker::may_be_absent(const Path& path) const {
+  if (top_ == nullptr || top_->mode != Mode::object || path.is_index()) return false;
+  const Property* property = set_.find_property(top_->type, path.key());
+  return property == nullptr || !property->required;
+}
+
 bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (values_.has_type(value, shape.types)) return true;
@@ -131,7 +139,7 @@ bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
   report(path, Code::TYPE_MISMATCH, values_.span(value),
          name_of(path) + " is " + shown(values_, value) + "; it must be " +
              type_phrase(shape.types) + ".",
-         type_help(set_, values_, shape, value));
+         type_help(set_, values_, shape, value, may_be_absent(path)));
   return false;
 }
 
@@ -191,7 +199,8 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
     discard_reference(id);
     unset_ = true;
     report(path, Code::INVALID_INDEX, values_.span(value),
-           name_of(path) + " is " + shown(values_, value) + "; it must be a non-negative integer.");
+           name_of(path) + " is " + shown(values_, value) + "; it must be a non-negative integer.",
+           number == -1 && may_be_absent(path) ? "remove the member" : "");
     return;
   }
   const bool low = number < shape.minimum || (shape.exclusive_minimum && number == shape.minimum);

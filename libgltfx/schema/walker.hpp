@@ -15,6 +15,7 @@
 #include "schema/check.hpp"
 #include "schema/document_names.hpp"
 #include "schema/holds.hpp"
+#include "schema/home.hpp"
 #include "schema/targets.hpp"
 #include "schema/value.hpp"
 
@@ -77,8 +78,6 @@ class Walker {
   void object_step(Frame& frame);
   void enter_object(Frame& frame);
   void gather(Frame& frame);
-  void other_name(Frame& frame, json::KeyId key, json::NodeId value);
-  void unexpected(Frame& frame, json::KeyId key, json::NodeId value);
   bool properties(Frame& frame);
   bool root_property(Frame& frame);
   bool pending_shapes(Frame& frame);
@@ -86,7 +85,6 @@ class Walker {
   void behind(Frame& frame);
   bool follows_earlier_draft(const Frame& frame) const;
   void missing(Frame& frame, std::uint32_t index);
-  void renamed(const Frame& frame, const Property& property, json::NodeId value);
   bool others(Frame& frame);
   ShapeId other_shape(const Frame& frame, std::string_view name) const;
   bool entry(const Frame& frame, ShapeId shape, json::KeyId key, json::NodeId value);
@@ -97,10 +95,17 @@ class Walker {
   void record_slot(const Frame& frame, std::uint32_t index, json::NodeId value);
   bool stops_at_asset(const Frame& frame);
 
+  // walk_unknown.cpp
+  void other_name(Frame& frame, json::KeyId key, json::NodeId value);
+  void unexpected(Frame& frame, json::KeyId key, json::NodeId value);
+  Home home_of(const Frame& frame, std::string_view name);
+  void renamed(const Frame& frame, const Property& property, json::NodeId value);
+
   // walk_value.cpp: true when a frame was pushed
   bool value(ShapeId shape, json::NodeId node, Step step);
   bool in_full(ShapeId shape, json::NodeId node, Step step);
   void judge(ShapeId shape, Value value, const Path& path);
+  bool may_be_absent(const Path& path) const;
   bool judge_type(ShapeId id, Value value, const Path& path);
   void judge_literals(ShapeId id, Value value, const Path& path);
   void judge_number(ShapeId id, Value value, const Path& path);

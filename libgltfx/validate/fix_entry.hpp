@@ -38,6 +38,8 @@ struct FixEntry {
   Code code;
   FixFunction fix;
   FixStage stage = FixStage::document;
+  /// What is done besides where unsafe fixes are allowed and this rule is named; null: nothing.
+  FixFunction unsafe = nullptr;
 };
 
 /// The fix of a rule, or null.

@@ -215,4 +215,59 @@ bool remove_stride(Fixing& fixing, std::uint32_t view) {
   return in_place && fixing.remove_member(member);
 }
 
+namespace {
+
+// Whether the elements of accessors lie one behind the other, each packed.
+bool lie_in_turn(const model::Views& views, const std::vector<std::uint32_t>& accessors) {
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> places;
+  for (const std::uint32_t index : accessors) {
+    const model::Accessor& accessor = views.accessors[index];
+    const auto size = accessor.span_size(model::packed_stride(accessor.format));
+    const std::uint64_t begin = accessor.byte_offset.value_or(0);
+    if (!size) return false;
+    places.emplace_back(begin, saturating_add(begin, *size));
+  }
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    if (places[i].first < places[i - 1].second && places[i] != places[i - 1]) return false;
+  }
+  return true;
+}
+
+// The distance of packed elements, where it is the same for all accessors.
+std::optional<std::uint64_t> common_stride(const model::Views& views,
+                                           const std::vector<std::uint32_t>& accessors) {
+  std::optional<std::uint64_t> common;
+  for (const std::uint32_t index : accessors) {
+    const std::uint64_t packed = model::packed_stride(views.accessors[index].format);
+    if (packed == 0 || (common && *common != packed)) return std::nullopt;
+    common = packed;
+  }
+  return common;
+}
+
+}  // namespace
+
+bool mend_stride(Fixing& fixing, std::uint32_t index) {
+  const model::BufferView& view = fixing.views().buffer_views[index];
+  const json::NodeId member = fixing.document().find(view.node, "byteStride");
+  const Users& users = fixing.table<Users>();
+  if (member == json::kNoNode || !fixing.document().is_number(member)) return false;
+  if (users.has_others(index) || users.sparse_parts_in(index) > 0) return false;
+  const double stride = fixing.document().number(member).value;
+  const auto& accessors = users.accessors_in(index);
+  if (accessors.empty()) return stride == 0 && fixing.remove_member(member);
+  const auto packed = common_stride(fixing.views(), accessors);
+  if (!packed || !lie_in_turn(fixing.views(), accessors)) return false;
+  const model::Accessor& first = fixing.views().accessors[accessors.front()];
+  const auto size = first.span_size(*packed);
+  const bool fills = accessors.size() == 1 && size &&
+                     view.byte_length == saturating_add(first.byte_offset.value_or(0), *size);
+  const auto declared = static_cast<double>(*packed);
+  if (stride != 0 && stride != declared && !(stride < declared && fills)) return false;
+  const bool shared = accessors.size() > 1 && users.uses_of_view(index).contains(ViewUse::vertices);
+  if (!shared) return fixing.remove_member(member);
+  return *packed % 4 == 0 && fixing.replace_scalar(member, std::to_string(*packed));
+}
+
 }  // namespace gltfx::validate

@@ -55,6 +55,7 @@ const std::map<std::string, std::string, std::less<>> kSeveral{
     {"NORMAL_MAP_NOT_UNIT", "the phase asks whether anybody wants it"},
     {"PROPERTY_RENAMED", "the walk over schemas knows nothing of edits"},
     {"UNUSED_EXTENSION_REQUIRED", "the walk over schemas knows nothing of edits"},
+    {"UNEXPECTED_PROPERTY", "the walk over schemas knows nothing of edits"},
     {"PATTERN_MISMATCH", "the walk over schemas is one class in several files"},
     {"STRING_LENGTH_NOT_IN_RANGE", "the walk over schemas is one class in several files"},
     {"TEXTURE_ALPHA_CONSTANT", "the phase asks whether anybody wants it"},

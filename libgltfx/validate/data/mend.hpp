@@ -11,6 +11,13 @@ namespace gltfx::validate {
 
 /// Normals and tangents get the length 1 in their direction.
 bool make_unit_vectors(Fixing& fixing, Span place);
+/// The same; where no vertex of a face has a direction, normals come from the faces.
+bool make_unit_or_fill(Fixing& fixing, Span place);
+/// As fill_unused_vertices(), and make_unit_or_fill() for normals that are no numbers.
+bool fill_unused_or_normals(Fixing& fixing, Span place);
+/// Normals without a direction come from the faces, whatever others have; `place` is the member or
+/// the accessor.
+bool fill_some_normals(Fixing& fixing, Span place);
 /// The sign of tangents becomes 1 or -1.
 bool make_signs(Fixing& fixing, Span place);
 /// Rotations of instances and splats.
@@ -31,6 +38,8 @@ bool sort_sparse(Fixing& fixing, Span place);
 
 /// Gives an accessor the bounds it lacks; `place` is the member that uses it.
 bool add_bounds(Fixing& fixing, Span place);
+/// Writes a bound of an accessor that is none, of which `value` is a part or all.
+bool write_bound(Fixing& fixing, json::NodeId value);
 /// Corrects numbers of `min` or `max`, one of which `place` is.
 bool correct_bounds(Fixing& fixing, Span place);
 

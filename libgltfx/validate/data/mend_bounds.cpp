@@ -18,20 +18,6 @@ namespace {
 using model::Accessor;
 using model::AccessorData;
 
-/// How many numbers are looked at in one run: accessors may share their bytes.
-struct ReadBudget {
-  explicit ReadBudget(Fixing& fixing) {
-    for (const auto& buffer : fixing.resources().buffers) left += buffer ? buffer->size() * 4 : 0;
-  }
-  bool take(std::uint64_t count, unsigned components) {
-    const Checked cost = checked_mul(count, components);
-    if (!cost || *cost > left) return false;
-    left -= *cost;
-    return true;
-  }
-  std::uint64_t left = std::uint64_t{1} << 24U;
-};
-
 /// Least and greatest value of each component.
 struct Bounds {
   std::vector<double> least, most;
@@ -125,6 +111,24 @@ std::string bound_text(model::ComponentType type, double value) {
 bool add_bounds(Fixing& fixing, Span place) {
   const auto accessor = accessor_at(fixing, place);
   return accessor && write_bounds(fixing, fixing.views().accessors[*accessor]);
+}
+
+bool write_bound(Fixing& fixing, json::NodeId value) {
+  const json::Document& document = fixing.document();
+  json::NodeId object = fixing.parent(value);
+  for (; object != json::kNoNode && document.is_array(object); object = fixing.parent(object)) {
+    value = object;
+  }
+  const std::uint32_t index = fixing.index_of(object);
+  const auto& accessors = fixing.views().accessors;
+  if (index >= accessors.size() || accessors[index].node != object) return false;
+  const bool minimum = document.find(object, "min") == value;
+  if (!minimum && document.find(object, "max") != value) return false;
+  const Accessor& accessor = accessors[index];
+  if (model::is_sound_bound(document, accessor.format, value)) return false;
+  if (fixing.is_claimed(value)) return true;
+  const auto bounds = read_bounds(fixing, accessor);
+  return bounds && fixing.replace(value, list_of(accessor, minimum ? bounds->least : bounds->most));
 }
 
 bool correct_bounds(Fixing& fixing, Span place) {

@@ -62,6 +62,17 @@ bool is_alone(Fixing& fixing, std::uint32_t index, const Extent& own) {
 
 }  // namespace
 
+ReadBudget::ReadBudget(Fixing& fixing) {
+  for (const auto& buffer : fixing.resources().buffers) left_ += buffer ? buffer->size() * 4 : 0;
+}
+
+bool ReadBudget::take(std::uint64_t count, unsigned components) {
+  const Checked cost = checked_mul(count, components);
+  if (!cost || *cost > left_) return false;
+  left_ -= *cost;
+  return true;
+}
+
 std::optional<Elements> Elements::open(Fixing& fixing, std::uint32_t index, std::string_view role) {
   if (index >= fixing.views().accessors.size()) return std::nullopt;
   const Accessor& accessor = fixing.views().accessors[index];
@@ -89,7 +100,8 @@ std::optional<Elements> Elements::open(Fixing& fixing, std::uint32_t index, std:
   const Checked begin = checked_add(view.byte_offset.value_or(0), extent->begin);
   std::string* content = fixing.content(*view.buffer);
   if (content == nullptr || !begin || extent->end > *view.byte_length ||
-      !fits(*begin, extent->end - extent->begin, content->size()) || !fixing.claim(accessor.node)) {
+      !fits(*begin, extent->end - extent->begin, content->size()) ||
+      fixing.is_claimed(accessor.node)) {
     return std::nullopt;
   }
   Elements elements;
@@ -129,6 +141,7 @@ void Elements::set_bytes(std::uint64_t element, std::string_view bytes) {
 
 void follow_with_bounds(Fixing& fixing, std::uint32_t index, const Elements& elements) {
   const Accessor& accessor = fixing.views().accessors[index];
+  fixing.claim(accessor.node);
   for (const json::NodeId array : {accessor.min, accessor.max}) {
     if (array == json::kNoNode) continue;
     if (!model::is_sound_bound(fixing.document(), accessor.format, array)) continue;

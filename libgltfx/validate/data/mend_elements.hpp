@@ -18,7 +18,7 @@ namespace gltfx::validate {
 class Elements {
  public:
   /// `role` as in Users::roles_of(): nothing where the accessor is used for something else, too.
-  /// With an empty role any use will do. Claims the accessor.
+  /// With an empty role any use will do. Nothing where it was changed before.
   static std::optional<Elements> open(Fixing& fixing, std::uint32_t accessor,
                                       std::string_view role);
 
@@ -44,8 +44,18 @@ class Elements {
   model::Format format_;
 };
 
-/// Corrects the declared bounds of an accessor after its elements changed.
+/// Claims an accessor whose elements changed, and corrects its declared bounds.
 void follow_with_bounds(Fixing& fixing, std::uint32_t accessor, const Elements& elements);
+
+/// How many numbers are looked at in one run: accessors may share their bytes.
+class ReadBudget {
+ public:
+  explicit ReadBudget(Fixing& fixing);
+  bool take(std::uint64_t count, unsigned components);
+
+ private:
+  std::uint64_t left_ = std::uint64_t{1} << 24U;
+};
 
 /// A bound as it stands in the text.
 std::string bound_text(model::ComponentType type, double value);

@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "validate/context.hpp"
+#include "validate/fix_users.hpp"
 #include "validate/rules/accessor_extent.hpp"
 #include "validate/rules/finding.hpp"
 #include "validate/rules/use.hpp"
@@ -87,11 +88,21 @@ void check_accessors(const Context& context) {
   }
 }
 
+// `place` is the accessor.
+bool mend_small_stride(Fixing& fixing, Span place) {
+  const std::uint32_t index = fixing.index_of(fixing.node_at(place));
+  if (index >= fixing.views().accessors.size()) return false;
+  const auto view = fixing.views().accessors[index].buffer_view;
+  return view && mend_stride(fixing, *view);
+}
+
+constexpr FixEntry kLayoutFixes[] = {{Code::ACCESSOR_SMALL_BYTESTRIDE, mend_small_stride}};
+
 }  // namespace
 
 const Family& accessor_layout_family() {
   static constexpr LinkRule kLinkRules[] = {check_accessors};
-  static constexpr Family family{.order = 260, .link_rules = kLinkRules};
+  static constexpr Family family{.order = 260, .link_rules = kLinkRules, .fixes = kLayoutFixes};
   return family;
 }
 

@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "model/accessor.hpp"
 #include "validate/context.hpp"
-#include "validate/fix.hpp"
+#include "validate/data/mend.hpp"
 #include "validate/rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -165,6 +165,12 @@ schema::Reading read_max(const Context& context, json::NodeId object, json::Node
   return read_bound(context, object, value, Path(path, "max"));
 }
 
+// `place` is a number of the bound.
+bool correct_bound_values(Fixing& fixing, Span place) {
+  const json::NodeId array = fixing.node_around(place);
+  return array != json::kNoNode && write_bound(fixing, array);
+}
+
 }  // namespace
 
 const Family& accessor_values_family() {
@@ -173,7 +179,8 @@ const Family& accessor_values_family() {
   static constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offset},
                                                      {"accessor", "min", read_min},
                                                      {"accessor", "max", read_max}};
-  static constexpr FixEntry kFixes[] = {{Code::ACCESSOR_NORMALIZED_INVALID, remove_marked}};
+  static constexpr FixEntry kFixes[] = {{Code::ACCESSOR_NORMALIZED_INVALID, remove_marked},
+                                        {Code::INVALID_GL_VALUE, correct_bound_values}};
   static constexpr Family family{
       .order = 250, .object_rules = kObjectRules, .member_rules = kMemberRules, .fixes = kFixes};
   return family;

@@ -9,6 +9,7 @@
 
 #include "base/codes.hpp"
 #include "validate/context.hpp"
+#include "validate/data/mend.hpp"
 #include "validate/fix_deletion.hpp"
 #include "validate/fix_users.hpp"
 
@@ -69,6 +70,7 @@ bool remove_empty(Fixing& fixing, Span place) {
   static const std::set<std::string_view> kNeeded{"asset",      "attributes", "channels", "joints",
                                                   "primitives", "samplers",   "sparse",   "target"};
   const json::NodeId value = fixing.node_at(place);
+  if (value != json::kNoNode && write_bound(fixing, value)) return true;
   if (value == json::kNoNode || kNeeded.contains(member_name(fixing, value))) return false;
   return fixing.remove_member(value);
 }

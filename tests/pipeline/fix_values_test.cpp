@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fixes of values: null, quotes, rounding, bounds, strides, members in the wrong object.
+#include <gltfx/pipeline.hpp>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "container/base64.hpp"
+#include "container/temp_folder.hpp"
+
+namespace gltfx {
+namespace {
+
+using container::test::TempFolder;
+
+// The text that a run makes of another one, `code` also unsafely; a second run changes nothing.
+std::string fixed(const std::string& text, const char* code = nullptr) {
+  const TempFolder folder;
+  const auto path = folder.write("a.gltf", text);
+  FixOptions options;
+  options.in_place = true;
+  if (code != nullptr) {
+    options.unsafe = true;
+    options.only = {code};
+  }
+  EXPECT_EQ(fix_file(path.native(), options).error, "");
+  EXPECT_FALSE(fix_file(path.native(), options).changes);
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string asset(std::string_view members) {
+  return fmt::format(R"({{"asset": {{"version": "2.0"}}, {}}})", members);
+}
+
+// What becomes of members of the root.
+std::string members(std::string_view members, const char* code = nullptr) {
+  const std::string text = fixed(asset(members), code);
+  const std::size_t begin = asset("").size() - 1;
+  return text.size() > begin ? text.substr(begin, text.size() - begin - 1) : text;
+}
+
+TEST(FixNull, GoesFromMembersThatNeedNotBeThere) {
+  EXPECT_EQ(members(R"("nodes": [{"mesh": null, "name": "a", "children": null}], "cameras": null)"),
+            R"("nodes": [{"name": "a"}])");
+  EXPECT_EQ(members(R"("nodes": [{"name": null, "extensions": null, "rotation": null}])"),
+            R"("nodes": [{}])");
+}
+
+TEST(FixNull, StaysWhereAValueIsMissing) {
+  const char* const kRequired = R"("buffers": [{"byteLength": null}])";
+  const char* const kElement = R"("materials": [{"emissiveFactor": [1, null, 1]}])";
+  const char* const kOfNobody = R"("nodes": [{"extras": {"a": null}}])";
+  for (const char* const text : {kRequired, kElement, kOfNobody}) EXPECT_EQ(members(text), text);
+}
+
+TEST(FixQuotes, GoWhereTheTextCanMeanOneThingOnly) {
+  const auto metallic = [](std::string_view value) {
+    return fmt::format(R"("materials": [{{"pbrMetallicRoughness": {{"metallicFactor": {}}}}}])",
+                       value);
+  };
+  EXPECT_EQ(members(metallic(R"("0.5")")), metallic("0.5"));
+  EXPECT_EQ(members(metallic(R"("0,5")")), metallic("0.5"));
+  EXPECT_EQ(members(metallic(R"("0,500")")), metallic("0.500"));
+  for (const char* const unclear : {R"("1,500")", R"("half")", R"("")", R"("05")", R"("0.5.1")",
+                                    R"("1,2,3")", R"("1.0,5")", R"("0x1")"}) {
+    EXPECT_EQ(members(metallic(unclear)), metallic(unclear));
+  }
+}
+
+TEST(FixQuotes, GoFromIndicesFlagsAndLists) {
+  EXPECT_EQ(members(R"("scene": "0", "scenes": [{"nodes": ["0", "1"]}], "nodes": [{}, {}])"),
+            R"("scene": 0, "scenes": [{"nodes": [0, 1]}], "nodes": [{}, {}])");
+  EXPECT_EQ(members(R"("materials": [{"doubleSided": "true", "emissiveFactor": ["1", 0, "0,5"]}])"),
+            R"("materials": [{"doubleSided": true, "emissiveFactor": [1, 0, 0.5]}])");
+  // None of them goes unless all can.
+  const char* const kMixed = R"("materials": [{"emissiveFactor": ["1", "x", 1]}])";
+  EXPECT_EQ(members(kMixed), kMixed);
+  const char* const kNoIndex = R"("scene": "0.5", "scenes": [{}])";
+  EXPECT_EQ(members(kNoIndex), kNoIndex);
+}
+
+TEST(FixType, NumbersBecomeWhatTheyStandFor) {
+  EXPECT_EQ(members(R"("nodes": [{"name": 5}])"), R"("nodes": [{"name": "5"}])");
+  EXPECT_EQ(members(R"("materials": [{"doubleSided": 1}])"),
+            R"("materials": [{"doubleSided": true}])");
+  EXPECT_EQ(fixed(R"({"asset": {"version": 2.0}})"), R"({"asset": {"version": "2.0"}})");
+  EXPECT_EQ(fixed(R"({"asset": {"version": 2}})"), R"({"asset": {"version": "2.0"}})");
+  const char* const kEnum = R"("materials": [{"alphaMode": 1}])";
+  EXPECT_EQ(members(kEnum), kEnum);
+}
+
+TEST(FixIndex, MinusOneIsNone) {
+  EXPECT_EQ(members(R"("scene": -1, "scenes": [{"name": "a"}])"), R"("scenes": [{"name": "a"}])");
+  const char* const kList = R"("scenes": [{"nodes": [-1]}], "nodes": [{}])";
+  EXPECT_EQ(members(kList), kList);
+}
+
+TEST(FixCommas, BecomePointsWhereSpacesTellThemApart) {
+  const auto node = [](std::string_view value) {
+    return fmt::format(R"("nodes": [{{"translation": {}}}])", value);
+  };
+  EXPECT_EQ(members(node("[0,5, 0,0, 1,25]")), node("[0.5, 0.0, 1.25]"));
+  EXPECT_EQ(members(node("[-0,5, 3, 1,25]")), node("[-0.5, 3, 1.25]"));
+  for (const char* const unclear : {"[0,5,0,0,1,25]", "[0,5, 0,0]", "[0,5,1, 0,0, 1]",
+                                    "[0, 5, 0, 0, 1, 25]", "[0,-5, 0, 0]", "[0.5,5, 1, 1]"}) {
+    EXPECT_EQ(members(node(unclear)), node(unclear));
+  }
+}
+
+TEST(FixRange, RoundingAtALimitGoes) {
+  const auto color = [](std::string_view numbers) {
+    return fmt::format(R"("materials": [{{"pbrMetallicRoughness": {{"baseColorFactor": [{}]}}}}])",
+                       numbers);
+  };
+  EXPECT_EQ(members(color("1.00000012, 0.5, -0.0000001, 1.0000001")), color("1, 0.5, 0, 1"));
+  EXPECT_EQ(members(color("1.00001, 0.5, 1.00000012, 1")), color("1.00001, 0.5, 1, 1"));
+  EXPECT_EQ(members(color("-0.0001, 2, 1, 1")), color("-0.0001, 2, 1, 1"));
+  EXPECT_EQ(members(R"("nodes": [{"rotation": [0, 0, 0, 1.0000001]}])"),
+            R"("nodes": [{"rotation": [0, 0, 0, 1]}])");
+  // There is no least number above 0.
+  const char* const kOpen =
+      R"("cameras": [{"type": "perspective", "perspective": {"znear": 0, "yfov": 1}}])";
+  EXPECT_EQ(members(kOpen), kOpen);
+}
+
+// Three positions, and what their accessor and its view say besides.
+std::string positions(std::string_view accessor, std::string_view view) {
+  const std::string bytes =
+      std::string(8, '\0') + std::string("\0\0\x80\x3f", 4) + std::string(24, '\0');
+  return fmt::format(R"("scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}}}]}}],
+"accessors": [{{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3, {}}}],
+"bufferViews": [{{"buffer": 0, "byteLength": 36, {}"target": 34962}}],
+"buffers": [{{"byteLength": 36, "uri": "data:application/octet-stream;base64,{}"}}])",
+                     accessor, view, container::encode_base64(bytes));
+}
+
+constexpr std::string_view kBounds = R"("min": [0, 0, 0], "max": [0, 0, 1])";
+
+TEST(FixBounds, AreWrittenAnewWhateverStandsThere) {
+  for (const char* const least : {"[0, 0]", "[0, 0, 0, 0]", "[]", "0", "null", R"("0 0 0")", "{}",
+                                  R"(["0", "0", "0"])", "[0, null, 0]", "[0, 0, 1e999]"}) {
+    EXPECT_EQ(members(positions(fmt::format(R"("min": {}, "max": [0, 0, 1])", least), "")),
+              positions(kBounds, ""))
+        << least;
+  }
+  EXPECT_EQ(members(positions(R"("min": [], "max": [0])", "")), positions(kBounds, ""));
+}
+
+TEST(FixBounds, OfIntegersAreIntegers) {
+  const auto indices = [](std::string_view most) {
+    return fmt::format(R"("scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1, "mode": 0}}]}}],
+"accessors": [{{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}},
+{{"componentType": 5121, "type": "SCALAR", "count": 1, "min": [0], "max": [{}]}}])",
+                       most);
+  };
+  for (const char* const most : {"0.5", "300", "-1", R"("x")"}) {
+    EXPECT_EQ(members(indices(most)), indices("0")) << most;
+  }
+}
+
+TEST(FixStride, GoesWhereElementsLiePacked) {
+  for (const char* const stride : {"0", "4", "8"}) {
+    const std::string view = fmt::format(R"("byteStride": {}, )", stride);
+    EXPECT_EQ(members(positions(kBounds, view)), positions(kBounds, "")) << stride;
+  }
+}
+
+// Two accessors of one view.
+std::string pair(std::string_view stride, unsigned second, std::string_view type) {
+  return fmt::format(R"("scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "{}": 1}}, "mode": 0}}]}}],
+"accessors": [{{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 2, "min": [0, 0, 0], "max": [0, 0, 0]}},
+{{"bufferView": 0, "byteOffset": {}, "componentType": 5126, "type": "{}", "count": 2}}],
+"bufferViews": [{{"buffer": 0, "byteLength": 48, {}"target": 34962}}],
+"buffers": [{{"byteLength": 48, "uri": "data:application/octet-stream;base64,{}"}}])",
+                     type == "VEC3" ? "_A" : "TEXCOORD_0", second, type, stride,
+                     container::encode_base64(std::string(48, '\0')));
+}
+
+TEST(FixStride, IsThatOfAllElementsWhereAttributesShareAView) {
+  EXPECT_EQ(members(pair(R"("byteStride": 0, )", 24, "VEC3")),
+            pair(R"("byteStride": 12, )", 24, "VEC3"));
+  const std::string interleaved = pair(R"("byteStride": 0, )", 12, "VEC3");
+  EXPECT_EQ(members(interleaved), interleaved);
+  const std::string different = pair(R"("byteStride": 0, )", 24, "VEC2");
+  EXPECT_EQ(members(different), different);
+}
+
+TEST(FixStride, StaysWhereItMayBeMisspelt) {
+  const std::string large = positions(kBounds, R"("byteStride": 256, )");
+  EXPECT_EQ(members(large), large);
+}
+
+TEST(FixSparse, GoesIfItReplacesNothing) {
+  const auto with = [](std::string_view sparse) {
+    return positions(fmt::format(R"({}{})", kBounds, sparse), "");
+  };
+  EXPECT_EQ(members(with(R"(, "sparse": {"count": 0, "indices": {"bufferView": 0,
+"componentType": 5121}, "values": {"bufferView": 0}})")),
+            with(""));
+}
+
+TEST(FixMisplaced, WhatNobodyDrawsMovesIntoTheAsset) {
+  EXPECT_EQ(fixed(R"({"asset": {"version": "2.0"}, "copyright": "CC0", "generator": "x"})"),
+            R"({"asset": {"version": "2.0", "copyright": "CC0", "generator": "x"}})");
+  const char* const kThere = R"({"asset": {"version": "2.0", "copyright": "a"}, "copyright": "b"})";
+  EXPECT_EQ(fixed(kThere), kThere);
+  const char* const kDrawn = R"("materials": [{"metallicFactor": 0}])";
+  EXPECT_EQ(members(kDrawn), kDrawn);
+}
+
+TEST(FixMisplaced, OthersMoveIfAskedFor) {
+  constexpr const char* kCode = "UNEXPECTED_PROPERTY";
+  EXPECT_EQ(
+      members(R"("materials": [{"metallicFactor": 0, "baseColorFactor": [1, 0, 0, 1]}])", kCode),
+      R"("materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [1, 0, 0, 1]}}])");
+  EXPECT_EQ(members(R"("materials": [{"pbrMetallicRoughness": {"alphaMode": "BLEND"}}])", kCode),
+            R"("materials": [{"pbrMetallicRoughness": {}, "alphaMode": "BLEND"}])");
+  // Which of two, and what is right, nobody knows.
+  for (const char* const unclear :
+       {R"("materials": [{"texCoord": 1}])", R"("materials": [{"metallicFactor": 5}])",
+        R"("nodes": [{"arrayIndex": 3}])", R"("nodes": [{}], "camera": 0)",
+        R"("materials": [{"metallicFactor": 0, "pbrMetallicRoughness": {"metallicFactor": 1}}])"}) {
+    EXPECT_EQ(members(unclear, kCode), unclear);
+  }
+}
+
+TEST(FixMisplaced, MovesAcrossAnArrayOfOne) {
+  constexpr const char* kCode = "UNEXPECTED_PROPERTY";
+  const auto mesh = [](std::string_view of_mesh, std::string_view primitives) {
+    return fmt::format(R"("meshes": [{{{}"primitives": [{}]}}], "accessors": [
+{{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}}])",
+                       of_mesh, primitives);
+  };
+  EXPECT_EQ(members(mesh(R"("mode": 0, )", R"({"attributes": {"POSITION": 0}})"), kCode),
+            mesh("", R"({"attributes": {"POSITION": 0}, "mode": 0})"));
+  const std::string two =
+      mesh(R"("mode": 0, )", R"({"attributes": {"POSITION": 0}}, {"attributes": {"POSITION": 0}})");
+  EXPECT_EQ(members(two, kCode), two);
+}
+
+}  // namespace
+}  // namespace gltfx
