@@ -125,14 +125,6 @@ TEST(FixFile, LeavesBytesAloneThatAreReadTwice) {
   EXPECT_EQ(text_of(folder.path() / "a.bin"), triangle_bytes(0.5F));
 }
 
-TEST(FixFile, LeavesAVectorWithoutADirectionAlone) {
-  const TempFolder folder;
-  folder.write("a.bin", triangle_bytes(0));
-  const auto path = folder.write("a.gltf", triangle("a.bin"));
-  EXPECT_FALSE(fix_file(path.native(), in_place()).changes);
-  EXPECT_EQ(text_of(folder.path() / "a.bin"), triangle_bytes(0));
-}
-
 TEST(FixFile, RunsUntilNothingIsLeft) {
   const TempFolder folder;
   const auto path = folder.write(

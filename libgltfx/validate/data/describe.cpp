@@ -132,8 +132,8 @@ Finding finding_at_bound(const ScanResult& scan_result, const Check& check, cons
 }
 
 constexpr FixEntry kElementFixes[] = {
-    {Code::ACCESSOR_INVALID_FLOAT, fill_unused_vertices},
-    {Code::ACCESSOR_VECTOR3_NON_UNIT, make_unit_vectors},
+    {Code::ACCESSOR_INVALID_FLOAT, fill_unused_or_normals, FixStage::document, fill_some_normals},
+    {Code::ACCESSOR_VECTOR3_NON_UNIT, make_unit_or_fill, FixStage::document, fill_some_normals},
     {Code::ACCESSOR_INVALID_SIGN, make_signs},
     {Code::ACCESSOR_NON_CLAMPED, clamp},
     {Code::ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION, make_unit_keyframes},
