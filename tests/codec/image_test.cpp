@@ -126,6 +126,26 @@ TEST(Images, AJpegThatEndsTooEarlyIsDoubtful) {
   EXPECT_THAT(image_of(bytes, {ImageFormat::jpeg}).doubt, HasSubstr("Premature end"));
 }
 
+// 8 x 8 grey texels, and their first coefficient refined again and again.
+std::string jpeg_of_scans(std::size_t scans) {
+  std::string bytes("\xFF\xD8\xFF\xDB\0\x43\0", 7);
+  bytes += std::string(64, '\1');
+  bytes += std::string("\xFF\xC2\0\x0B\x08\0\x08\0\x08\1\1\x11\0", 13);
+  bytes += std::string("\xFF\xC4\0\x14\0\1", 6) + std::string(16, '\0');
+  bytes += std::string("\xFF\xDA\0\x08\1\1\0\0\0\1\0", 11);
+  for (std::size_t i = 1; i < scans; ++i) {
+    bytes += std::string("\xFF\xDA\0\x08\1\1\0\0\0\x10\0", 11);
+  }
+  return bytes + "\xFF\xD9";
+}
+
+TEST(Images, AJpegOfThousandsOfScansIsRefused) {
+  EXPECT_EQ(image_of(jpeg_of_scans(20), {ImageFormat::jpeg}).texels(), 64U);
+  const DecodeError error = error_of(jpeg_of_scans(5000), {ImageFormat::jpeg});
+  EXPECT_EQ(error.kind, ErrorKind::timed_out);
+  EXPECT_EQ(error.message, "It has 5000 scans; more than 500 take too long to decode.");
+}
+
 TEST(Images, SixteenBitsStaySixteenBits) {
   const Image image =
       image_of(encode_png({2, 1, PngColor::grey, 16, std::string("\x12\x34\xFF\xFF", 4), {}}));

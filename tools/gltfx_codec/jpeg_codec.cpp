@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <csetjmp>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <string>
 #include <vector>
@@ -47,6 +49,26 @@ void convert_inks(const unsigned char* inks, std::size_t count, unsigned char* r
       rgb[c] = static_cast<unsigned char>((unsigned{inks[c]} * inks[3] + 127) / 255);
     }
   }
+}
+
+// Each scan of a JPEG goes through the whole image, and takes a dozen bytes. Encoders write ten.
+constexpr std::size_t kMostScans = 500;
+
+// In compressed data a byte 0xFF is followed by 0 or by a marker without a segment.
+std::size_t count_scans(std::span<const std::byte> bytes) {
+  const auto at = [&](std::size_t i) { return std::to_integer<unsigned>(bytes[i]); };
+  std::size_t scans = 0;
+  for (std::size_t i = 0; i + 3 < bytes.size();) {
+    const void* const found = std::memchr(bytes.data() + i, 0xFF, bytes.size() - i);
+    if (found == nullptr) break;
+    i = static_cast<std::size_t>(static_cast<const std::byte*>(found) - bytes.data()) + 1;
+    if (i + 2 >= bytes.size() || at(i) == 0xFF) continue;
+    const unsigned marker = at(i);
+    if (marker <= 0x01 || (marker >= 0xD0 && marker <= 0xD9)) continue;
+    if (marker == 0xDA) ++scans;
+    i += 1 + std::max(at(i + 1) * 256 + at(i + 2), 2U);
+  }
+  return scans;
 }
 
 class JpegDecoder {
@@ -165,6 +187,11 @@ Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, const Outpu
     return DecodeError{ErrorKind::malformed, "It has more than 4 channels."};
   }
   if (image.texels() > job.max_pixels) return too_many_texels();
+  if (const std::size_t scans = count_scans(bytes); scans > kMostScans) {
+    return DecodeError{ErrorKind::timed_out, "It has " + std::to_string(scans) +
+                                                 " scans; more than " + std::to_string(kMostScans) +
+                                                 " take too long to decode."};
+  }
   Rows rows(image, job, create_pixels(image, job, output));
   if (!decoder.read_rows(rows)) return decoder.error();
   Image result = rows.finish();
