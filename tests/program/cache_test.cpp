@@ -242,7 +242,8 @@ TEST_F(Forgery, TheKeyIsForThisUserOnly) {
 
 TEST_F(Forgery, ASharedKeyHitsOnOtherMachines) {
   folder_.write("assets/a.gltf", kInfo);
-  folder_.write("key", "0123456789abcdef0123456789abcdef\n");
+  const fs::path key = folder_.write("key", "0123456789abcdef0123456789abcdef\n");
+  fs::permissions(key, fs::perms::owner_read | fs::perms::owner_write);
   ASSERT_EQ(validate({"--cache-key", "key"}).code, 0);
   const std::uintmax_t kept = bytes_kept();
   Setting elsewhere = other_user();
@@ -254,6 +255,19 @@ TEST_F(Forgery, ASharedKeyHitsOnOtherMachines) {
   elsewhere.environment.back().second = "0123456789abcdef0123456789abcdeF";
   EXPECT_EQ(validate_as(elsewhere).code, 0);
   EXPECT_GT(bytes_kept(), kept);
+}
+
+TEST_F(Forgery, AKeyThatOthersCanWriteIsRefused) {
+  folder_.write("assets/a.gltf", kSound);
+  const fs::path key = folder_.write("key", "0123456789abcdef0123456789abcdef\n");
+  for (const fs::perms others : {fs::perms::group_write, fs::perms::others_write}) {
+    fs::permissions(key, fs::perms::owner_read | fs::perms::owner_write | others);
+    const Outcome outcome = validate({"--cache-key", "key"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("other users can write 'key'"));
+  }
+  fs::permissions(key, fs::perms::owner_read | fs::perms::group_read);
+  EXPECT_EQ(validate({"--cache-key", "key"}).code, 0);
 }
 
 TEST_F(Forgery, KeysThatCannotBeUsedAreMistakes) {

@@ -43,7 +43,7 @@ const std::vector<Verb>& verbs() {
              "--files-from --shard --exclude --no-ignore --allow-empty --sarif-notes --timings "
              "--cache --cache-key "
              "--baseline --write-baseline --jobs --color")},
-      {"upgrade", words("PATH --format --restore --in-place --output --backup --check --diff "
+      {"upgrade", words("PATH --format --restore --in-place --output --backup --check --diff --raw "
                         "--unsafe --strict --only --to "
                         "--ior --pack --prune --verify --generation --target --target-file --root "
                         "--schema --schema-dir --config "
@@ -51,10 +51,10 @@ const std::vector<Verb>& verbs() {
                         "--unsandboxed-decoders --quiet "
                         "--jobs --color")},
       {"edit",
-       words(
-           "PATH --delete --cascade --format --restore --in-place --output --backup --check --diff "
-           "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
-           "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
+       words("PATH --delete --cascade --format --restore --in-place --output --backup --check "
+             "--diff --raw "
+             "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
+             "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"hook", words("VERB")},
       {"bake",
        words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "

@@ -97,6 +97,16 @@ TEST_F(HostileInput, StandardInputHasAnEndForLists) {
       bash(R"("$GLTFX" validate --isolated --files-from - </dev/zero)", setting_);
   EXPECT_EQ(endless.code, 2);
   EXPECT_THAT(endless.err, HasSubstr("more than 268435456 bytes"));
+  EXPECT_TRUE(kSanitized || endless.peak_kib < (320 << 10U)) << endless.peak_kib;
+}
+
+// What is read is there once, not twice as in a string that grows.
+TEST_F(HostileInput, AnAssetFromStandardInputIsInMemoryOnce) {
+  if (kSanitized) GTEST_SKIP() << "memory means nothing here";
+  const Outcome outcome = bash(
+      R"(head -c 200000000 /dev/zero | tr '\0' ' ' | "$GLTFX" validate --isolated -)", setting_);
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_LT(outcome.peak_kib, 290'000);
 }
 
 TEST_F(HostileInput, ASchemaThatSaysNotWhereItStandsIsAMistake) {

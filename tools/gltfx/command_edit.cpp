@@ -71,7 +71,7 @@ class DeleteCommand {
     if (as_json()) say(delete_json(report, summary_.files + summary_.unreadable == 0));
     summary_.add(report);
     if (options_.diff && !as_json()) {
-      say(diff_text(report.diff));
+      say(diff_text(report.diff, request_.raw));
     } else if (!as_json() && !request_.quiet) {
       say(delete_text(report, style_));
     }

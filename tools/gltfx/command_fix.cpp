@@ -83,7 +83,7 @@ class FixRun {
       if (!request_.quiet) say(fix_text(report, style_));
       return;
     }
-    say(diff_text(report.diff));
+    say(diff_text(report.diff, request_.raw));
     if (request_.quiet) return;
     for (const std::string& file : report.changed_files) {
       complain(fmt::format("note: {}: the diff lacks the changes of {}, to which it refers",

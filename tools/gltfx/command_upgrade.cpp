@@ -116,7 +116,7 @@ class UpgradeRun {
 
   void show(const UpgradeReport& report) {
     if (options_.diff) {
-      say(diff_text(report.diff));
+      say(diff_text(report.diff, request_.raw));
       if (!request_.quiet) note_beside_diff(report);
     } else if (!request_.quiet) {
       say(upgrade_plan_text(report, style_));

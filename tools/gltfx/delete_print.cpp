@@ -116,6 +116,7 @@ std::string delete_json(const DeleteReport& report, bool first) {
   report::write_long_values(writer, "newWarnings", report.new_warnings);
   if (!report.diff.empty()) writer.member("diff", report.diff);
   writer.end_object();
+  report::defuse_json(out, 0);
   return out;
 }
 

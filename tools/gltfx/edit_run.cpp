@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/text.hpp"
@@ -56,6 +57,11 @@ std::set<std::string> files_with_copies(const std::string& path) {
   return files;
 }
 
+bool goes_into_file(int fd) {
+  struct stat status {};
+  return ::fstat(fd, &status) == 0 && S_ISREG(status.st_mode);
+}
+
 // The asset comes last: until then it is the one that the new files go with.
 std::optional<std::string> restore_with_files(const std::string& path) {
   for (const std::string& file : files_with_copies(path + ".bak")) {
@@ -66,14 +72,19 @@ std::optional<std::string> restore_with_files(const std::string& path) {
 
 }  // namespace
 
-// Lines of an asset go to a program as they are, to a terminal without what could drive it.
-std::string diff_text(std::string_view diff) {
-  if (::isatty(STDOUT_FILENO) == 0) return std::string(diff);
+// A patch has tabs and carriage returns as they are; only a terminal obeys the latter.
+std::string diff_text(std::string_view diff, bool raw) {
+  if (raw || goes_into_file(STDOUT_FILENO)) return std::string(diff);
+  const bool terminal = ::isatty(STDOUT_FILENO) != 0;
   std::string text;
-  while (!diff.empty()) {
-    const std::size_t end = std::min(diff.find('\n'), diff.size());
-    text.append(printable(diff.substr(0, end))).append(1, '\n');
-    diff.remove_prefix(std::min(end + 1, diff.size()));
+  for (std::string_view rest = diff; !rest.empty();) {
+    const std::size_t end = std::min(rest.find_first_of(terminal ? "\n\t" : "\n\t\r"), rest.size());
+    text.append(printable(rest.substr(0, end))).append(rest.substr(end, 1));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  if (text != diff && !terminal) {
+    complain(
+        "note: the diff has escapes for characters that hide or reorder text; --raw prints them");
   }
   return text;
 }

@@ -12,9 +12,9 @@
 
 namespace gltfx::tool {
 
-/// A diff as standard output gets it: lines of an asset go to a program as they are, to a terminal
-/// without what could drive it.
-std::string diff_text(std::string_view diff);
+/// A diff as standard output gets it: into a file as it is, otherwise without characters that drive
+/// a terminal, hide or reorder text. `raw`: with them. Says so where some are left out.
+std::string diff_text(std::string_view diff, bool raw);
 
 /// Puts the copies that --backup kept back in their places.
 ExitCode restore_all(const EditRequest& request);

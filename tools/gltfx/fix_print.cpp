@@ -120,6 +120,7 @@ std::string fix_json(const FixReport& report, bool first) {
   report::write_long_values(writer, "changedFiles", report.changed_files);
   if (!report.diff.empty()) writer.member("diff", report.diff);
   writer.end_object();
+  report::defuse_json(out, 0);
   return out;
 }
 

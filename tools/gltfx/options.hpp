@@ -115,6 +115,7 @@ struct EditRequest {
   TableFormat format = TableFormat::text;
   bool restore = false;  ///< put back what --backup kept, and nothing else
   bool check = false;    ///< say by the exit code whether something is to do
+  bool raw = false;      ///< diffs have all characters as they are
   bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;

@@ -183,10 +183,12 @@ void read_edit(Reading& reading, const RawEditOptions& words, std::string_view v
   require(!words.check || !writes, "--check writes nothing; leave out --in-place and --output.");
   require(!words.restore || !(writes || words.check || words.diff || words.backup),
           "--restore puts back backups; leave out other actions.");
+  require(!words.raw || words.diff, "--raw goes with --diff.");
   require(!words.backup || words.in_place, "--backup goes with --in-place.");
   reading.set(request.format, parse_table_format(words.format));
   request.restore = words.restore;
   request.check = words.check;
+  request.raw = words.raw;
   request.quiet = words.quiet;
   request.schema_files = words.schema_files;
   request.schema_folders = words.schema_folders;

@@ -68,7 +68,7 @@ struct RawEditOptions {
   RawInputOptions inputs;
   std::vector<std::string> schema_files, schema_folders, only;
   std::string output, root, format = "text";
-  bool diff = false, check = false, in_place = false, backup = false, unsafe = false,
+  bool diff = false, raw = false, check = false, in_place = false, backup = false, unsafe = false,
        restore = false, quiet = false;
   bool hook = false;  ///< as above
 };

@@ -38,14 +38,29 @@ Result<bool> read_on(int fd, std::string& text) {
   return got > 0;
 }
 
+// In pieces: a string that grows is there twice whenever it moves.
 Result<std::string> read_all(int fd, std::uint64_t most) {
-  std::string text;
-  while (true) {
-    const auto more = read_on(fd, text);
-    if (!more) return more.error();
-    if (text.size() > most) return too_long(most);
-    if (!*more) return text;
+  constexpr std::size_t kPiece = 16 * kChunk;
+  std::vector<std::string> pieces;
+  std::uint64_t size = 0;
+  for (bool more = true; more;) {
+    if (pieces.empty() || pieces.back().size() + kChunk > kPiece) {
+      pieces.emplace_back().reserve(kPiece);
+    }
+    const std::size_t before = pieces.back().size();
+    const auto read = read_on(fd, pieces.back());
+    if (!read) return read.error();
+    size += pieces.back().size() - before;
+    if (size > most) return too_long(most);
+    more = *read;
   }
+  std::string text;
+  text.reserve(static_cast<std::size_t>(size));
+  for (std::string& piece : pieces) {
+    text += piece;
+    piece = std::string();
+  }
+  return text;
 }
 
 std::string why_not(const container::File& file) {

@@ -69,6 +69,7 @@ std::string upgrade_json(const UpgradeReport& report, bool first) {
   writer.end_array();
   if (!report.diff.empty()) writer.member("diff", report.diff);
   writer.end_object();
+  report::defuse_json(out, 0);
   return out;
 }
 

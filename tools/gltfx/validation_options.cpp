@@ -53,10 +53,22 @@ std::string trimmed(std::string text) {
   return text;
 }
 
+// Whoever writes the key forges what it seals.
+bool can_be_written_by_others(const std::string& file) {
+  using std::filesystem::perms;
+  std::error_code error;
+  const perms permissions = std::filesystem::status(file, error).permissions();
+  return (permissions & (perms::group_write | perms::others_write)) != perms::none;
+}
+
 Result<std::string> shared_key(const CacheChoice& choice) {
   if (!choice.key_file.empty()) {
     auto text = read_text_file(choice.key_file, kLongestConfig);
     if (!text) return Error{"--cache-key: " + text.error().message};
+    if (can_be_written_by_others(choice.key_file)) {
+      return Error{"--cache-key: other users can write " + quoted(choice.key_file, 200) +
+                   "; run 'chmod go-w' on it"};
+    }
     std::string key = trimmed(*std::move(text));
     if (key.empty()) return Error{"--cache-key: " + quoted(choice.key_file, 200) + " is empty"};
     return key;
