@@ -18,7 +18,7 @@ export const asIfNamed = (name, text) => text.replaceAll(stranger(name), name).r
 
 // What no picture at rest shows.
 const unseen = [/^animation\./, /^attribute\.(custom|color-1|texcoord-[0-9]|tangent)$/, /^morph\.target-names$/, /^node\.name/, /^extras$/,
-  /^scene\.several$/, /^asset\.min/, /^camera\./, /^node\.negative-scale$/, /^attribute\.joints-1$/, /^morph\.(normal|tangent|texcoord)$/, /^texture\.sampler-no-mipmaps$/, /^primitive\.no-material$/, /^material\.occlusion/,
+  /^scene\.several$/, /^asset\.min/, /^camera\./, /^node\.negative-scale$/, /^morph\.(normal|tangent|texcoord)$/, /^texture\.sampler-no-mipmaps$/, /^primitive\.no-material$/, /^material\.occlusion/,
   /^(AGI_|FB_|GRIFFEL_|GODOT_|KHR_XMP|KHR_xmp|KHR_interactivity|KHR_node_(hover|select)ability|KHR_animation_pointer|KHR_materials_variants|EXT_mesh_manifold|MPEG_|MSFT_lod|EXT_(structural_metadata|(mesh|instance)_features))/, /^structural-metadata\./];
 
 // The asset with another name for the extension, used but not required.
