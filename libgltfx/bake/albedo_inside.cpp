@@ -11,6 +11,7 @@
 #include "bake/albedo.hpp"
 #include "bake/integration.hpp"
 #include "bake/storage.hpp"
+#include "base/fork.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -52,10 +53,10 @@ double cosines_around(double v_z, double cosine, double sine) {
 // twice the angle to the facet. Over the angle of refracted light the integrand is smooth.
 template <class Reflectance>
 auto sum_base(double eta, double v_z, const Reflectance& reflectance) {
-  static const std::vector<Node> kNodes = gauss_legendre(10);
+  static constinit MadeOnce<std::vector<Node>> nodes;
   using Sum = decltype(reflectance(0.0));
   Sum sum{};
-  for (const Node& node : kNodes) {
+  for (const Node& node : nodes.get([] { return gauss_legendre(10); })) {
     const double out = node.x * pi / 2;
     const double sine = eta * std::sin(out);
     const double cosine = std::sqrt(1 - square(sine));

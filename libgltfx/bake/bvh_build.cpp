@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <shared_mutex>
 #include <span>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "bake/bvh_state.hpp"
 #include "bake/embree.hpp"
 #include "bake/storage.hpp"
+#include "base/fork.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -38,6 +40,9 @@ RTCBuildQuality quality_of(BvhMethod method) {
   return method == BvhMethod::sah ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
 }
 
+// Embree and TBB have locks of their own, which a fork() must not find locked.
+ForkGate building;
+
 // On one thread: with more the order of triangles, and with it which of two at one place is hit,
 // would depend on their number. Not by the device's own limit, which holds for the whole process.
 // An arena is used again: TBB is slow to give back what it holds.
@@ -60,6 +65,7 @@ bool has_volumes(const Scene& scene) {
 }  // namespace
 
 Bvh::State::~State() {
+  const std::shared_lock lock(building);
   if (top != nullptr) rtcReleaseScene(top);
   for (RTCScene each : shared) {
     if (each != nullptr) rtcReleaseScene(each);
@@ -68,7 +74,7 @@ Bvh::State::~State() {
 }
 
 void Bvh::State::keep(std::unique_ptr<State> failed) {
-  static std::atomic<State*> kept{nullptr};
+  static constinit std::atomic<State*> kept{nullptr};
   State* const state = failed.release();
   state->kept_before = kept.exchange(state);
 }
@@ -169,6 +175,7 @@ bool Bvh::State::add_instance(std::uint32_t index) {
 }
 
 bool Bvh::State::build() {
+  const std::shared_lock lock(building);
   device = rtcNewDevice(GLTFX_TBB ? "set_affinity=0" : "set_affinity=0,threads=1");
   if (device == nullptr) return false;
   watertight_ = has_volumes(scene);

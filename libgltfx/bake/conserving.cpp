@@ -7,6 +7,7 @@
 #include "bake/albedo.hpp"
 #include "bake/albedo_inside.hpp"
 #include "bake/integration.hpp"
+#include "base/fork.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -97,18 +98,20 @@ inline double EnergyCompensation::share(double cosine) const {
 }
 
 double EnergyCompensation::mean_share() const {
-  static const GrazingLights kLights = make_grazing_lights();
-  static const SpecularColumns kColumns(kLights.cosine);
-  const SpecularColumns::Albedos along = along_.at(kColumns);
-  const SpecularColumns::Albedos across = isotropic_ ? along : across_.at(kColumns);
+  static constinit MadeOnce<GrazingLights> made_lights;
+  static constinit MadeOnce<SpecularColumns> made_columns;
+  const GrazingLights& lights = made_lights.get(make_grazing_lights);
+  const SpecularColumns& columns = made_columns.get([&] { return SpecularColumns(lights.cosine); });
+  const SpecularColumns::Albedos along = along_.at(columns);
+  const SpecularColumns::Albedos across = isotropic_ ? along : across_.at(columns);
   double sum = 0;
   double all = 0;
   for (std::size_t i = 0; i < GrazingLights::kCount; ++i) {
     const double passed =
-        kLights.weight[i] * (1 - lowest_f0_ - (f90_ - lowest_f0_) * kLights.fresnel[i]);
+        lights.weight[i] * (1 - lowest_f0_ - (f90_ - lowest_f0_) * lights.fresnel[i]);
     sum +=
         passed * share({along.constant[i], along.rising[i]}, {across.constant[i], across.rising[i]},
-                       kLights.diffuse[i], kLights.margin[i]);
+                       lights.diffuse[i], lights.margin[i]);
     all += passed;
   }
   constexpr double kMargin = 1.003;  // of so few points

@@ -8,6 +8,7 @@
 #include "bake/sampler.hpp"
 #include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
+#include "base/fork.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -108,14 +109,15 @@ double similarity_around(const std::vector<float>& a, const std::vector<float>& 
   constexpr double kDeviation = 1.5;
   constexpr double kC1 = 0.01 * 255 * 0.01 * 255;
   constexpr double kC2 = 0.03 * 255 * 0.03 * 255;
-  static const std::array<double, kReach + 1> kWeights = [] {
+  static constinit MadeOnce<std::array<double, kReach + 1>> made;
+  const auto& kernel = made.get([] {
     std::array<double, kReach + 1> weights{};
     for (std::size_t i = 0; i <= kReach; ++i) {
       const double away = static_cast<double>(i) / kDeviation;
       weights[i] = std::exp(-away * away / 2);
     }
     return weights;
-  }();
+  });
   const std::size_t x = pixel % width;
   const std::size_t y = pixel / width;
   const auto first = [](std::size_t at) { return at < kReach ? 0 : at - kReach; };
@@ -123,7 +125,7 @@ double similarity_around(const std::vector<float>& a, const std::vector<float>& 
   double weights = 0, sum_a = 0, sum_b = 0, sum_aa = 0, sum_bb = 0, sum_ab = 0;
   for (std::size_t v = first(y); v < std::min(y + kReach + 1, height); ++v) {
     for (std::size_t u = first(x); u < std::min(x + kReach + 1, width); ++u) {
-      const double weight = kWeights[apart(u, x)] * kWeights[apart(v, y)];
+      const double weight = kernel[apart(u, x)] * kernel[apart(v, y)];
       const auto p = static_cast<double>(a[v * width + u]);
       const auto q = static_cast<double>(b[v * width + u]);
       weights += weight;

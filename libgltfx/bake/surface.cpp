@@ -8,6 +8,7 @@
 #include "bake/microfacet.hpp"
 #include "bake/storage.hpp"
 #include "bake/texture.hpp"
+#include "base/fork.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -195,8 +196,7 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
 }
 
 const SceneMaterial& material_of(const Scene& scene, const Mesh& mesh) {
-  static const SceneMaterial kDefault;
-  return mesh.material == kNone ? kDefault : scene.materials[mesh.material];
+  return mesh.material == kNone ? empty_value<SceneMaterial>() : scene.materials[mesh.material];
 }
 
 bool has_holes(const SceneMaterial& material) { return material.alpha_mode != AlphaMode::opaque; }

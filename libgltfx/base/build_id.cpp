@@ -9,6 +9,8 @@
 #include <elf.h>
 #include <link.h>
 
+#include "base/fork.hpp"
+
 namespace gltfx {
 namespace {
 
@@ -46,12 +48,12 @@ int look_at_program(dl_phdr_info* info, std::size_t, void* found) {
 }  // namespace
 
 const std::string& build_id() {
-  static const std::string id = [] {
+  static constinit MadeOnce<std::string> id;
+  return id.get([] {
     std::string found;
     ::dl_iterate_phdr(look_at_program, &found);
     return found;
-  }();
-  return id;
+  });
 }
 
 }  // namespace gltfx

@@ -18,7 +18,7 @@ struct Origin {
 
 /// One that nothing else has. Any number of threads may call.
 inline Origin new_origin() {
-  static std::atomic<std::uint64_t> last = 0;
+  static constinit std::atomic<std::uint64_t> last = 0;
   return {0, ++last};  // no folder is on device 0
 }
 

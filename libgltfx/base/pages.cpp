@@ -11,11 +11,19 @@
 #include <malloc.h>
 #endif
 
+#include "base/fork.hpp"
+
 namespace gltfx {
 namespace {
 
 constexpr std::size_t kHugePage = std::size_t{2} << 20U;
 constexpr std::align_val_t kAlignment{kHugePage};
+
+#ifdef __GLIBC__
+// One at a time: where a program has another malloc(), the first call makes glibc ready, and a
+// second one beside it would find that half done.
+ForkMutex trimming;
+#endif
 
 bool is_worth_it(std::size_t bytes) { return bytes >= 2 * kHugePage; }
 
@@ -41,10 +49,7 @@ void free_pages(void* memory, std::size_t bytes) noexcept {
 
 void give_back_memory() noexcept {
 #ifdef __GLIBC__
-  // One at a time: where a program has another malloc(), the first call makes glibc ready, and a
-  // second one beside it would find that half done.
-  static std::mutex mutex;
-  const std::unique_lock lock(mutex, std::try_to_lock);
+  const std::unique_lock lock(trimming, std::try_to_lock);
   if (lock) ::malloc_trim(0);
 #endif
 }

@@ -11,6 +11,8 @@
 
 #include <sched.h>
 
+#include "base/fork.hpp"
+
 namespace gltfx {
 namespace {
 
@@ -46,8 +48,8 @@ struct Call {
 class ThreadPool {
  public:
   static ThreadPool& of_process() {
-    static ThreadPool& pool = *new ThreadPool;  // its threads run as long as the process
-    return pool;
+    static constinit PerProcess<ThreadPool> pool;  // its threads run as long as the process
+    return pool.get();
   }
 
   void run(Call& call) {
@@ -157,8 +159,8 @@ unsigned processors() {
 }  // namespace
 
 unsigned default_jobs() {
-  static const unsigned jobs = processors();
-  return jobs;
+  static constinit MadeOnce<unsigned> jobs;
+  return jobs.get(processors);
 }
 
 void parallel_ordered(std::size_t count, unsigned jobs, const Work& produce, const Work& consume) {

@@ -21,6 +21,7 @@
 #include <unistd.h>
 
 #include "base/directory.hpp"
+#include "base/fork.hpp"
 #include "base/hash.hpp"
 #include "base/text.hpp"
 
@@ -54,7 +55,8 @@ constexpr std::string_view kEnding = ".part";
 // Eight digits for the space in which numbers of processes are unique: a machine since it was
 // started, or a container on it.
 const std::string& process_space() {
-  static const std::string space = [] {
+  static constinit MadeOnce<std::string> space;
+  return space.get([] {
     std::string boot;
     std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), boot);
     std::error_code error;
@@ -62,8 +64,7 @@ const std::string& process_space() {
     parts.add(boot);
     parts.add(fs::read_symlink("/proc/self/ns/pid", error).native());
     return fmt::format("{:08x}", parts.finish().low & 0xFFFFFFFFU);
-  }();
-  return space;
+  });
 }
 
 // Takes a number with that mark before it off the end of a text; -1: there is none.
@@ -222,6 +223,13 @@ TemporaryName::TemporaryName(const std::string& path) : slot_(kNoSlot) {
   }
 }
 
+namespace {
+
+ForkMutex looked_at_mutex;
+std::set<fs::path> looked_at;  // folders without leftovers since then
+
+}  // namespace
+
 TemporaryName::~TemporaryName() {
   if (slot_ != kNoSlot) slots[slot_].state = free_slot;
 }
@@ -240,11 +248,9 @@ std::string temporary_name(const fs::path& target, int number) {
 }
 
 void remove_stale_files(const fs::path& target) {
-  static std::mutex mutex;
-  static std::set<fs::path> known;
   const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
-  const std::lock_guard lock(mutex);
-  if (!known.insert(folder).second) return;
+  const std::lock_guard lock(looked_at_mutex);
+  if (!looked_at.insert(folder).second) return;
   std::vector<std::string> found;
   DirectoryReader directory(folder);
   while (const char* entry = directory.next()) {

@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "base/fork.hpp"
 #include "codec/limited_job.hpp"
 #include "codec/pool.hpp"
 #include "codec/program_path.hpp"
@@ -135,9 +136,16 @@ void Client::prepare_images() {
   }
 }
 
-Client& Client::shared() {
-  static Client client;
-  return client;
-}
+namespace {
+
+// Its workers end with the process.
+struct SharedClient : PerProcess<Client> {
+  ~SharedClient() { destroy(); }
+};
+constinit SharedClient shared_client;
+
+}  // namespace
+
+Client& Client::shared() { return shared_client.get(); }
 
 }  // namespace gltfx::codec

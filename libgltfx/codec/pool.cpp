@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "base/fork.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx {
@@ -122,8 +123,8 @@ std::variant<std::unique_ptr<Worker>, DecodeError> Launcher::start(std::uint64_t
   if (started->value == 0) return not_started("no processes left");
   lock.unlock();
   // With no copy here, its end closes the socket.
-  ends.worker_socket = UniqueFd();
-  ends.worker_lifeline = UniqueFd();
+  ends.worker_socket = OwnDescriptor();
+  ends.worker_lifeline = OwnDescriptor();
   auto worker = std::make_unique<Worker>(*this, static_cast<pid_t>(started->value), std::move(ends),
                                          memory_bytes);
   if (const Trouble trouble = greet(*worker)) return not_started(*trouble);

@@ -17,8 +17,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/fork.hpp"
 #include "base/origin.hpp"
-#include "base/unique_fd.hpp"
 #include "codec/client.hpp"
 #include "codec/packet.hpp"
 #include "codec/process.hpp"
@@ -88,7 +88,7 @@ class Worker {
  private:
   Launcher& launcher_;
   pid_t id_;
-  UniqueFd socket_, lifeline_;
+  OwnDescriptor socket_, lifeline_;
   std::uint64_t memory_bytes_;
 };
 

@@ -22,9 +22,9 @@ namespace gltfx::codec {
 namespace {
 
 // Above all descriptors that a worker is given, so that giving it one does not close another.
-UniqueFd moved_up(int fd) {
+int moved_up(int fd) {
   const UniqueFd low(fd);
-  return UniqueFd(::fcntl(fd, F_DUPFD_CLOEXEC, 16));
+  return ::fcntl(fd, F_DUPFD_CLOEXEC, 16);
 }
 
 // What the new process does before it becomes the worker.
@@ -102,13 +102,14 @@ Watch watch(int socket, pid_t process, const Patience& patience) {
 
 Ends Ends::create() {
   Ends ends;
+  const NoFork now;
   std::array<int, 2> pair{};
   if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, pair.data()) != 0) return ends;
-  ends.socket = UniqueFd(pair[0]);
-  ends.worker_socket = moved_up(pair[1]);
+  ends.socket = now.own(pair[0]);
+  ends.worker_socket = now.own(moved_up(pair[1]));
   if (::pipe2(pair.data(), O_CLOEXEC) != 0) return ends;
-  ends.worker_lifeline = moved_up(pair[0]);
-  ends.lifeline = UniqueFd(pair[1]);
+  ends.worker_lifeline = now.own(moved_up(pair[0]));
+  ends.lifeline = now.own(pair[1]);
   return ends;
 }
 

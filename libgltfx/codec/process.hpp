@@ -9,7 +9,7 @@
 
 #include <sys/types.h>
 
-#include "base/unique_fd.hpp"
+#include "base/fork.hpp"
 
 namespace gltfx::codec {
 
@@ -38,8 +38,8 @@ inline constexpr int kLifelineDescriptor = 4;
 
 /// The ends of a worker or launcher: its socket and lifeline, and those that stay with the client.
 struct Ends {
-  UniqueFd socket, lifeline;                // the client's
-  UniqueFd worker_socket, worker_lifeline;  // the worker's
+  OwnDescriptor socket, lifeline;                // the client's
+  OwnDescriptor worker_socket, worker_lifeline;  // the worker's
   static Ends create();
   bool complete() const { return socket && lifeline && worker_socket && worker_lifeline; }
 };
@@ -69,7 +69,7 @@ class Process {
  private:
   pid_t id_ = -1;
   int start_error_ = 0;
-  UniqueFd socket_, lifeline_;
+  OwnDescriptor socket_, lifeline_;
 };
 
 }  // namespace gltfx::codec

@@ -13,15 +13,14 @@
 
 #include <unistd.h>
 
+#include "base/fork.hpp"
+
 namespace gltfx {
 namespace {
 
-std::mutex folder_mutex;
+ForkMutex folder_mutex;
 // Not destroyed: what is decoded at the end of the program may ask for it.
-std::string& chosen_folder() {
-  static auto* const folder = new std::string;  // NOLINT(cppcoreguidelines-owning-memory)
-  return *folder;
-}
+std::string* chosen_folder = nullptr;
 
 // Set before main(), maybe before other variables of this file.
 std::atomic<const char*> package_header = nullptr;
@@ -30,7 +29,10 @@ std::atomic<const char*> package_header = nullptr;
 
 void set_codec_folder(const std::string& folder) {
   const std::lock_guard lock(folder_mutex);
-  chosen_folder() = folder;
+  if (chosen_folder == nullptr) {
+    chosen_folder = new std::string;  // NOLINT(cppcoreguidelines-owning-memory)
+  }
+  *chosen_folder = folder;
 }
 
 // Declared for programs that are built against a package.
@@ -46,7 +48,7 @@ namespace fs = std::filesystem;
 
 std::string codec_folder() {
   const std::lock_guard lock(folder_mutex);
-  return chosen_folder();
+  return chosen_folder == nullptr ? std::string() : *chosen_folder;
 }
 
 // Texts, not paths: where memory is missing, libstdc++ may lose count of what a path is made of.

@@ -14,6 +14,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "base/fork.hpp"
+
 namespace gltfx {
 namespace container {
 
@@ -35,7 +37,7 @@ namespace {
 constexpr std::size_t kMostResident = std::size_t{16} << 20U;
 
 std::atomic<Mapping*>& first_mapping() {
-  static std::atomic<Mapping*> first{nullptr};
+  static constinit std::atomic<Mapping*> first{nullptr};
   return first;
 }
 
@@ -47,7 +49,7 @@ Mapping* find(std::uintptr_t address) {
 
 /// Entries of the list that hold no mapping now. Never destroyed: mappings may be freed last.
 struct FreeEntries {
-  std::mutex mutex;
+  ForkMutex mutex;
   std::vector<Mapping*> entries;
   std::size_t listed = 0;  ///< all entries, for which there is room in `entries`
 };
@@ -56,6 +58,7 @@ FreeEntries& free_entries() {
   static auto* const kept = new FreeEntries;
   return *kept;
 }
+[[maybe_unused]] FreeEntries& made_when_loaded = free_entries();
 
 Mapping* take_entry() {
   FreeEntries& free = free_entries();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "edit/references.hpp"
 
+#include "base/fork.hpp"
 #include "schema/check.hpp"
 
 namespace gltfx::edit {
@@ -32,9 +33,8 @@ References::References(const json::Document& document, const schema::Set& set) {
 }
 
 const std::vector<Reference>& References::to(std::string_view array) const {
-  static const std::vector<Reference> kNone;
   const auto found = by_array_.find(array);
-  return found == by_array_.end() ? kNone : found->second;
+  return found == by_array_.end() ? empty_value<std::vector<Reference>>() : found->second;
 }
 
 }  // namespace gltfx::edit

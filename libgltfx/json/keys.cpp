@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "base/fork.hpp"
 #include "json/scan.hpp"
 
 namespace gltfx::json {
@@ -59,8 +60,8 @@ Seed make_seed() {
 }
 
 const Seed& process_seed() {
-  static const Seed seed = make_seed();
-  return seed;
+  static constinit MadeOnce<Seed> seed;
+  return seed.get(make_seed);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct QualityLevel {
   bake::Effort effort;
 };
 const QualityLevel& level_of(BakeQuality quality) {
-  static const std::array<QualityLevel, 3> kLevels{{
+  static constexpr std::array<QualityLevel, 3> kLevels{{
       {4, 6, 16, 0, {1, 1, 1, true}},
       {44, 6, 256, 0.11, {4, 2, 4, false}},
       {256, 12, 1024, 0, {1, 2, 4, false}},

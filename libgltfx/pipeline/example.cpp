@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/fork.hpp"
 #include "container/base64.hpp"
 #include "container/container.hpp"
 #include "edit/rewrite.hpp"
@@ -37,9 +38,12 @@ constexpr std::string_view kPicture =
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4DwABAQEAHLCMmQAAAABJRU5ErkJggg==";
 
 std::shared_ptr<const schema::Set> leaf_schemas() {
-  static const auto compiled =
-      schema::compile_with({{"ACME_leaf.schema.json", std::string(kLeafSchema), true}});
-  return compiled.set;
+  static constinit MadeOnce<schema::Compiled> compiled;
+  return compiled
+      .get([] {
+        return schema::compile_with({{"ACME_leaf.schema.json", std::string(kLeafSchema), true}});
+      })
+      .set;
 }
 
 // The ending of the name decides what some errors are.

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/fork.hpp"
 #include "base/hash.hpp"
 #include "base/result.hpp"
 #include "base/unique_fd.hpp"
@@ -86,7 +87,7 @@ class ResultStore {
   std::vector<Segment> segments_;  ///< oldest first: of a value in several the last counts
   std::vector<Slot> slots_;        ///< open addressing; the size is a power of two
   std::size_t filled_ = 0;
-  mutable std::mutex mutex_;
+  mutable ForkMutex mutex_;
   UniqueFd own_;  ///< invalid before the first value
   std::optional<Error> problem_;
 };

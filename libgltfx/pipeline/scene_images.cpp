@@ -6,6 +6,8 @@
 #include <utility>
 #include <variant>
 
+#include "base/fork.hpp"
+
 namespace gltfx {
 namespace {
 
@@ -40,8 +42,8 @@ codec::ImageResult SceneImages::decode(codec::Client& client, const codec::Image
 }
 
 SceneImages& SceneImages::shared() {
-  static SceneImages images;
-  return images;
+  static constinit PerProcess<SceneImages> images;
+  return images.get();
 }
 
 }  // namespace gltfx

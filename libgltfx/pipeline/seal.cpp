@@ -13,6 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/fork.hpp"
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
 #include "container/file.hpp"
@@ -58,10 +59,16 @@ Result<std::string> read_secret(const fs::path& path) {
   return Error{"the key " + quoted(path.native(), 200) + " is too short; delete it for a new one"};
 }
 
-// Once for all threads. libsodium wants it before any other call.
+ForkMutex sodium_mutex;
+
+// libsodium wants it before any other call.
 void prepare_sodium() {
-  static const int ready = sodium_init();
-  static_cast<void>(ready);
+  // It may be called again, but not while the process forks: it has a lock of its own.
+  static constinit MadeOnce<int> ready;
+  ready.get([] {
+    const std::lock_guard lock(sodium_mutex);
+    return sodium_init();
+  });
 }
 
 std::string new_secret() {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/fork.hpp"
 #include "schema/compile.hpp"
 #include "schema/embedded.hpp"
 #include "schema/image.hpp"
@@ -17,17 +18,17 @@ std::vector<SourceFile> read_embedded() {
 }  // namespace
 
 const std::vector<SourceFile>& builtin_files() {
-  static const std::vector<SourceFile> files = read_embedded();
-  return files;
+  static constinit MadeOnce<std::vector<SourceFile>> files;
+  return files.get(read_embedded);
 }
 
 const std::shared_ptr<const Set>& builtin_set() {
   // Not destroyed, which would take longer than some runs have.
-  static const auto& set = *new const auto([] {  // NOLINT(cppcoreguidelines-owning-memory)
+  static constinit MadeOnce<std::shared_ptr<const Set>> set;
+  return set.get([] {
     auto ready = read_image(embedded_image(), embedded_texts());
     return ready ? ready : compile(builtin_files()).set;
-  }());
-  return set;
+  });
 }
 
 Compiled compile_with(const std::vector<SourceFile>& extra) {

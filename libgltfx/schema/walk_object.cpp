@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/codes.hpp"
+#include "base/fork.hpp"
 #include "base/text.hpp"
 #include "schema/phrases.hpp"
 #include "schema/walker.hpp"
@@ -12,12 +13,12 @@ namespace gltfx::schema {
 namespace {
 
 const TypePlan& no_type() {
-  static const TypePlan plan = [] {
+  static constinit MadeOnce<TypePlan> plan;
+  return plan.get([] {
     TypePlan empty;
     empty.entries.resize(1);
     return empty;
-  }();
-  return plan;
+  });
 }
 
 bool lists(const Shape& names, std::string_view name) {

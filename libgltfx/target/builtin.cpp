@@ -2,9 +2,10 @@
 #include "target/builtin.hpp"
 
 #include <algorithm>
-#include <mutex>
+#include <memory>
 #include <utility>
 
+#include "base/fork.hpp"
 #include "target/embedded.hpp"
 #include "target/target_file.hpp"
 
@@ -12,19 +13,16 @@ namespace gltfx::target {
 namespace {
 
 // A target that is read when it is first asked for. A test reads them all: they have no errors.
-struct BuiltinTarget {
-  std::once_flag once;
-  std::shared_ptr<const Target> target;
-};
+using BuiltinTarget = MadeOnce<std::shared_ptr<const Target>>;
 
 std::shared_ptr<const Target> read_once(std::size_t position) {
-  static std::vector<BuiltinTarget> targets(embedded_targets().size());
-  BuiltinTarget& one = targets[position];
-  std::call_once(one.once, [&] {
+  static constinit MadeOnce<std::unique_ptr<BuiltinTarget[]>> targets;
+  const auto& all =
+      targets.get([] { return std::make_unique<BuiltinTarget[]>(embedded_targets().size()); });
+  return all[position].get([&] {
     auto read = read_target(embedded_targets()[position].text);
-    if (read) one.target = std::make_shared<const Target>(*std::move(read));
+    return read ? std::make_shared<const Target>(*std::move(read)) : nullptr;
   });
-  return one.target;
 }
 
 }  // namespace
@@ -42,22 +40,22 @@ std::shared_ptr<const Target> builtin_target(std::string_view name) {
 namespace gltfx {
 
 const std::vector<std::shared_ptr<const Target>>& builtin_targets() {
-  static const std::vector<std::shared_ptr<const Target>> targets = [] {
+  static constinit MadeOnce<std::vector<std::shared_ptr<const Target>>> targets;
+  return targets.get([] {
     std::vector<std::shared_ptr<const Target>> read;
     for (const target::EmbeddedTarget& each : target::embedded_targets()) {
       if (auto one = target::builtin_target(each.name)) read.push_back(std::move(one));
     }
     return read;
-  }();
-  return targets;
+  });
 }
 
 const std::map<std::string, Feature, std::less<>>& target_features() {
-  static const std::map<std::string, Feature, std::less<>> features = [] {
+  static constinit MadeOnce<std::map<std::string, Feature, std::less<>>> features;
+  return features.get([] {
     auto read = target::read_features(target::embedded_features());
     return read ? *std::move(read) : std::map<std::string, Feature, std::less<>>();
-  }();
-  return features;
+  });
 }
 
 }  // namespace gltfx

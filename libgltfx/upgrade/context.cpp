@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/fork.hpp"
 #include "json/parse.hpp"
 
 namespace gltfx::upgrade {
@@ -57,10 +58,9 @@ void settle_splits(Context& context) {
 }
 
 const std::vector<MaterialUse>& Context::uses_of(std::uint64_t material) {
-  static const std::vector<MaterialUse> kNone;
   if (!uses) uses = find_material_uses(asset);
   const auto found = uses->find(material);
-  return found == uses->end() ? kNone : found->second;
+  return found == uses->end() ? empty_value<std::vector<MaterialUse>>() : found->second;
 }
 
 std::string Carrier::pointer() const {

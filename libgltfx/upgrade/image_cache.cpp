@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/fork.hpp"
 #include "base/text.hpp"
 #include "image/header.hpp"
 #include "image/ktx2.hpp"
@@ -168,8 +169,8 @@ void ImageCache::keep(const Recipe& recipe, std::shared_ptr<const std::string> f
 }
 
 ImageCache& ImageCache::shared() {
-  static ImageCache cache;
-  return cache;
+  static constinit PerProcess<ImageCache> cache;
+  return cache.get();
 }
 
 }  // namespace gltfx::upgrade

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/checked.hpp"
+#include "base/fork.hpp"
 #include "edit/references.hpp"
 #include "model/fields.hpp"
 
@@ -186,9 +187,9 @@ PrimitivesByAttribute::PrimitivesByAttribute(Fixing& fixing) {
 
 const std::vector<const model::Primitive*>& PrimitivesByAttribute::of(
     std::uint32_t accessor) const {
-  static const std::vector<const model::Primitive*> kNone;
   const auto found = users_.find(accessor);
-  return found == users_.end() ? kNone : found->second;
+  return found == users_.end() ? empty_value<std::vector<const model::Primitive*>>()
+                               : found->second;
 }
 
 bool remove_stride(Fixing& fixing, std::uint32_t view) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/fork.hpp"
 #include "container/base64.hpp"
 #include "validate/context.hpp"
 
@@ -63,13 +64,13 @@ const RuleDescription* find_rule(std::string_view code) {
 namespace validate {
 
 std::span<const Family> families() {
-  static const std::vector<Family> sorted = [] {
+  static constinit MadeOnce<std::vector<Family>> sorted;
+  return sorted.get([] {
     std::vector<Family> all = all_families();
     std::sort(all.begin(), all.end(),
               [](const Family& a, const Family& b) { return a.order < b.order; });
     return all;
-  }();
-  return sorted;
+  });
 }
 
 const RuleDescription& description(Code code) {

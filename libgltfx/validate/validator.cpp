@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/codes.hpp"
+#include "base/fork.hpp"
 #include "base/parallel.hpp"
 #include "base/work_count.hpp"
 #include "model/info.hpp"
@@ -35,8 +36,8 @@ ObjectRules make_object_rules(bool reading_order) {
 
 // Those that run behind all members of an object.
 const ObjectRules& object_rules(bool reading_order) {
-  static const ObjectRules tables[]{make_object_rules(false), make_object_rules(true)};
-  return tables[reading_order ? 1 : 0];
+  static constinit MadeOnce<ObjectRules> tables[2];
+  return tables[reading_order ? 1 : 0].get([=] { return make_object_rules(reading_order); });
 }
 
 // Bytes of JSON above which a second thread is worth its start.

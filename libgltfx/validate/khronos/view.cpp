@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "base/fork.hpp"
 #include "model/accessor.hpp"
 #include "model/fields.hpp"
 #include "model/mesh.hpp"
@@ -29,7 +30,8 @@ struct Rules {
 };
 
 const Rules& rules() {
-  static const Rules table = [] {
+  static constinit MadeOnce<Rules> table;
+  return table.get([] {
     Rules all;
     for (const Family& family : families()) {
       for (const MemberRuleEntry& entry : family.member_rules) {
@@ -42,8 +44,7 @@ const Rules& rules() {
       all.entries.insert(all.entries.end(), family.map_rules.begin(), family.map_rules.end());
     }
     return all;
-  }();
-  return table;
+  });
 }
 
 class Reader final : public schema::MemberVisitor {

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/fork.hpp"
 #include "model/node.hpp"
 #include "model/scene_graph.hpp"
 #include "model/skin.hpp"
@@ -52,9 +53,8 @@ SkinScenes::SkinScenes(const model::Asset& asset, const model::SceneGraph& graph
 }
 
 const SkinScenes::Scenes& SkinScenes::scenes_of(model::NodeIndex root) const {
-  static const Scenes kNone;
   const auto found = scenes_.find(root);
-  return found == scenes_.end() ? kNone : found->second;
+  return found == scenes_.end() ? empty_value<Scenes>() : found->second;
 }
 
 std::optional<std::uint32_t> SkinScenes::scene_without(model::NodeIndex root,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fixes of what the walk over schemas reports, which knows nothing of edits: repeats, empty
 // members, and the lists of extensions.
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -67,11 +69,13 @@ bool require_extension(Fixing& fixing, Span place) {
 
 // An empty member that an object must have is no better absent.
 bool remove_empty(Fixing& fixing, Span place) {
-  static const std::set<std::string_view> kNeeded{"asset",      "attributes", "channels", "joints",
-                                                  "primitives", "samplers",   "sparse",   "target"};
+  constexpr std::array<std::string_view, 8> kNeeded{
+      "asset", "attributes", "channels", "joints", "primitives", "samplers", "sparse", "target"};
   const json::NodeId value = fixing.node_at(place);
-  if (value != json::kNoNode && write_bound(fixing, value)) return true;
-  if (value == json::kNoNode || kNeeded.contains(member_name(fixing, value))) return false;
+  if (value == json::kNoNode) return false;
+  if (write_bound(fixing, value)) return true;
+  const auto needed = std::find(kNeeded.begin(), kNeeded.end(), member_name(fixing, value));
+  if (needed != kNeeded.end()) return false;
   return fixing.remove_member(value);
 }
 
@@ -89,17 +93,19 @@ bool remove_repeated_names(Fixing& fixing, json::NodeId list) {
 
 // Only in lists whose order and length nobody counts on, as they do with the joints of a skin.
 bool remove_repeat(Fixing& fixing, Span place) {
-  static const std::set<std::string_view> kSets{"nodes", "children", "extensionsUsed",
-                                                "extensionsRequired"};
+  const auto is_set = [](std::string_view name) {
+    return name == "nodes" || name == "children" || name == "extensionsUsed" ||
+           name == "extensionsRequired";
+  };
   const json::NodeId node = fixing.node_around(place);
   if (node == json::kNoNode) return false;
   const json::Document& document = fixing.document();
   if (document.kind(node) == json::Kind::number_array) {
-    if (!kSets.contains(member_name(fixing, node))) return false;
+    if (!is_set(member_name(fixing, node))) return false;
     return fixing.is_claimed(node) || fixing.replace(node, without_repeats(document, node));
   }
   const json::NodeId list = fixing.parent(node);
-  if (list == json::kNoNode || !kSets.contains(member_name(fixing, list))) return false;
+  if (list == json::kNoNode || !is_set(member_name(fixing, list))) return false;
   if (document.is_string(node)) return remove_repeated_names(fixing, list);
   if (!fixing.claim(node)) return false;
   fixing.editor().remove(list, node);
