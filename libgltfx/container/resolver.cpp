@@ -55,6 +55,19 @@ std::vector<std::string_view> components(std::string_view path) {
   return names;
 }
 
+// What follows `folder` in `path`, where it is written so and has no ".."; else empty.
+std::string_view below(std::string_view folder, std::string_view path) {
+  if (!path.starts_with(folder)) return {};
+  path.remove_prefix(folder.size());
+  if (!folder.empty() && !folder.ends_with('/')) {
+    if (!path.starts_with('/')) return {};
+    path.remove_prefix(1);
+  }
+  const auto names = components(path);
+  const bool leaves = path.starts_with('/') || std::count(names.begin(), names.end(), "..") > 0;
+  return leaves ? std::string_view() : path;
+}
+
 // Where an open folder lies now; empty where the system does not tell.
 std::string path_of(int folder) {
   std::error_code error;
@@ -90,6 +103,19 @@ bool leads_out(std::string_view path) {
 }
 
 }  // namespace
+
+File open_within(const std::filesystem::path& folder, const std::filesystem::path& path) {
+  const UniqueFd root(::open(or_current(folder).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!root) return file_error(errno);
+  File file;
+  std::string name(below(folder.native(), path.native()));
+  if (name.empty()) {
+    name = relative_base(folder, or_current(path.parent_path()), file.error);
+    if (file.error != ResolveError::none) return file;
+    name += path.filename().native();
+  }
+  return open_beneath(root.get(), name, Confinement::automatic);
+}
 
 Resolver::Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
                    Confinement confinement)
@@ -149,7 +175,8 @@ Resolved Resolver::open(std::string_view path) const {
 }
 
 Resolved Resolver::open(const Uri& uri) const {
-  if (!read_) return open(uri.path);
+  const bool relative = !read_ || added_.find(uri.path) != added_.end();
+  if (relative) return open(uri.path);
   Resolved resolved;
   if (names_ == ReadNames::paths && leads_out(uri.path)) {
     resolved.error = ResolveError::outside_root;

@@ -59,6 +59,9 @@ struct FolderEntry {
   bool folder = false;
 };
 
+/// Opens `path` for reading as long as it lies in `folder` when all links are followed.
+File open_within(const std::filesystem::path& folder, const std::filesystem::path& path);
+
 /// Confined to `root`; relative references are resolved against `base`, which lies inside the root.
 /// The root is opened once, by the constructor, and every look-up starts from that descriptor: a
 /// folder renamed or replaced meanwhile cannot lead elsewhere. Copies share the descriptor.
@@ -88,6 +91,8 @@ class Resolver {
   void add(const std::string& path, Bytes bytes, const FileState& state = {});
   /// From now on look-ups on the disk are recorded, those of later copies as well.
   void record(std::shared_ptr<LookupLog> log) { log_ = std::move(log); }
+  /// Null: they are not.
+  const std::shared_ptr<LookupLog>& log() const { return log_; }
   /// That of all bytes below the root, and of the asset itself. Without a root it is one of its
   /// own.
   const Origin& origin() const { return origin_; }

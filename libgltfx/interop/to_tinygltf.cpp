@@ -8,6 +8,7 @@
 #include <tiny_gltf.h>
 
 #include "container/container.hpp"
+#include "container/memory_asset.hpp"
 #include "interop/decoded_data.hpp"
 #include "interop/image_data.hpp"
 #include "interop/model_text.hpp"
@@ -122,7 +123,9 @@ TinygltfReport guarded(const std::string& name, const Work& work) {
 TinygltfReport to_tinygltf(const std::string& path, tinygltf::Model& model,
                            const ToTinygltfOptions& options) {
   return guarded(path, [&] {
-    auto opened = container::open_file(path);
+    auto opened = options.root.empty()
+                      ? container::open_file(path)
+                      : container::open_file(container::open_within(options.root, path), path);
     if (!opened) return failed(path, opened.error().message);
     const fs::path folder = fs::path(path).parent_path();
     const container::Resolver resolver(options.root.empty() ? folder : fs::path(options.root),
@@ -134,14 +137,10 @@ TinygltfReport to_tinygltf(const std::string& path, tinygltf::Model& model,
 TinygltfReport to_tinygltf(const MemoryAsset& asset, tinygltf::Model& model,
                            const ToTinygltfOptions& options) {
   return guarded(asset.name, [&] {
-    container::Container opened =
-        container::open_bytes(container::Bytes::from_string(asset.bytes), asset.name);
-    container::Resolver resolver;
-    if (!options.root.empty()) resolver = container::Resolver(options.root, options.root);
-    for (const auto& [path, bytes] : asset.files) {
-      resolver.add(path, container::Bytes::from_string(bytes));
-    }
-    return Conversion({asset.name, std::move(opened), std::move(resolver)}, options).run(model);
+    container::Container opened = container::open_memory(asset.bytes, asset.name, asset.format);
+    return Conversion({asset.name, std::move(opened), container::resolver_of(asset, options.root)},
+                      options)
+        .run(model);
   });
 }
 

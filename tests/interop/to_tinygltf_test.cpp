@@ -20,7 +20,7 @@ constexpr const char* kTriangle =
        "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}])";
 
 MemoryAsset asset_of(const std::string& members) {
-  return {"asset.gltf", R"({"asset": {"version": "2.0"}, )" + members + "}", {}};
+  return {R"({"asset": {"version": "2.0"}, )" + members + "}", "asset.gltf"};
 }
 
 struct Converted {
@@ -91,8 +91,8 @@ TEST(ToTinygltf, RefusesWhatCannotBeRead) {
   const TinygltfReport report = to_tinygltf("no such file.gltf", model, {});
   EXPECT_FALSE(report.done);
   EXPECT_FALSE(report.validation.readable);
-  EXPECT_FALSE(to_tinygltf(MemoryAsset{"x", "no glTF", {}}, model, {}).done);
-  EXPECT_FALSE(to_tinygltf(MemoryAsset{"x.gltf", "", {}}, model, {}).done);
+  EXPECT_FALSE(to_tinygltf(MemoryAsset{"no glTF", "x"}, model, {}).done);
+  EXPECT_FALSE(to_tinygltf(MemoryAsset{"", "x.gltf"}, model, {}).done);
 }
 
 TEST(ToTinygltf, TakesFilesFromMemory) {

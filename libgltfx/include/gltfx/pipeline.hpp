@@ -8,6 +8,7 @@
 #include <gltfx/deletion.hpp>
 #include <gltfx/fix.hpp>
 #include <gltfx/inspect.hpp>
+#include <gltfx/memory_asset.hpp>
 #include <gltfx/page.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/upgrade.hpp>
@@ -31,29 +32,6 @@ FileReport validate_file(const std::string& path, const ValidateOptions& options
 /// looked up only when `options.root` names a folder.
 FileReport validate_bytes(std::string bytes, const std::string& name,
                           const ValidateOptions& options = {});
-
-/// Gives the bytes of a resource by the URI that an asset names it with, as reports print it;
-/// nothing when there are none. Threads may call it at once unless ValidateOptions::jobs is 1.
-using ReadResource = std::function<std::optional<std::string>(const std::string& uri)>;
-
-/// What an asset in memory is taken for; `detect`: what its first bytes say.
-enum class AssetFormat : std::uint8_t { detect, gltf, glb };
-
-/// An asset in memory.
-struct MemoryAsset {
-  std::string bytes;                         ///< of the whole file
-  std::string name;                          ///< as the report names it
-  AssetFormat format = AssetFormat::detect;  ///< what the bytes are taken for
-  /// Where the asset's resources come from. Empty: from the folder `ValidateOptions::root`, or
-  /// nowhere.
-  ReadResource read;
-  /// What `read` is asked for.
-  enum class Names : std::uint8_t {
-    uris,   ///< URIs as reports print them, absolute ones too
-    paths,  ///< decoded paths below the folder of the asset; what leads out of it is refused
-  };
-  Names names = Names::uris;
-};
 
 /// Validates an asset in memory, with its resources.
 FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options = {});

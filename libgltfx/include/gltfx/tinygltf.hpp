@@ -7,10 +7,10 @@
 #pragma once
 
 #include <gltfx/decoders.hpp>
+#include <gltfx/memory_asset.hpp>
 #include <gltfx/report.hpp>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,15 +24,6 @@ namespace gltfx {
 namespace schema {
 class Set;
 }
-
-/// An asset in memory.
-struct MemoryAsset {
-  std::string name;   ///< for reports; its ending, .gltf or .glb, says which form is promised
-  std::string bytes;  ///< of the .gltf or .glb itself
-  /// Files that it refers to, by their paths from its own folder: '/' separated, not
-  /// percent-encoded.
-  std::map<std::string, std::string> files;
-};
 
 /// What `tinygltf::Image::image` holds.
 enum class TinygltfImages : std::uint8_t {
@@ -48,7 +39,8 @@ struct ToTinygltfOptions {
   /// Write sparse accessors out in full, for programs that do not look at `sparse`. Those that
   /// would take too much memory stay as they are, and a note says so.
   bool expand_sparse = false;
-  /// Folder that files may come from; empty: the asset's own. Of assets in memory: empty is none.
+  /// Folder that the asset and its files may come from; empty: the asset's own. Of assets in
+  /// memory: empty is none.
   std::string root;
   unsigned jobs = 0;  ///< threads; 0: one a core
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
@@ -105,7 +97,8 @@ TinygltfReport to_tinygltf(const MemoryAsset& asset, tinygltf::Model& model,
 /// `Material::values` and `additionalValues` are not looked at. Never throws.
 TinygltfReport from_tinygltf(const tinygltf::Model& model, const std::string& path,
                              const FromTinygltfOptions& options = {});
-/// The same into memory: `asset.name` says the form, its bytes and files are replaced.
+/// The same into memory: the ending of `asset.name`, .gltf or .glb, says the form. Its bytes and
+/// files are replaced.
 TinygltfReport from_tinygltf(const tinygltf::Model& model, MemoryAsset& asset,
                              const FromTinygltfOptions& options = {});
 

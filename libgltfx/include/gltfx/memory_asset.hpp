@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// @file
+/// Assets that lie in memory.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace gltfx {
+
+/// Gives the bytes of a resource by the URI that an asset names it with, as reports print it;
+/// nothing when there are none. Threads may call it at once unless ValidateOptions::jobs is 1.
+using ReadResource = std::function<std::optional<std::string>(const std::string& uri)>;
+
+/// What an asset in memory is taken for; `detect`: what its first bytes say.
+enum class AssetFormat : std::uint8_t { detect, gltf, glb };
+
+/// An asset in memory, with the files that it refers to.
+struct MemoryAsset {
+  std::string bytes;                         ///< of the .gltf or .glb itself
+  std::string name;                          ///< as the report names it
+  AssetFormat format = AssetFormat::detect;  ///< what the bytes are taken for
+  /// Where resources come from that are not among `files`. Empty: from the folder `root` of the
+  /// options, or nowhere.
+  ReadResource read = {};
+  /// What `read` is asked for.
+  enum class Names : std::uint8_t {
+    uris,   ///< URIs as reports print them, absolute ones too
+    paths,  ///< decoded paths below the folder of the asset; what leads out of it is refused
+  };
+  Names names = Names::uris;
+  /// By their paths from the asset's own folder: '/' separated, not percent-encoded.
+  std::map<std::string, std::string> files = {};
+};
+
+}  // namespace gltfx
