@@ -139,7 +139,7 @@ struct BakeVerb {
   const std::string& path;
   const BakeOptions& options;
 
-  Result<model::OpenedAsset> open() const { return open_document(path, options.root); }
+  Result<model::OpenedAsset> open() const { return open_document(path, AssetBounds::of(options)); }
   BakeReport refuse(const std::string& why) const { return unreadable(path, why); }
   BakeReport run(model::OpenedAsset asset) const {
     return bake_asset(validate_to_bake(std::move(asset), options), options);
@@ -172,7 +172,7 @@ BakeReport bake_with_key(const std::string& path, const BakeOptions& options, Pi
     const auto key = keys.of(options);
     if (!key) return Baker(load_bake_scene(path, options), options).run();
     codec::Client::shared().prepare_images();
-    return cached(path, *options.cache, *key, BakeVerb{path, options});
+    return cached(path, AssetBounds::of(options), *options.cache, *key, BakeVerb{path, options});
   });
 }
 

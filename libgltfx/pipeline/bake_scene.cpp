@@ -294,7 +294,7 @@ BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
   if (auto refusal = find_refusal(options)) {
     return failed(empty_scene(path), BakeProblem::refused, *std::move(refusal));
   }
-  auto asset = open_document(path, options.root);
+  auto asset = open_document(path, AssetBounds::of(options));
   if (!asset) return failed(empty_scene(path), BakeProblem::unreadable, asset.error().message);
   codec::Client::shared().prepare_images();  // for textures, and the picture itself
   return load_bake_scene(validate_to_bake(*std::move(asset), options), options);

@@ -83,17 +83,20 @@ bool can_be_kept(const BakeOptions& options) {
   return options.cache && !options.output.empty() && !options.embed && options.seconds == 0;
 }
 
-// Of all but the output. Taken apart by name: a member that is added to the options has to be
-// decided upon here.
-Hash128 key_of(const BakeOptions& options) {
+}  // namespace
+
+// Taken apart by name: a member that is added to the options has to be decided upon here.
+Hash128 picture_key(const BakeOptions& options, const ResultCache& cache) {
   const auto& [sizes, turntable, layers, quality, samples, bounces, seed, denoise, seconds, noise,
                literal_shader, lights, environment, exposure, transparent, camera, projection,
-               frame, interior, scene, animation, time, variant, strict, output, embed, root, jobs,
-               schemas, cache, progress] = options;
+               frame, interior, scene, animation, time, variant, strict, output, embed, root,
+               searched, jobs, schemas, own_cache, progress] = options;
   // Where pictures lie is no part of them; the same come of any number of threads.
   static_cast<void>(output);
   static_cast<void>(jobs);
+  static_cast<void>(searched);  // says whether the asset may be opened
   static_cast<void>(progress);
+  static_cast<void>(own_cache);
   static_cast<void>(embed);
   static_cast<void>(seconds);
   HashParts parts;
@@ -115,16 +118,14 @@ Hash128 key_of(const BakeOptions& options) {
   parts.add(std::uint64_t{layers.size()});
   for (const BakeLayer layer : layers) parts.add(static_cast<std::uint64_t>(layer));
   add_environment(parts, environment);
-  parts.add(root.empty() ? root : (fs::path(cache->folder()) / root).lexically_normal().native());
+  parts.add(root.empty() ? root : (fs::path(cache.folder()) / root).lexically_normal().native());
   parts.add(schemas ? schemas->sources() : Hash128());
   return parts.finish();
 }
 
-}  // namespace
-
 std::optional<Hash128> PictureKey::of(const BakeOptions& options) {
   if (!can_be_kept(options)) return std::nullopt;
-  std::call_once(once_, [&] { common_ = key_of(options); });
+  std::call_once(once_, [&] { common_ = picture_key(options, *options.cache); });
   HashParts parts;
   parts.add(common_);
   parts.add(ending_of(options.output));

@@ -28,6 +28,9 @@ class PictureKey {
   Hash128 common_;
 };
 
+/// The key of options but for output, threads and cache.
+Hash128 picture_key(const BakeOptions& options, const ResultCache& cache);
+
 /// What to keep of a file that was drawn; nothing when there is a problem.
 std::optional<std::string> pack_pictures(const BakeReport& report, const BakeOptions& options);
 

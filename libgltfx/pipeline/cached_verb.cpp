@@ -51,16 +51,17 @@ Hash128 path_key(const std::string& path, const std::string& folder, const Hash1
 
 }  // namespace
 
-CacheEntry::CacheEntry(const std::string& path, ResultCache& cache, const Hash128& options)
+CacheEntry::CacheEntry(const std::string& path, const AssetBounds& bounds, ResultCache& cache,
+                       const Hash128& options)
     : path_(path),
+      bounds_(bounds),
       store_(cache.store()),
       options_key_(options),
       path_key_(path_key(path, cache.folder(), options)) {}
 
 std::optional<std::string> CacheEntry::as_it_was() {
-  const auto state = file_state(path_);
-  if (!state) return std::nullopt;
-  state_ = *state;
+  state_ = state_now();
+  if (!state_) return std::nullopt;
   if (const auto bytes = store_.find(path_key_)) {
     ByteCursor cursor(*bytes);
     Hash128 result;
@@ -123,11 +124,17 @@ bool CacheEntry::companions_of(const std::vector<std::string>& names,
   return true;
 }
 
+// A file that may not be opened has no state: what was kept of it when it was named is not for all.
+std::optional<FileState> CacheEntry::state_now() const {
+  const auto file = open_asset_file(path_, bounds_);
+  if (!file || file->error != container::ResolveError::none) return std::nullopt;
+  return file->state;
+}
+
 // Whether what was read is what lies there now: nothing was written while the report was made or so
 // shortly before that the times need not show it.
 bool CacheEntry::settled(const std::vector<Companion>& companions) const {
-  const auto state = file_state(path_);
-  if (!state || !(*state == *state_)) return false;
+  if (state_now() != state_) return false;
   const auto old = [this](const FileState& file) { return file.status_change + kTick <= begin_; };
   return old(*state_) && std::all_of(companions.begin(), companions.end(),
                                      [&](const Companion& file) { return old(file.state); });

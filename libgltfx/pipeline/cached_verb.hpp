@@ -20,6 +20,7 @@
 #include "codec/client.hpp"
 #include "container/container.hpp"
 #include "container/resolver.hpp"
+#include "pipeline/open_asset.hpp"
 
 namespace gltfx {
 
@@ -27,8 +28,10 @@ namespace gltfx {
 /// result that was made of it, keep().
 class CacheEntry {
  public:
-  /// `options`: the key of all that the result depends on besides files. Path and cache outlive it.
-  CacheEntry(const std::string& path, ResultCache& cache, const Hash128& options);
+  /// `options`: the key of all that the result depends on besides files. Path, bounds and cache
+  /// outlive it.
+  CacheEntry(const std::string& path, const AssetBounds& bounds, ResultCache& cache,
+             const Hash128& options);
 
   /// The result of an earlier run when neither the asset nor a file it refers to changed since, as
   /// far as the file system tells. Otherwise waits until a later change of the asset can be seen by
@@ -53,7 +56,10 @@ class CacheEntry {
   bool settled(const std::vector<Companion>& companions) const;
   std::string snapshot(const std::vector<Companion>& companions, const Hash128& result) const;
 
+  std::optional<FileState> state_now() const;
+
   const std::string& path_;
+  const AssetBounds& bounds_;
   ResultStore& store_;
   Hash128 options_key_, path_key_, asset_key_;
   std::optional<FileState> state_;  ///< of the asset before it was opened
@@ -71,9 +77,9 @@ class CacheEntry {
 ///
 /// `asset` is the one that was opened, which the report may take; null: none was.
 template <class Verb>
-typename Verb::Report cached(const std::string& path, ResultCache& cache, const Hash128& key,
-                             const Verb& verb) {
-  CacheEntry kept(path, cache, key);
+typename Verb::Report cached(const std::string& path, const AssetBounds& bounds, ResultCache& cache,
+                             const Hash128& key, const Verb& verb) {
+  CacheEntry kept(path, bounds, cache, key);
   if (const auto bytes = kept.as_it_was()) {
     if (auto report = verb.unpack(*bytes, nullptr)) return *std::move(report);
   }

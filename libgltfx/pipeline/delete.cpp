@@ -172,7 +172,7 @@ DeleteReport delete_in_file(const std::string& path, const DeleteOptions& option
   DeleteReport report;
   report.path = path;
   try {
-    auto opened = open_to_edit(path, options.root);
+    auto opened = open_to_edit(path, AssetBounds::of(options));
     if (opened) {
       delete_in(*std::move(opened), options, folders, report);
     } else {

@@ -10,7 +10,6 @@
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
 #include "edit/diff.hpp"
-#include "pipeline/open_asset.hpp"
 
 namespace gltfx {
 namespace {
@@ -41,14 +40,14 @@ container::Container without_zero_padding(container::Container container) {
 }
 
 // The state is taken before the bytes: a change between the two is seen when it is written.
-Result<EditedAsset> open_to_edit(const std::string& path, const std::string& root) {
-  const auto state = file_state(path);
-  auto container = container::open_file(path);
+Result<EditedAsset> open_to_edit(const std::string& path, const AssetBounds& bounds) {
+  const auto file = open_asset_file(path, bounds);
+  if (!file) return file.error();
+  auto container = container::open_file(*file, path);
   if (!container) return container.error();
-  if (!state) return state.error();
   return EditedAsset{OpenedAsset(path, without_zero_padding(*std::move(container)),
-                                 resolver_for(fs::path(path).parent_path(), root)),
-                     *state};
+                                 resolver_for(fs::path(path).parent_path(), bounds.root)),
+                     file->state};
 }
 
 void note_failure(EditOutcome& outcome, EditProblem problem, std::string error) {

@@ -14,6 +14,7 @@
 #include "json/edit.hpp"
 #include "model/opened_asset.hpp"
 #include "pipeline/named_files.hpp"
+#include "pipeline/open_asset.hpp"
 
 namespace gltfx {
 
@@ -22,7 +23,7 @@ struct EditedAsset {
   model::OpenedAsset asset;
   FileState state;
 };
-Result<EditedAsset> open_to_edit(const std::string& path, const std::string& root);
+Result<EditedAsset> open_to_edit(const std::string& path, const AssetBounds& bounds);
 
 /// Some writers fill the JSON chunk up with zeros; the new one gets blanks.
 container::Container without_zero_padding(container::Container container);

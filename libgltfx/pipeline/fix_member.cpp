@@ -46,7 +46,7 @@ FixMember::FixMember(const std::string& path, FixOptions options,
                      std::shared_ptr<const schema::Set> schemas)
     : options_(std::move(options)), schemas_(std::move(schemas)) {
   report_.path = path;
-  auto opened = open_to_edit(path, options_.root);
+  auto opened = open_to_edit(path, AssetBounds::of(options_));
   if (!opened) {
     fail(EditProblem::unreadable, opened.error().message);
     return;

@@ -53,7 +53,7 @@ InspectReport collect(const model::OpenedAsset& asset, const schema::Set& schema
 }
 
 InspectReport inspect_path(const std::string& path, const InspectOptions& options) {
-  auto asset = open_asset(path, options.root);
+  auto asset = open_asset(path, AssetBounds::of(options));
   if (!asset) return failed(path, asset.error().message);
   if (auto obstacle = find_inspection_obstacle(*asset)) {
     return failed(path, std::move(obstacle->message));

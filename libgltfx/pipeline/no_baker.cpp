@@ -3,6 +3,7 @@
 #include <gltfx/pipeline.hpp>
 
 #include "pipeline/bake_asset.hpp"
+#include "pipeline/cached_picture.hpp"
 #include "pipeline/picture_check.hpp"
 
 namespace gltfx {
@@ -21,6 +22,8 @@ BakeReport refusal(const std::string& path) {
 }  // namespace
 
 bool can_bake() { return false; }
+
+Hash128 picture_key(const BakeOptions&, const ResultCache&) { return {}; }
 
 std::string check_picture_name(const std::string&) { return kNoBaker; }
 

@@ -2,7 +2,10 @@
 /// How every verb opens a file, and where its references may lead.
 #pragma once
 
+#include <gltfx/searched_folders.hpp>
+
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -12,15 +15,29 @@
 
 namespace gltfx {
 
-/// Opens, reads nothing of it yet. `root` as in ValidateOptions.
-Result<model::OpenedAsset> open_asset(const std::string& path, const std::string& root);
+/// Where an asset may lie, and its resources: members of that name as in ValidateOptions.
+struct AssetBounds {
+  std::string root;
+  std::shared_ptr<const SearchedFolders> searched;
+
+  template <class Options>
+  static AssetBounds of(const Options& options) {
+    return {options.root, options.searched};
+  }
+};
+
+/// The file of the asset. The Error says why there is none, `bounds` included.
+Result<container::File> open_asset_file(const std::string& path, const AssetBounds& bounds);
+
+/// Opens, reads nothing of it yet.
+Result<model::OpenedAsset> open_asset(const std::string& path, const AssetBounds& bounds);
 
 /// Why nothing but a report can be made of the asset, as half a sentence: its container has no text
 /// of a document, or nothing can be made of that text. Nothing when something can.
 std::optional<Error> find_obstacle(const model::OpenedAsset& asset);
 
 /// Both: the Error is that of either.
-Result<model::OpenedAsset> open_document(const std::string& path, const std::string& root);
+Result<model::OpenedAsset> open_document(const std::string& path, const AssetBounds& bounds);
 
 /// The asset's folder is the base of its references; the root of trust is that folder or a wider
 /// one that the user named.

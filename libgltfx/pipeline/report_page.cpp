@@ -106,7 +106,7 @@ PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnai
     forget_embedded(page.report);
     if (!page.report.readable) return page;
     if (!validation.asset) {  // the report was kept
-      auto opened = open_asset(input.path, options.root);
+      auto opened = open_asset(input.path, AssetBounds::of(options));
       if (opened) {
         validation.asset = *std::move(opened);
       } else {

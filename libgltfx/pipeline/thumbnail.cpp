@@ -220,7 +220,7 @@ std::optional<Error> embed_thumbnail(const std::string& path, const BakedPixels&
   const auto encoded = encode_picture(picture, codec::EncodedFormat::png);
   if (!encoded) return encoded.error();
   std::string png(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size());
-  auto opened = open_to_edit(path, options.root);
+  auto opened = open_to_edit(path, AssetBounds::of(options));
   if (!opened) return opened.error();
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   return Embedding(*std::move(opened), schemas, std::move(png)).run();

@@ -178,7 +178,7 @@ UpgradeReport write(const ValidatedAsset& before, const FileState& state, Planne
 
 UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options,
                            FolderIndex& folders) {
-  auto opened = open_to_edit(path, options.root);
+  auto opened = open_to_edit(path, AssetBounds::of(options));
   if (!opened) return unreadable(path, opened.error().message);
   OpenedAsset& asset = opened->asset;
   const FileState& state = opened->state;

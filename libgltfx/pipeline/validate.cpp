@@ -22,6 +22,7 @@
 #include "base/build_id.hpp"
 #include "base/hash.hpp"
 #include "container/container.hpp"
+#include "container/memory_asset.hpp"
 #include "json/lines.hpp"
 #include "json/parse.hpp"
 #include "pipeline/asset_verbs.hpp"
@@ -30,6 +31,7 @@
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
+#include "pipeline/validation_key.hpp"
 #include "report/packed.hpp"
 #include "schema/compile.hpp"
 #include "schema/set.hpp"
@@ -140,16 +142,18 @@ void add_names(HashParts& parts, const Names& names) {
   for (const auto& name : names) parts.add(name);
 }
 
-// Of everything in the options that bears on a report, and of the build of the program. `folder`:
-// where relative paths start from.
+}  // namespace
+
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
-  const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, max_issues, changed_lines,
-               count_fixable, propose_fixes, targets, jobs, select, ignore, severity, schemas,
-               cache] = options;
+  const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, searched, max_issues,
+               changed_lines, count_fixable, propose_fixes, targets, jobs, select, ignore, severity,
+               schemas, cache] = options;
   // The same report comes of any number of threads, with and without cache; with lines that changed
   // nothing is kept.
   static_cast<void>(changed_lines);
+  // Says whether the asset may be opened, not what is in it.
+  static_cast<void>(searched);
   static_cast<void>(jobs);
   static_cast<void>(cache);
   HashParts parts;
@@ -178,6 +182,8 @@ Hash128 validation_key(const ValidateOptions& options, const std::string& folder
   parts.add(schemas ? schemas->sources() : Hash128());
   return parts.finish();
 }
+
+namespace {
 
 namespace fs = std::filesystem;
 
@@ -216,7 +222,7 @@ struct ValidateVerb {
   const std::string& path;
   const ValidateOptions& options;
 
-  Result<model::OpenedAsset> open() const { return open_asset(path, options.root); }
+  Result<model::OpenedAsset> open() const { return open_asset(path, AssetBounds::of(options)); }
   Validation refuse(const std::string& why) const {
     return {validate::unreadable(path, why, options), std::nullopt};
   }
@@ -240,32 +246,11 @@ struct ValidateVerb {
 Validation validate_or_recall(const std::string& path, const ValidateOptions& options) {
   const ValidateVerb verb{path, options};
   if (options.cache && !options.changed_lines) {
-    return cached(path, *options.cache, validation_key(options, options.cache->folder()), verb);
+    return cached(path, AssetBounds::of(options), *options.cache,
+                  validation_key(options, options.cache->folder()), verb);
   }
   auto opened = verb.open();
   return opened ? verb.run(*std::move(opened)) : verb.refuse(opened.error().message);
-}
-
-container::Container open_memory(std::string text, const std::string& name, AssetFormat format) {
-  container::Bytes bytes = container::Bytes::from_string(std::move(text));
-  if (format == AssetFormat::detect) return container::open_bytes(std::move(bytes), name);
-  return container::open_bytes(std::move(bytes), format == AssetFormat::glb
-                                                     ? container::Format::glb
-                                                     : container::Format::gltf);
-}
-
-container::Resolver resolver_of(const MemoryAsset& asset, const ValidateOptions& options) {
-  if (asset.read) {
-    return container::Resolver(
-        [read = asset.read](const std::string& uri) -> std::optional<container::Bytes> {
-          auto bytes = read(uri);
-          if (!bytes) return std::nullopt;
-          return container::Bytes::from_string(*std::move(bytes));
-        },
-        asset.names == MemoryAsset::Names::uris ? container::ReadNames::uris
-                                                : container::ReadNames::paths);
-  }
-  return options.root.empty() ? container::Resolver() : resolver_for(options.root, options.root);
 }
 
 }  // namespace
@@ -300,8 +285,11 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
 
 FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options) {
   return guarded(asset.name, options, [&] {
-    container::Container opened = open_memory(std::move(asset.bytes), asset.name, asset.format);
-    return validate_asset({asset.name, std::move(opened), resolver_of(asset, options)}, options)
+    container::Container opened =
+        container::open_memory(std::move(asset.bytes), asset.name, asset.format);
+    return validate_asset(
+               {asset.name, std::move(opened), container::resolver_of(asset, options.root)},
+               options)
         .take_report();
   });
 }

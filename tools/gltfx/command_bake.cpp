@@ -47,6 +47,7 @@ class BakeRun {
 
   ExitCode execute() {
     const auto named = expand_paths(request_.paths, request_.quiet);
+    if (named) options_.searched = named->searched;
     if (named && !request_.compare.empty()) return compare(*named);
     const auto places =
         named ? place_pictures(*named, request_) : Result<PicturePlaces>(named.error());

@@ -46,6 +46,7 @@ class DeleteCommand {
       return ExitCode::usage;
     }
     if (as_json()) say(fix_json_begin());
+    options_.searched = named->searched;
     delete_objects_in_files(*inputs, options_, request_.common.jobs,
                             [this](DeleteReport&& report) { take(report); });
     if (as_json()) {
@@ -82,7 +83,7 @@ class DeleteCommand {
   }
 
   const DeleteRequest& request_;
-  const DeleteOptions options_;
+  DeleteOptions options_;
   const Style style_;
   DeleteSummary summary_;
   ExitCode code_ = ExitCode::ok;
@@ -91,7 +92,7 @@ class DeleteCommand {
 }  // namespace
 
 ExitCode run(const DeleteRequest& request) {
-  if (request.restore) return restore_all(request);
+  if (request.restore) return restore_all(request, request.deletion.root);
   auto options = options_of(request);
   if (!options) {
     complain(options.error().message);

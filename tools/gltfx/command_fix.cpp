@@ -47,6 +47,7 @@ class FixRun {
       return ExitCode::usage;
     }
     if (as_json()) say(fix_json_begin());
+    options_.searched = named->searched;
     fix_files(*inputs, options_, request_.common.jobs,
               [this](FixReport&& report) { take(report); });
     if (as_json()) {
@@ -103,7 +104,7 @@ class FixRun {
   }
 
   const FixRequest& request_;
-  const FixOptions options_;
+  FixOptions options_;
   const Style style_;
   FixSummary summary_;
   ExitCode code_ = ExitCode::ok;
@@ -112,7 +113,7 @@ class FixRun {
 }  // namespace
 
 ExitCode run(const FixRequest& request) {
-  if (request.restore) return restore_all(request);
+  if (request.restore) return restore_all(request, request.fix.root);
   permit_unsandboxed_decoders(request.common.unsandboxed_decoders);
   auto options = options_of(request);
   if (!options) {

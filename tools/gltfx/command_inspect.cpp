@@ -311,6 +311,7 @@ class InspectRun {
     std::string text;
     if (json()) writer_.begin(text);
     say(text);
+    options_.searched = inputs->searched;
     inspect_files(inputs->paths, options_, request_.common.jobs,
                   [this](InspectReport&& report) { take(report); });
     text.clear();
@@ -339,7 +340,7 @@ class InspectRun {
   }
 
   const InspectRequest& request_;
-  const InspectOptions options_;
+  InspectOptions options_;
   const Style style_;
   InspectWriter writer_;
   bool first_ = true;

@@ -79,7 +79,7 @@ void add_listing(CLI::App& app, ListingWords& words) {
 }
 
 void add_root(CLI::App& app, std::string& root) {
-  add_word(app, "--root", root, "DIR", "Root of resources (default: folder of the asset)");
+  add_word(app, "--root", root, "DIR", "Root of assets and resources (default: asset folder)");
 }
 
 void add_selection(CLI::App& app, RawValidateOptions& words) {

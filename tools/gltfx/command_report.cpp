@@ -69,6 +69,7 @@ class ReportRun {
     files_ = *found;
     if (choose && files_ > kManyAssets) thumbnails_.quality = BakeQuality::draft;
     InputWalk walk(validate.paths);
+    options_.set_searched(walk.searched());
     page_.begin(text_);
     collect(walk);
     if (!validate.quiet) say_notes(walk);

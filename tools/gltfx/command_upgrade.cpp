@@ -68,6 +68,7 @@ class UpgradeRun {
       return ExitCode::usage;
     }
     if (as_json()) say(upgrade_json_begin());
+    options_.searched = named->searched;
     upgrade_files(*inputs, options_, request_.common.jobs,
                   [this](UpgradeReport&& report) { take(report); });
     if (as_json()) {
@@ -131,7 +132,7 @@ class UpgradeRun {
   }
 
   const UpgradeRequest& request_;
-  const UpgradeOptions options_;
+  UpgradeOptions options_;
   const Style style_;
   UpgradeSummary summary_;
   ExitCode code_ = ExitCode::ok;
@@ -140,7 +141,7 @@ class UpgradeRun {
 }  // namespace
 
 ExitCode run(const UpgradeRequest& request) {
-  if (request.restore) return restore_all(request);
+  if (request.restore) return restore_all(request, request.upgrade.root);
   permit_unsandboxed_decoders(request.common.unsandboxed_decoders);
   auto options = options_of(request);
   if (!options) {

@@ -146,6 +146,7 @@ ExitCode Run::execute() {
   }
   files_ = *found;
   InputWalk walk(request_.paths);
+  options_.set_searched(walk.searched());
   targets_.begin();
   check(walk);
   progress_.clear();

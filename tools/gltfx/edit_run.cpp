@@ -7,6 +7,7 @@
 #include <set>
 #include <system_error>
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,6 +18,7 @@
 #include "edit/companions.hpp"
 #include "input_paths.hpp"
 #include "json/parse.hpp"
+#include "pipeline/open_asset.hpp"
 #include "terminal.hpp"
 
 namespace gltfx::tool {
@@ -41,7 +43,8 @@ std::optional<std::string> restore(const std::string& path) {
 // Files that the asset refers to, of which there are copies, too. Only those below its folder.
 std::set<std::string> files_with_copies(const std::string& path) {
   std::set<std::string> files;
-  const auto container = container::open_file(path);
+  const auto container =
+      container::open_file(container::open_regular(AT_FDCWD, path.c_str(), O_NOFOLLOW), path);
   if (!container || !container->json) return files;
   const json::Parsed parsed = json::parse(container->json);
   if (parsed.document.empty()) return files;
@@ -52,6 +55,8 @@ std::set<std::string> files_with_copies(const std::string& path) {
     std::uint64_t size = 0;
     const std::string copy = file + ".bak";
     if (resolver.stat(copy, size) != container::ResolveError::none) continue;
+    // A link that leads elsewhere: what it leads to was never changed.
+    if (resolver.stat(file, size) == container::ResolveError::outside_root) continue;
     files.insert((folder / file).native());
   }
   return files;
@@ -89,7 +94,7 @@ std::string diff_text(std::string_view diff, bool raw) {
   return text;
 }
 
-ExitCode restore_all(const EditRequest& request) {
+ExitCode restore_all(const EditRequest& request, const std::string& root) {
   const auto named = expand_paths(request.paths, request.quiet);
   if (!named) {
     complain(named.error().message);
@@ -100,7 +105,10 @@ ExitCode restore_all(const EditRequest& request) {
     std::error_code error;
     const bool has_copy = fs::exists(fs::symlink_status(path + ".bak", error));
     if (named->several && !has_copy) continue;
-    if (const auto why = restore_with_files(path)) {
+    if (const auto file = open_asset_file(path, {root, named->searched}); !file) {
+      complain(fmt::format("{}: {}", printable(path), printable(file.error().message)));
+      code = worse(code, ExitCode::unreadable);
+    } else if (const auto why = restore_with_files(path)) {
       complain(fmt::format("{}: {}", printable(path), printable(*why)));
       code = worse(code, ExitCode::internal);
     } else if (!request.quiet) {

@@ -16,8 +16,8 @@ namespace gltfx::tool {
 /// a terminal, hide or reorder text. `raw`: with them. Says so where some are left out.
 std::string diff_text(std::string_view diff, bool raw);
 
-/// Puts the copies that --backup kept back in their places.
-ExitCode restore_all(const EditRequest& request);
+/// Puts the copies that --backup kept back in their places. `root`: as in EditOptions.
+ExitCode restore_all(const EditRequest& request, const std::string& root);
 
 /// What a file that was not dealt with comes to. Precondition: there is a problem.
 ExitCode exit_code_of(EditProblem problem);

@@ -69,7 +69,7 @@ void IgnoreFiles::read(const std::string& folder, std::string before, std::size_
   File file{std::move(before), skip, {}};
   std::error_code error;
   const std::string path = folder + ".gitignore";
-  if (fs::is_regular_file(path, error)) {
+  if (fs::is_regular_file(fs::symlink_status(path, error))) {
     if (const auto text = read_text_file(path, kLongestConfig)) file.patterns = parse(*text);
   }
   files_.push_back(std::move(file));

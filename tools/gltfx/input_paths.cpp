@@ -47,6 +47,7 @@ Result<Inputs> expand_paths(const NamedPaths& named, bool quiet) {
   }
   if (!found && !named.allow_empty && !walk.without_assets().empty()) return no_assets(walk);
   inputs.folders = walk.folders();
+  inputs.searched = walk.searched();
   inputs.several = walk.several();
   if (!quiet) say_notes(walk);
   return inputs;

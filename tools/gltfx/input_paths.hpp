@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ struct Inputs {
   std::vector<std::string> paths_of_others, places_of_others;
   /// Folders among the arguments, and among what globs gave.
   std::vector<std::string> folders;
+  std::shared_ptr<const SearchedFolders> searched;  ///< as InputWalk has it
   bool several = false;  ///< what was named may be more than one file: a folder, a glob, two files
 };
 

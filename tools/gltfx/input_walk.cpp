@@ -61,6 +61,17 @@ std::vector<fs::path> step_into(const fs::path& folder, const std::string& step)
   return found;
 }
 
+// The folder that a pattern names before its first wildcard, as paths that match begin; it may be
+// empty.
+std::string folder_of_glob(const std::string& pattern) {
+  fs::path folder;
+  for (const fs::path& step : fs::path(pattern)) {
+    if (is_glob(step.native())) break;
+    folder /= step;
+  }
+  return folder.native();
+}
+
 // Existing paths that match, sorted by bytes. A wildcard does not match a leading dot, and '**'
 // does not step into folders that are symbolic links or whose name begins with a dot.
 std::vector<std::string> expand_glob(const std::string& pattern) {
@@ -141,7 +152,10 @@ std::optional<Input> InputWalk::step() {
   if (!matches_.empty()) {
     const std::string match = std::move(matches_.back());
     matches_.pop_back();
-    return folder_.is_excluded(match, match) ? Input() : enter(match);
+    std::error_code error;
+    const bool linked_folder = fs::is_symlink(match, error) && fs::is_directory(match, error);
+    if (linked_folder || folder_.is_excluded(match, match)) return Input();
+    return enter(match);
   }
   finish_word();
   const auto word = words_.next();
@@ -154,6 +168,7 @@ std::optional<Input> InputWalk::step() {
       words_.from_list() || *word == "-" || !is_glob(*word) || fs::exists(*word, error);
   if (plain) return enter(*word);
   several_ = true;
+  searched_->insert(folder_of_glob(*word));
   matches_ = expand_glob(*word);
   std::reverse(matches_.begin(), matches_.end());
   if (!matches_.empty() || named_.allow_empty) return Input();
@@ -177,6 +192,7 @@ std::optional<Input> InputWalk::enter(const std::string& path) {
   }
   several_ = true;
   folders_.push_back(path);
+  searched_->insert(path);
   if (!folder_.enter(path)) return take(path, fs::path(path).filename().native(), path);
   return Input();
 }

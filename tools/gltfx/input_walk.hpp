@@ -2,8 +2,11 @@
 /// The inputs that the user named, one after the other.
 #pragma once
 
+#include <gltfx/searched_folders.hpp>
+
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -62,6 +65,8 @@ class InputWalk {
   /// Known at the end: folders among the arguments and what globs gave, whether more than one file
   /// may be meant, and the folders and globs without any asset, as they were named.
   const std::vector<std::string>& folders() const { return folders_; }
+  /// What was searched so far: folders among the arguments, and where globs begin to match. Grows.
+  std::shared_ptr<const SearchedFolders> searched() const { return searched_; }
   bool several() const { return several_ || met_ > 1; }
   const std::vector<std::string>& without_assets() const { return without_assets_; }
   /// Assets that .gitignore files name, those in folders that they name left out.
@@ -86,6 +91,7 @@ class InputWalk {
   std::unordered_set<Hash128, HashOfHash> seen_;
   std::uint64_t met_ = 0;
   std::vector<std::string> folders_, without_assets_;
+  std::shared_ptr<SearchedFolders> searched_ = std::make_shared<SearchedFolders>();
   bool several_ = false;
 };
 

@@ -162,4 +162,9 @@ void OptionsByPath::set_jobs(unsigned jobs) {
   differing_.clear();
 }
 
+void OptionsByPath::set_searched(std::shared_ptr<const SearchedFolders> searched) {
+  common_.searched = std::move(searched);
+  differing_.clear();
+}
+
 }  // namespace gltfx::tool

@@ -46,6 +46,7 @@ class OptionsByPath {
   /// Stays where it is until the next set_jobs().
   const ValidateOptions& of(const std::string& path);
   void set_jobs(unsigned jobs);
+  void set_searched(std::shared_ptr<const SearchedFolders> searched);
 
  private:
   ValidateOptions common_;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gltfx/report.hpp>
+#include <gltfx/searched_folders.hpp>
 
 #include <cstdint>
 #include <functional>
@@ -122,8 +123,11 @@ struct BakeOptions {
   std::string output;
   /// Put the picture, of the first size, into the asset itself, as its thumbnail.
   bool embed = false;
-  /// Folder that files may come from; empty: the asset's own.
+  /// Folder that the asset and its files may come from; empty: the asset's own.
   std::string root;
+  /// Folders that were searched: without a `root`, an asset below one is opened beneath it. Null:
+  /// none. Not changed during a call.
+  std::shared_ptr<const SearchedFolders> searched;
   unsigned jobs = 0;  ///< threads; 0: one a core. Pictures do not depend on it.
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;

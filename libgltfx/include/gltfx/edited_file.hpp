@@ -3,6 +3,8 @@
 /// What every verb that changes files can be asked for, and what it says of one file.
 #pragma once
 
+#include <gltfx/searched_folders.hpp>
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -22,8 +24,11 @@ struct EditOptions {
   /// Write here instead; empty: nowhere. Files that the asset refers to are copied beside it when
   /// the folder is another one. Folders are made.
   std::string output;
-  /// Folder that files may come from; empty: the asset's own.
+  /// Folder that the asset and its files may come from; empty: the asset's own.
   std::string root;
+  /// Folders that were searched: without a `root`, an asset below one is opened beneath it. Null:
+  /// none. Not changed during a call.
+  std::shared_ptr<const SearchedFolders> searched;
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
 };

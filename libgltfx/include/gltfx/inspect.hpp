@@ -4,6 +4,8 @@
 /// in <gltfx/pipeline.hpp>.
 #pragma once
 
+#include <gltfx/searched_folders.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -165,8 +167,11 @@ struct UpgradeFact {
 
 /// What an inspection is asked for.
 struct InspectOptions {
-  /// Folder that files may come from; empty: the asset's own.
+  /// Folder that the asset and its files may come from; empty: the asset's own.
   std::string root;
+  /// Folders that were searched: without a `root`, an asset below one is opened beneath it. Null:
+  /// none. Not changed during a call.
+  std::shared_ptr<const SearchedFolders> searched;
   unsigned jobs = 1;  ///< threads for compressed geometry
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
+#include <gltfx/searched_folders.hpp>
 #include <gltfx/targets.hpp>
 
 #include <cstdint>
@@ -64,8 +65,11 @@ struct ValidateOptions {
   /// "reason": "..."}]}` in `extras.gltfx` of an object, for findings on it and below it. Only for
   /// assets from a trusted source; the khronos profile never does.
   bool inline_suppressions = false;
-  /// Folder that resources may come from; empty: the asset's own folder.
+  /// Folder that the asset and its resources may come from; empty: the asset's own folder.
   std::string root;
+  /// Folders that were searched: without a `root`, an asset below one is opened beneath it. Null:
+  /// none. Not changed during a call.
+  std::shared_ptr<const SearchedFolders> searched;
   /// Findings kept per file, 0: no limit.
   std::uint64_t max_issues = 0;
   /// Leave out findings on other lines of the JSON text; those without a place stay when there is
