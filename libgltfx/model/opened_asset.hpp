@@ -28,6 +28,11 @@ class OpenedAsset {
   const container::Resolver& resolver() const { return resolver_; }
   /// From now on look-ups of the resolver are recorded.
   void record(std::shared_ptr<container::LookupLog> log) { resolver_.record(std::move(log)); }
+  /// What was recorded so far; from now on look-ups are recorded there.
+  std::shared_ptr<const container::LookupLog> recorded() {
+    if (!resolver_.log()) record(std::make_shared<container::LookupLog>());
+    return resolver_.log();
+  }
 
   /// Without a text: no document.
   const json::Parsed& parsed() const;

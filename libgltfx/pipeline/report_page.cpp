@@ -16,6 +16,7 @@
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/bake_asset.hpp"
 #include "pipeline/in_order.hpp"
+#include "pipeline/kept_pictures.hpp"
 #include "pipeline/open_asset.hpp"
 #include "schema/compile.hpp"
 
@@ -73,7 +74,7 @@ void forget_embedded(FileReport& report) {
 }
 
 void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
-                      const ThumbnailOptions& thumbnails, unsigned jobs, PageAsset& page) {
+                      const BakeOptions* bake, unsigned jobs, KeptPictures& kept, PageAsset& page) {
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
   if (find_inspection_obstacle(opened)) {
     page.inspection = inspect_asset(opened, *schemas, jobs);
@@ -89,10 +90,10 @@ void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
   give_back_memory();
   page.inspection = inspect_asset(asset.asset(), *schemas, jobs);
   add_upgrade(std::move(rehearsal.report), page.inspection);
-  if (!thumbnails.draw || !can_bake()) return;
-  const BakeOptions bake = bake_options(options, thumbnails, jobs);
-  page.picture = picture_of(bake_asset(std::move(asset), bake));
-  if (rehearsal.after) page.upgraded = picture_of(bake_asset(*std::move(rehearsal.after), bake));
+  if (bake == nullptr || kept.recall(page)) return;
+  page.picture = picture_of(bake_asset(std::move(asset), *bake));
+  if (rehearsal.after) page.upgraded = picture_of(bake_asset(*std::move(rehearsal.after), *bake));
+  kept.keep(page);
 }
 
 // The library does not throw.
@@ -101,6 +102,10 @@ PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnai
   PageAsset page;
   std::string why;
   try {
+    const bool draws = thumbnails.draw && can_bake();
+    const BakeOptions bake = bake_options(options, thumbnails, jobs);
+    KeptPictures kept(input.path, options, bake);
+    if (draws) kept.look_up();
     Validation validation = validate_path(input.path, options);
     page.report = std::move(validation.report);
     forget_embedded(page.report);
@@ -114,7 +119,9 @@ PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnai
       }
     }
     if (validation.asset) {
-      inspect_and_draw(*std::move(validation.asset), options, thumbnails, jobs, page);
+      if (draws) kept.look_up(*validation.asset);
+      inspect_and_draw(*std::move(validation.asset), options, draws ? &bake : nullptr, jobs, kept,
+                       page);
       return page;
     }
   } catch (const std::bad_alloc&) {

@@ -8,7 +8,9 @@
 
 #include "json/writer.hpp"
 #include "report/facts_json.hpp"
+#include "report/page_parts.hpp"
 #include "report/page_source.hpp"
+#include "report/read_line.hpp"
 #include "report/rule_lookup.hpp"
 
 namespace gltfx {
@@ -84,9 +86,10 @@ void write_upgrade(Writer& writer, const InspectReport& inspection) {
   member_if(writer, "upgradeProblem", inspection.upgrade_problem);
 }
 
-void write_asset(Writer& writer, const PageAsset& asset) {
+void write_asset(Writer& writer, const PageAsset& asset, bool with_position) {
   const FileReport& report = asset.report;
   writer.begin_object();
+  if (with_position) writer.member("position", report.position);
   writer.member("path", report.path);
   writer.member("readable", report.readable);
   writer.key("counts");
@@ -120,6 +123,15 @@ void write_rule(Writer& writer, const RuleDescription& rule) {
   writer.end_object();
 }
 
+void write_shard(Writer& writer, const PageOptions& options) {
+  writer.key("shard");
+  writer.begin_object();
+  writer.member("index", std::uint64_t{options.shard.index});
+  writer.member("count", std::uint64_t{options.shard.count});
+  writer.member("failOn", options.fail_on ? severity_name(*options.fail_on) : report::kNever);
+  writer.end_object();
+}
+
 // In JSON a '<' can only stand inside of a string.
 void add_json(std::string& out, std::string_view json) {
   while (!json.empty()) {
@@ -129,6 +141,38 @@ void add_json(std::string& out, std::string_view json) {
     out += "\\u003c";
     json.remove_prefix(at + 1);
   }
+}
+
+// What stands behind the assets.
+std::string tail_of(const std::set<std::string_view>& codes, const std::set<std::string>& targets,
+                    std::span<const RuleDescription> rules, const RunSummary& summary) {
+  std::string json;
+  Writer writer(json);
+  writer.begin_object();
+  writer.key("rules");
+  writer.begin_object();
+  for (const std::string_view code : codes) {
+    const RuleDescription* rule = report::find_rule_in(rules, code);
+    if (rule == nullptr) continue;
+    writer.key(code);
+    write_rule(writer, *rule);
+  }
+  writer.end_object();
+  writer.key("targets");
+  writer.begin_array();
+  for (const std::string& label : targets) writer.string(label);
+  writer.end_array();
+  writer.key("summary");
+  writer.begin_object();
+  writer.member("files", summary.files);
+  writer.member("filesWithErrors", summary.files_with_errors);
+  writer.member("unreadable", summary.unreadable);
+  write_counts(writer, summary.counts);
+  writer.end_object();
+  writer.end_object();
+  std::string out = "\n],\n";
+  add_json(out, std::string_view(json).substr(1));
+  return out.append(report::page_end());
 }
 
 }  // namespace
@@ -142,6 +186,7 @@ void PageWriter::begin(std::string& out) const {
   writer.member("title", options_.title);
   writer.member("profile", options_.profile);
   writer.member("pixels", options_.pixel_level);
+  if (options_.shard.count > 1) write_shard(writer, options_);
   writer.key("assets");
   add_json(out, json);
   out += "[";
@@ -154,38 +199,18 @@ void PageWriter::asset(const PageAsset& asset, std::string& out) {
   has_assets_ = true;
   std::string json;
   Writer writer(json);
-  write_asset(writer, asset);
+  write_asset(writer, asset, options_.shard.count > 1);
   add_json(out, json);
 }
 
 void PageWriter::end(const RunSummary& summary, std::string& out) const {
-  std::string json;
-  Writer writer(json);
-  writer.begin_object();
-  writer.key("rules");
-  writer.begin_object();
-  for (const std::string_view code : codes_) {
-    const RuleDescription* rule = report::find_rule_in(options_.rules, code);
-    if (rule == nullptr) continue;
-    writer.key(code);
-    write_rule(writer, *rule);
-  }
-  writer.end_object();
-  writer.key("targets");
-  writer.begin_array();
-  for (const std::string& label : targets_) writer.string(label);
-  writer.end_array();
-  writer.key("summary");
-  writer.begin_object();
-  writer.member("files", summary.files);
-  writer.member("filesWithErrors", summary.files_with_errors);
-  writer.member("unreadable", summary.unreadable);
-  write_counts(writer, summary.counts);
-  writer.end_object();
-  writer.end_object();
-  out += "\n],\n";
-  add_json(out, std::string_view(json).substr(1));
-  out += report::page_end();
+  out += tail_of(codes_, targets_, options_.rules, summary);
+}
+
+std::string report::page_tail(const std::set<std::string_view>& codes,
+                              const std::set<std::string>& targets,
+                              std::span<const RuleDescription> rules, const RunSummary& summary) {
+  return tail_of(codes, targets, rules, summary);
 }
 
 }  // namespace gltfx

@@ -65,9 +65,9 @@ void declare_budgets(CLI::App& app, RawValidateOptions& words) {
   add_word(app, "--max-total-pixels", words.max_total_pixels, "PIXELS",
            "Maximum pixels of all images (default: 0, off)");
   add_word(app, "--max-triangles", words.max_triangles, "N",
-           "Maximum number of triangles (default: 0, off)");
+           "Maximum triangles of all meshes (default: 0, off)");
   add_word(app, "--max-draw-calls", words.max_draw_calls, "N",
-           "Maximum number of primitives (default: 0, off)");
+           "Maximum primitives of all meshes (default: 0, off)");
   add_word(app, "--max-file-size", words.max_file_size, "BYTES",
            "Maximum size with resources (default: 0, off)");
 }
@@ -118,7 +118,7 @@ void declare_validate(CLI::App& app, RawValidateOptions& words) {
   app.add_flag("--timings", words.timings, "Report the time per file (junit, jsonl)");
   declare_checks(app, words);
   add_word(app, "--write-baseline", words.write_baseline, "FILE",
-           "Record all findings in FILE and exit 0");
+           "Record all findings in FILE, list none, exit 0");
   add_word(app, "--diff-base", words.diff_base, "REVISION",
            "Only findings on lines changed since this Git ref");
   app.add_flag("-q,--quiet", words.quiet, "Print findings only, no summary and no notes");
@@ -162,8 +162,9 @@ void declare_inspect(CLI::App& app, RawInspectOptions& words) {
 }
 
 void declare_merge(CLI::App& app, RawMergeOptions& words) {
-  describe_positional(app, "REPORT", "Files written by validate with --format jsonl=FILE");
+  describe_positional(app, "REPORT", "Files of validate --format jsonl=FILE, or report pages");
   add_formats(app, words.formats);
+  add_word(app, "-o,--output", words.output, "FILE", "Page of the pages of report --shard");
   add_listing(app, words.listing);
   add_sarif_notes(app, words.sarif_notes);
   add_fail_on(app, words.fail_on, "Exit 1 at error, warning, info, never (else as run)");

@@ -174,6 +174,7 @@ class Merge {
 }  // namespace
 
 ExitCode run(const MergeRequest& request) {
+  if (!request.page.empty()) return merge_pages(request);
   auto files = open_all(request.files);
   if (!files) {
     complain(files.error().message);

@@ -34,6 +34,8 @@ PageOptions page_options(const PageRequest& request) {
   options.profile = profile_name(validate.validation.profile);
   options.pixel_level = pixel_level_name(pixel_level(validate.validation));
   options.rules = rules();
+  options.shard = validate.paths.shard;
+  options.fail_on = validate.fail_on;
   return options;
 }
 
@@ -67,7 +69,7 @@ class ReportRun {
       return ExitCode::usage;
     }
     files_ = *found;
-    if (choose && files_ > kManyAssets) thumbnails_.quality = BakeQuality::draft;
+    if (choose && files_of_all_shards() > kManyAssets) thumbnails_.quality = BakeQuality::draft;
     InputWalk walk(validate.paths);
     options_.set_searched(walk.searched());
     page_.begin(text_);
@@ -89,10 +91,19 @@ class ReportRun {
   }
 
  private:
+  // The pictures of all parts are alike.
+  std::uint64_t files_of_all_shards() const {
+    NamedPaths all = request_.validate.paths;
+    if (all.shard.count == 1) return files_;
+    all.shard = {};
+    const auto found = look_ahead(all, {}, true);
+    return found ? *found : files_;
+  }
+
   void collect(InputWalk& walk) {
-    std::vector<std::string> batch;
+    std::vector<Input> batch;
     while (auto input = walk.next()) {
-      batch.push_back(std::move(input->path));
+      batch.push_back(*std::move(input));
       if (batch.size() < kBatch) continue;
       collect(batch);
       batch.clear();
@@ -100,12 +111,16 @@ class ReportRun {
     collect(batch);
   }
 
-  void collect(const std::vector<std::string>& paths) {
+  void collect(const std::vector<Input>& files) {
     const unsigned jobs = request_.validate.common.jobs;
-    options_.set_jobs(paths.size() == 1 ? jobs : 1);
+    options_.set_jobs(files.size() == 1 ? jobs : 1);
     std::vector<ValidateInput> inputs;
-    for (const std::string& path : paths) inputs.push_back({path, &options_.of(path)});
-    report_files(inputs, thumbnails_, jobs, [this](PageAsset&& asset) { take(asset); });
+    for (const Input& file : files) inputs.push_back({file.path, &options_.of(file.path)});
+    std::size_t next = 0;
+    report_files(inputs, thumbnails_, jobs, [&](PageAsset&& asset) {
+      asset.report.position = files[next++].position;
+      take(asset);
+    });
   }
 
   void take(PageAsset& asset) {

@@ -58,6 +58,8 @@ constexpr ExitCode worse(ExitCode a, ExitCode b) { return rank(a) < rank(b) ? b 
 
 ExitCode run(const ValidateRequest& request);
 ExitCode run(const MergeRequest& request);
+/// That of pages. Precondition: there is a MergeRequest::page.
+ExitCode merge_pages(const MergeRequest& request);
 ExitCode run(const FixRequest& request);
 ExitCode run(const UpgradeRequest& request);
 ExitCode run(const DeleteRequest& request);

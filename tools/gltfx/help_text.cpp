@@ -101,6 +101,9 @@ constexpr std::string_view kMergeExamples = R"(Examples:
   gltfx merge 1.jsonl 2.jsonl --format sarif=report.sarif   from:
   gltfx validate library/ --shard 1/2 --format jsonl=1.jsonl
   gltfx validate library/ --shard 2/2 --format jsonl=2.jsonl
+  gltfx merge 1.html 2.html -o all.html                     from:
+  gltfx report library/ --shard 1/2 -o 1.html
+  gltfx report library/ --shard 2/2 -o 2.html
 )";
 
 constexpr std::string_view kExplainExamples = R"(Examples:

@@ -104,7 +104,8 @@ struct PageRequest {
 
 /// Reports of several runs, put together.
 struct MergeRequest : ReportRequest {
-  std::vector<std::string> files;  ///< what --format jsonl wrote
+  std::vector<std::string> files;  ///< what --format jsonl wrote, or pages where there is a `page`
+  std::string page;                ///< file to write; empty: the reports are no pages
   bool as_loud_as_runs = true;     ///< `fail_on` is that of the runs
 };
 

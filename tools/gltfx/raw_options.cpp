@@ -124,6 +124,9 @@ Result<ValidateRequest> request_of(const RawValidateOptions& words) {
   request.diff_base = words.diff_base;
   request.baseline = words.baseline;
   request.write_baseline = words.write_baseline;
+  // All findings are known then: numbers say enough.
+  const bool unasked = words.listing.group_by.empty() && words.listing.min_severity.empty();
+  if (!request.write_baseline.empty() && unasked) request.layout = TextLayout::statistics;
   return reading.finish(request);
 }
 
@@ -154,6 +157,13 @@ Result<MergeRequest> request_of(const RawMergeOptions& words) {
   read_common(reading, words.common, request.common);
   reading.require(!words.files.empty(),
                   "merge: name the reports, written with --format jsonl=FILE.");
+  const bool pages = std::any_of(words.files.begin(), words.files.end(),
+                                 [](const auto& file) { return ending_of(file) == ".html"; });
+  reading.require(!pages || !words.output.empty(),
+                  "merge: say where the page of all assets goes with --output.");
+  reading.require(words.output.empty() || words.formats.empty(),
+                  "merge: --output is for pages and --format for reports; use one of them.");
+  request.page = words.output;
   request.files = words.files;
   reading.set(request.targets, parse_targets(words.formats));
   read_word(reading, request.fail_on, words.fail_on, parse_fail_on);

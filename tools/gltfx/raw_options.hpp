@@ -57,7 +57,7 @@ struct RawMergeOptions {
   RawCommonOptions common;
   ListingWords listing;
   std::vector<std::string> files, formats;
-  std::string fail_on;
+  std::string fail_on, output;
   bool sarif_notes = false, quiet = false;
 };
 

@@ -38,6 +38,9 @@ struct PageOptions {
   std::string title;                       ///< plain text
   std::string profile, pixel_level;        ///< of the validation
   std::span<const RuleDescription> rules;  ///< all, sorted by code; static storage
+  /// Of several, the page can be put together with those of the others by `gltfx merge`.
+  Shard shard = {};
+  std::optional<Severity> fail_on = Severity::error;  ///< of a shard; nothing: never
 };
 
 /// Calls: begin, asset for each in order, end. Each appends text to `out`, which the caller writes
