@@ -36,6 +36,27 @@ TEST_F(BaselineTest, RecordingIsAnEndInItself) {
   EXPECT_TRUE(nlohmann::json::accept(known()));
 }
 
+TEST_F(BaselineTest, RecordingSaysWhereAndHowMuchInsteadOfListingAll) {
+  const Outcome recorded = here({"--write-baseline", "known.json"});
+  EXPECT_THAT(recorded.err, HasSubstr("note: 1 finding in 1 file recorded in 'known.json'"));
+  EXPECT_THAT(recorded.out, Not(HasSubstr(" --> ")));
+  EXPECT_THAT(here({"--write-baseline", "known.json", "--group-by", "finding"}).out,
+              HasSubstr(" --> "));
+  EXPECT_EQ(here({"--write-baseline", "known.json", "--quiet"}).err, "");
+}
+
+TEST_F(BaselineTest, OneThatTheConfigurationNamesNeedNotBeThereToBeRecorded) {
+  folder_.write("gltfx.toml", "baseline = \"known.json\"\n");
+  const Outcome missing = here({});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("--write-baseline"));
+  const Outcome recorded = here({"--write-baseline", "known.json"});
+  EXPECT_EQ(recorded.code, 0) << recorded.err;
+  EXPECT_EQ(here({}).code, 0);
+  folder_.write("assets/new.gltf", kFaulty);
+  EXPECT_EQ(here({}).code, 1);
+}
+
 TEST_F(BaselineTest, KnownFindingsAreNotReportedAgain) {
   here({"--write-baseline", "known.json"});
   const Outcome outcome = here({"--baseline", "known.json"});

@@ -155,6 +155,7 @@ ExitCode Run::execute() {
   targets_.finish(summary_);
   std::string problems = targets_.problems();
   if (problems.empty()) problems = known_.write();
+  if (problems.empty() && known_.recording() && !request_.quiet) complain(known_.note());
   if (problems.empty() && options_.common().cache) problems = options_.common().cache->finish();
   if (problems.empty()) return verdict();
   complain(problems);

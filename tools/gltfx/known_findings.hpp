@@ -15,7 +15,8 @@ namespace gltfx::tool {
 /// Findings that are known, and those to be known from now on. Not thread-safe.
 class KnownFindings {
  public:
-  /// Empty names: nothing is read, nothing is recorded. `max_issues` is counted after known
+  /// Empty names: nothing is read, nothing is recorded. A file that is not there yet knows nothing,
+  /// as long as one is recorded. `max_issues` is counted after known
   /// findings were left out, so that they do not use up the limit.
   static Result<KnownFindings> load(const std::string& file, const std::string& record_to,
                                     std::uint64_t max_issues);
@@ -29,12 +30,17 @@ class KnownFindings {
 
   /// Writes what was recorded; a sentence about what went wrong, or empty.
   std::string write() const;
+  /// What was written where, as a note. Precondition: recording().
+  std::string note() const;
 
  private:
+  void record(const FileReport& report);
+
   std::optional<report::Baseline> baseline_;
   std::string record_to_;
   std::uint64_t max_issues_ = 0;
   report::BaselineWriter recorded_;
+  std::uint64_t findings_ = 0, files_ = 0;  ///< that were recorded
 };
 
 }  // namespace gltfx::tool
