@@ -128,7 +128,7 @@ row("one URI, different answers", async () => {
   );
 });
 
-row("backslash, or `%` that is no escape, in a URI", async () => {
+same("backslash, or `%` that is no escape, in a URI", async () => {
   for (const uri of ["a\\b", "a%zz", "%"]) {
     const calls = [];
     const externalResourceFunction = async (name) => {
@@ -138,7 +138,7 @@ row("backslash, or `%` that is no escape, in a URI", async () => {
     const [theirs, mine] = await both((one) =>
       one.validateString(assetWith(uri), { externalResourceFunction }),
     );
-    assert.deepEqual([calls.length, errorsOf(theirs), errorsOf(mine)], [1, [], ["INVALID_URI"]]);
+    assert.deepEqual([calls.length, calls[0], errorsOf(mine)], [2, calls[1], errorsOf(theirs)]);
   }
 });
 
