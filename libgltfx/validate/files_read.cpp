@@ -74,7 +74,7 @@ void FilesRead::find_reads(Fixing& fixing) {
     if (!view.buffer) continue;
     edit::FileReads& reads = reads_[*view.buffer];
     --mentions[*view.buffer];
-    const bool whole = users.has_others(i) || users.sparse_parts_in(i) > 0 ||
+    const bool whole = users.has_others(i) || !users.sparse_parts_in(i).empty() ||
                        users.uses_of_view(i).contains(model::ViewUse::image);
     if (whole) {
       const std::uint64_t begin = view.byte_offset.value_or(0);

@@ -254,7 +254,7 @@ bool mend_stride(Fixing& fixing, std::uint32_t index) {
   const json::NodeId member = fixing.document().find(view.node, "byteStride");
   const Users& users = fixing.table<Users>();
   if (member == json::kNoNode || !fixing.document().is_number(member)) return false;
-  if (users.has_others(index) || users.sparse_parts_in(index) > 0) return false;
+  if (users.has_others(index) || !users.sparse_parts_in(index).empty()) return false;
   const double stride = fixing.document().number(member).value;
   const auto& accessors = users.accessors_in(index);
   if (accessors.empty()) return stride == 0 && fixing.remove_member(member);
