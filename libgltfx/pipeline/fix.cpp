@@ -44,10 +44,11 @@ FixRun run_with(const FixOptions& options, unsigned jobs) {
   return {options, options.schemas ? options.schemas : schema::builtin_set(), jobs, {}};
 }
 
-std::vector<InputGroup> groups_of_inputs(const std::vector<EditInput>& inputs, unsigned jobs) {
+std::vector<InputGroup> groups_of_inputs(const std::vector<EditInput>& inputs,
+                                         const FixOptions& options, unsigned jobs) {
   std::vector<std::string> paths;
   for (const EditInput& input : inputs) paths.push_back(input.path);
-  return groups_of(paths, jobs);
+  return groups_of(paths, AssetBounds::of(options), jobs);
 }
 
 }  // namespace
@@ -73,7 +74,7 @@ void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, 
                const std::function<void(FixReport&&)>& consume) {
   std::vector<InputGroup> groups;
   try {
-    groups = groups_of_inputs(inputs, jobs);
+    groups = groups_of_inputs(inputs, options, jobs);
   } catch (const std::bad_alloc&) {
     for (const EditInput& input : inputs) consume(failed(input.path, kNoMemory));
     return;

@@ -39,11 +39,13 @@ std::set<json::NodeId> buffer_uris(const json::Document& document) {
 }
 
 // Adds the length of the text that was read to `cost`.
-NamedFiles named_by(const std::string& path, std::size_t& cost) {
+NamedFiles named_by(const std::string& path, const AssetBounds& bounds, std::size_t& cost) {
   NamedFiles named;
   named.path = path;
-  if (const auto state = file_state(path)) named.own = identity_of(*state, path);
-  const auto container = container::open_file(path);
+  const auto file = open_asset_file(path, bounds);
+  if (!file || file->error != container::ResolveError::none) return named;
+  named.own = identity_of(file->state, path);
+  const auto container = container::open_file(*file, path);
   if (!container || !container->json) return named;
   const std::string_view text = *container->json;
   cost += text.size();
@@ -75,7 +77,7 @@ std::vector<NamedFiles> assets_in(const fs::path& folder) {
   std::size_t cost = 0;
   for (const std::string& name : names) {
     if (cost > kMostText) break;
-    assets.push_back(named_by((folder / name).native(), cost));
+    assets.push_back(named_by((folder / name).native(), {folder.native(), nullptr}, cost));
   }
   return assets;
 }
@@ -109,14 +111,15 @@ bool NamedFiles::names(const std::set<FileIdentity>& wanted) const {
                      [this](const FileIdentity& file) { return files.contains(file); });
 }
 
-std::vector<InputGroup> groups_of(const std::vector<std::string>& paths, unsigned jobs) {
+std::vector<InputGroup> groups_of(const std::vector<std::string>& paths, const AssetBounds& bounds,
+                                  unsigned jobs) {
   std::vector<NamedFiles> named(paths.size());
   if (paths.size() > 1) {
     parallel_ordered(
         paths.size(), jobs,
         [&](std::size_t i) {
           std::size_t cost = 0;
-          named[i] = named_by(paths[i], cost);
+          named[i] = named_by(paths[i], bounds, cost);
         },
         [](std::size_t) {});
   }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/file_state.hpp"
+#include "pipeline/open_asset.hpp"
 
 namespace gltfx {
 
@@ -28,7 +29,8 @@ using InputGroup = std::vector<std::size_t>;
 
 /// Assets that have to be changed together: they share a buffer, or one of them is read by another.
 /// Each asset is in one group; groups are in the order of their first assets.
-std::vector<InputGroup> groups_of(const std::vector<std::string>& paths, unsigned jobs);
+std::vector<InputGroup> groups_of(const std::vector<std::string>& paths, const AssetBounds& bounds,
+                                  unsigned jobs);
 
 /// The assets of folders, each folder looked at once. Any number of threads may call.
 class FolderIndex {

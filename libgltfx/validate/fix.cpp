@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/fork.hpp"
 #include "edit/deletion.hpp"
 #include "json/parse.hpp"
 #include "validate/context.hpp"
@@ -23,18 +24,18 @@ std::vector<const FixEntry*> table_of_fixes() {
 }  // namespace
 
 const FixEntry* find_fix(Code code) {
-  static const std::vector<const FixEntry*> table = table_of_fixes();
-  return table[static_cast<std::size_t>(code)];
+  static constinit MadeOnce<std::vector<const FixEntry*>> table;
+  return table.get(table_of_fixes)[static_cast<std::size_t>(code)];
 }
 
 namespace {
 
 // Where the text has none, fixes of the text work with the text alone.
 const json::Document& document_of(const model::OpenedAsset& opened) {
-  static const json::Parsed kNothing = json::parse(share_text("{}"));
+  static constinit MadeOnce<json::Parsed> nothing;
   const json::Document& document = opened.document();
   const bool usable = !document.empty() && document.is_object(document.root());
-  return usable ? document : kNothing.document;
+  return usable ? document : nothing.get([] { return json::parse(share_text("{}")); }).document;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/fork.hpp"
 #include "base/text.hpp"
 #include "validate/rules/extension_walk.hpp"
 
@@ -109,10 +110,10 @@ void AttributeFormats::Table::sort() {
 }
 
 AttributeFormats::AttributeFormats(const Context& context) {
-  static const CoreFormats vertex_formats = core_vertex_formats();
-  static const CoreFormats morph_formats = core_morph_formats();
-  vertex_.base = &vertex_formats;
-  morph_.base = &morph_formats;
+  static constinit MadeOnce<CoreFormats> vertex_formats;
+  static constinit MadeOnce<CoreFormats> morph_formats;
+  vertex_.base = &vertex_formats.get(core_vertex_formats);
+  morph_.base = &morph_formats.get(core_morph_formats);
   for (const schema::Extension* extension : declared_extensions(context)) {
     for (const auto& format : extension->vertex_attributes) vertex_.add(format);
     for (const auto& format : extension->morph_attributes) morph_.add(format);
