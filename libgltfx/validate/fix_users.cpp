@@ -218,8 +218,10 @@ bool remove_stride(Fixing& fixing, std::uint32_t view) {
 
 namespace {
 
-// Whether the elements of accessors lie one behind the other, each packed.
-bool lie_in_turn(const model::Views& views, const std::vector<std::uint32_t>& accessors) {
+// Whether the elements of accessors fill a view when they lie one behind the other, each packed;
+// but for what pads the last one.
+bool fill_in_turn(const model::Views& views, const model::BufferView& view,
+                  const std::vector<std::uint32_t>& accessors) {
   std::vector<std::pair<std::uint64_t, std::uint64_t>> places;
   for (const std::uint32_t index : accessors) {
     const model::Accessor& accessor = views.accessors[index];
@@ -229,10 +231,12 @@ bool lie_in_turn(const model::Views& views, const std::vector<std::uint32_t>& ac
     places.emplace_back(begin, saturating_add(begin, *size));
   }
   std::sort(places.begin(), places.end());
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    if (places[i].first < places[i - 1].second && places[i] != places[i - 1]) return false;
+  std::uint64_t end = 0;
+  for (const auto& place : places) {
+    if (place.first < end || place.first > end + 3) return false;
+    end = place.second;
   }
-  return true;
+  return view.byte_length && end <= *view.byte_length && *view.byte_length <= end + 3;
 }
 
 // The distance of packed elements, where it is the same for all accessors.
@@ -259,13 +263,11 @@ bool mend_stride(Fixing& fixing, std::uint32_t index) {
   const auto& accessors = users.accessors_in(index);
   if (accessors.empty()) return stride == 0 && fixing.remove_member(member);
   const auto packed = common_stride(fixing.views(), accessors);
-  if (!packed || !lie_in_turn(fixing.views(), accessors)) return false;
-  const model::Accessor& first = fixing.views().accessors[accessors.front()];
-  const auto size = first.span_size(*packed);
-  const bool fills = accessors.size() == 1 && size &&
-                     view.byte_length == saturating_add(first.byte_offset.value_or(0), *size);
+  if (!packed) return false;
   const auto declared = static_cast<double>(*packed);
-  if (stride != 0 && stride != declared && !(stride < declared && fills)) return false;
+  const bool lost = stride < declared && fill_in_turn(fixing.views(), view, accessors);
+  const bool one = accessors.size() == 1 && fixing.views().accessors[accessors[0]].count == 1U;
+  if (stride != declared && !lost && !one) return false;
   const bool shared = accessors.size() > 1 && users.uses_of_view(index).contains(ViewUse::vertices);
   if (!shared) return fixing.remove_member(member);
   return *packed % 4 == 0 && fixing.replace_scalar(member, std::to_string(*packed));

@@ -83,8 +83,8 @@ class PrimitivesByAttribute {
 
 /// Takes the byteStride of a buffer view away where that moves no element. Whether it did.
 bool remove_stride(Fixing& fixing, std::uint32_t view);
-/// Corrects the byteStride of a buffer view that nobody can follow, 0 or less than an element,
-/// where the elements must lie packed.
+/// Corrects the byteStride of a buffer view that nobody can follow, 0 or less than an element:
+/// where packed elements fill the view, or there is only one.
 bool mend_stride(Fixing& fixing, std::uint32_t view);
 
 }  // namespace gltfx::validate

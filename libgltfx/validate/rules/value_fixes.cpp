@@ -72,8 +72,16 @@ bool correct_value_type(Fixing& fixing, Span place) {
   const json::NodeId value = fixing.node_at(place);
   if (value == json::kNoNode) return false;
   if (write_bound(fixing, value)) return true;
-  const bool null = fixing.document().kind(value) == json::Kind::null;
-  return null ? remove_null(fixing, value) : write_meant(fixing, value);
+  if (fixing.document().kind(value) == json::Kind::null) return remove_null(fixing, value);
+  const schema::Shape* shape = shape_of(fixing, value);
+  const bool text = shape != nullptr && shape->types == schema::kString;
+  return (text || fixing.document().is_string(value)) && write_meant(fixing, value);
+}
+
+// Readers may have passed over a number for a flag or a texture: then the picture changes.
+bool write_any_type(Fixing& fixing, Span place) {
+  const json::NodeId value = fixing.node_at(place);
+  return value != json::kNoNode && write_meant(fixing, value);
 }
 
 // All elements of a list that are of the wrong type, or none: one of them may have been reported.
@@ -89,6 +97,7 @@ bool correct_elements(Fixing& fixing, Span place) {
   std::vector<std::pair<json::NodeId, std::string>> meant;
   for (const json::NodeId element : fixing.document().elements(list)) {
     if (values.has_type({element}, items.types)) continue;
+    if (!fixing.document().is_string(element)) return false;
     meant.emplace_back(element, schema::meant_value(fixing.schemas(), values, items, {element}));
     if (meant.back().second.empty()) return false;
   }
@@ -96,17 +105,6 @@ bool correct_elements(Fixing& fixing, Span place) {
     if (!fixing.is_claimed(element)) fixing.replace(element, text);
   }
   return !meant.empty();
-}
-
-// -1 is what programs write that have no index.
-bool correct_index(Fixing& fixing, Span place) {
-  const json::Document& document = fixing.document();
-  const json::NodeId node = fixing.node_at(place);
-  const bool none =
-      node != json::kNoNode && document.is_number(node) && document.number(node).value == -1;
-  if (!none) return correct_elements(fixing, place);
-  return !name_of_member(fixing, node).empty() && !is_required_member(fixing, node) &&
-         fixing.remove_member(node);
 }
 
 bool correct_length(Fixing& fixing, Span place) {
@@ -166,9 +164,7 @@ bool correct_range(Fixing& fixing, Span place) {
   if (name == "byteStride" && index < views.size() && views[index].node == object) {
     return mend_stride(fixing, index);
   }
-  const bool replaces_nothing = name == "count" && name_of_member(fixing, object) == "sparse" &&
-                                fixing.document().raw(node) == "0";
-  return replaces_nothing ? fixing.remove_member(object) : clamp_rounding(fixing, node, place);
+  return clamp_rounding(fixing, node, place);
 }
 
 /// Members that were moved, by the object that has them now, and objects that were made for them.
@@ -241,9 +237,9 @@ bool move_into_asset(Fixing& fixing, Span place) { return move_into(fixing, plac
 bool move_anywhere(Fixing& fixing, Span place) { return move_into(fixing, place, false); }
 
 constexpr FixEntry kValueFixes[] = {
-    {Code::TYPE_MISMATCH, correct_value_type},
+    {Code::TYPE_MISMATCH, correct_value_type, FixStage::document, write_any_type},
     {Code::ARRAY_TYPE_MISMATCH, correct_elements},
-    {Code::INVALID_INDEX, correct_index},
+    {Code::INVALID_INDEX, correct_elements},
     {Code::ARRAY_LENGTH_NOT_IN_LIST, correct_length},
     {Code::VALUE_NOT_IN_RANGE, correct_range},
     {Code::UNEXPECTED_PROPERTY, move_into_asset, FixStage::document, move_anywhere},
