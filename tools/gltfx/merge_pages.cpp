@@ -86,7 +86,7 @@ class PageFile {
   report::PageEnd end_;
 };
 
-Result<std::vector<PageFile>> open_all(const std::vector<std::string>& paths) {
+Result<std::vector<PageFile>> open_pages(const std::vector<std::string>& paths) {
   std::vector<PageFile> files;
   for (const std::string& path : paths) {
     auto file = PageFile::open(path);
@@ -97,7 +97,7 @@ Result<std::vector<PageFile>> open_all(const std::vector<std::string>& paths) {
 }
 
 // Why pages do not belong together, or nothing.
-Trouble check_parts(const std::vector<PageFile>& files) {
+Trouble check_pages(const std::vector<PageFile>& files) {
   const report::PageHead& first = files.front().head();
   std::set<std::uint32_t> there;
   for (const PageFile& file : files) {
@@ -123,7 +123,7 @@ Trouble check_parts(const std::vector<PageFile>& files) {
   return std::nullopt;
 }
 
-void add(RunSummary& sum, const RunSummary& part) {
+void add_counts(RunSummary& sum, const RunSummary& part) {
   sum.files += part.files;
   sum.files_with_errors += part.files_with_errors;
   sum.unreadable += part.unreadable;
@@ -133,7 +133,7 @@ void add(RunSummary& sum, const RunSummary& part) {
   sum.counts.hints += part.counts.hints;
 }
 
-PageFile* find_first(std::vector<PageFile>& files) {
+PageFile* first_page(std::vector<PageFile>& files) {
   PageFile* first = nullptr;
   for (PageFile& file : files) {
     if (!file.next()) continue;
@@ -142,7 +142,7 @@ PageFile* find_first(std::vector<PageFile>& files) {
   return first;
 }
 
-PageOptions options_for(const report::PageHead& head) {
+PageOptions page_options_of(const report::PageHead& head) {
   PageOptions options;
   options.title = head.title;
   options.profile = head.profile;
@@ -152,13 +152,13 @@ PageOptions options_for(const report::PageHead& head) {
 }
 
 // What went wrong with a part, or nothing; the sum of what the parts counted.
-Trouble write_all(std::vector<PageFile>& files, Output& output, RunSummary& sum) {
+Trouble write_page(std::vector<PageFile>& files, Output& output, RunSummary& sum) {
   std::string text;
-  PageWriter(options_for(files.front().head())).begin(text);
+  PageWriter(page_options_of(files.front().head())).begin(text);
   std::set<std::string_view> codes;
   std::set<std::string> targets;
   std::string_view between = "\n";
-  for (PageFile* file = find_first(files); file != nullptr; file = find_first(files)) {
+  for (PageFile* file = first_page(files); file != nullptr; file = first_page(files)) {
     for (const std::string& code : file->next()->codes) {
       if (const RuleDescription* rule = find_rule(code)) codes.insert(rule->code);
     }
@@ -170,7 +170,7 @@ Trouble write_all(std::vector<PageFile>& files, Output& output, RunSummary& sum)
     text.clear();
   }
   for (const PageFile& file : files) {
-    add(sum, file.end().summary);
+    add_counts(sum, file.end().summary);
     targets.insert(file.end().targets.begin(), file.end().targets.end());
   }
   output.write(text + report::page_tail(codes, targets, rules(), sum));
@@ -181,11 +181,11 @@ Trouble write_all(std::vector<PageFile>& files, Output& output, RunSummary& sum)
 }  // namespace
 
 ExitCode merge_pages(const MergeRequest& request) {
-  auto files = open_all(request.files);
-  Trouble trouble = files ? check_parts(*files) : Trouble(files.error());
+  auto files = open_pages(request.files);
+  Trouble trouble = files ? check_pages(*files) : Trouble(files.error());
   RunSummary sum;
   Output output(request.page == "-" ? std::string() : request.page);
-  if (!trouble && output.problem().empty()) trouble = write_all(*files, output, sum);
+  if (!trouble && output.problem().empty()) trouble = write_page(*files, output, sum);
   if (trouble) {
     complain(trouble->message);
     return ExitCode::unreadable;
