@@ -41,15 +41,14 @@ bool same_letters(std::string_view a, std::string_view b) { return lower_case(a)
 // Runs of letters and runs of digits, without what is between them.
 Words words_of(std::string_view text) {
   const auto kind = [](char c) {
-    return is_digit(c) ? 1 : is_unreserved(c) && !is_alpha(c) ? 2 : 0;
+    if (is_digit(c)) return 1;
+    return is_alpha(c) || static_cast<unsigned char>(c) >= 0x80 ? 2 : 0;
   };
   Words words;
   for (std::size_t begin = 0; begin < text.size();) {
     std::size_t end = begin + 1;
     while (end < text.size() && kind(text[end]) == kind(text[begin])) ++end;
-    if (kind(text[begin]) != 2 && text[begin] != ' ') {
-      words.push_back(text.substr(begin, end - begin));
-    }
+    if (kind(text[begin]) != 0) words.push_back(text.substr(begin, end - begin));
     begin = end;
   }
   return words;
