@@ -16,7 +16,7 @@ namespace {
 constexpr unsigned char byte_of(char c) { return static_cast<unsigned char>(c); }
 constexpr bool is_high(char c) { return byte_of(c) >= 0x80; }
 
-// https://encoding.spec.whatwg.org/#index-windows-1252, bytes 0x80 to 0x9F; 0: no character.
+// Bytes 0x80 to 0x9F of Windows-1252 (WHATWG Encoding Standard); 0: no character.
 constexpr std::array<std::uint16_t, 32> kWindows1252{
     0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,

@@ -107,17 +107,17 @@ TEST(Uri, NonRelativeOnesArePrintedNormalizedToo) {
 // RFC 3986 sections 6.2.2 and 6.2.3.
 TEST(Uri, SchemeHostAndPortAreNormalized) {
   for (const auto& [uri, normalized] : std::vector<std::pair<const char*, const char*>>{
-           {"HTTP://X/a%2f.bin", "http://x/a%2F.bin"},
-           {"http://x:80/", "http://x/"},
-           {"https://x:443/a", "https://x/a"},
-           {"http://x:8080/", "http://x:8080/"},
+           {"HTTP://EXAMPLE.com/a%2f.bin", "http://example.com/a%2F.bin"},
+           {"http://example.com:80/", "http://example.com/"},
+           {"https://example.com:443/a", "https://example.com/a"},
+           {"http://example.com:8080/", "http://example.com:8080/"},
            {"//x:/z", "//x/z"},
            {"//x@Y:1/z", "//x@y:1/z"},
            {"http://[::1]/a", "http://[::1]/a"},
            {"http://[1:2:3:4:5:6:127.0.0.1]/a", "http://[1:2:3:4:5:6:127.0.0.1]/a"},
            {"http://%41/", "http://a/"},
-           {"http://x/a/../b/./c", "http://x/b/c"},
-           {"http://x/..", "http://x/"},
+           {"http://example.com/a/../b/./c", "http://example.com/b/c"},
+           {"http://example.com/..", "http://example.com/"},
            {"file:a", "file:///a"},
            {"FILE://h/a", "file://h/a"},
            {"a\\b?c\\d", "a/b?c%5Cd"},
@@ -132,8 +132,8 @@ TEST(Uri, SchemeHostAndPortAreNormalized) {
 }
 
 TEST(Uri, SchemeHostAndPortCanBeInvalid) {
-  for (const char* uri : {"http://x:ab/", "http://[::1", "http://[x]/", "//[::1/z", "//a[b/z",
-                          "//a:b:c/z", "//[1::2::3]/", "//[1:2:3:4:5:6:7]/",
+  for (const char* uri : {"http://example.com:ab/", "http://[::1", "http://[x]/", "//[::1/z",
+                          "//a[b/z", "//a:b:c/z", "//[1::2::3]/", "//[1:2:3:4:5:6:7]/",
                           "//[1:2:3:4:5:6:7:8:9]/", "//[1:2:3:4:5:6:1.2.3.256]/", "//[::12345]/"}) {
     for (const UriReading reading : {UriReading::strict, UriReading::lenient}) {
       EXPECT_EQ(classify_uri(uri, reading).kind, UriKind::invalid) << uri;

@@ -77,32 +77,13 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"tiny_gltf.h", {"libgltfx/interop/"}},
 };
 
-const std::vector<std::string_view> kSystemHeaders{"fcntl.h",
-                                                   "unistd.h",
-                                                   "poll.h",
-                                                   "fnmatch.h",
-                                                   "dirent.h",
-                                                   "sys/stat.h",
-                                                   "sys/mman.h",
-                                                   "sys/syscall.h",
-                                                   "linux/openat2.h",
-                                                   "sched.h",
-                                                   "sys/socket.h",
-                                                   "sys/types.h",
-                                                   "sys/wait.h",
-                                                   "spawn.h",
-                                                   "sys/prctl.h",
-                                                   "sys/resource.h",
-                                                   "sys/time.h",
-                                                   "linux/audit.h",
-                                                   "linux/capability.h",
-                                                   "linux/filter.h",
-                                                   "linux/seccomp.h",
-                                                   "malloc.h",
-                                                   "sys/file.h",
-                                                   "sys/xattr.h",
-                                                   "elf.h",
-                                                   "link.h"};
+const std::vector<std::string_view> kSystemHeaders{
+    "fcntl.h",        "unistd.h",        "poll.h",      "fnmatch.h",     "dirent.h",
+    "iconv.h",        "sys/stat.h",      "sys/mman.h",  "sys/syscall.h", "linux/openat2.h",
+    "sched.h",        "sys/socket.h",    "sys/types.h", "sys/wait.h",    "spawn.h",
+    "sys/prctl.h",    "sys/resource.h",  "sys/time.h",  "linux/audit.h", "linux/capability.h",
+    "linux/filter.h", "linux/seccomp.h", "malloc.h",    "sys/file.h",    "sys/xattr.h",
+    "elf.h",          "link.h"};
 
 bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
 

@@ -49,6 +49,7 @@ const std::map<std::string, std::string, std::less<>> kSeveral{
     {"KTX2_HEADER_INVALID", "the reader of KTX2 is several files"},
     {"KTX2_INDEX_INVALID", "the reader of KTX2 is several files"},
     {"MATERIAL_ALPHA_MISSING", "the phase asks whether anybody wants it"},
+    {"NON_RELATIVE_URI", "a fix that names the same file is judged by that alone"},
     {"NON_REQUIRED_EXTENSION", "by schema, by declaration, by data without a fallback"},
     {"NORMAL_MAP_FLAT", "the phase asks whether anybody wants it"},
     {"NORMAL_MAP_INWARD", "the phase asks whether anybody wants it"},
