@@ -56,9 +56,9 @@ NamedFiles named_by(const std::string& path, const AssetBounds& bounds, std::siz
   for (const auto& [value, name] : edit::referred_files(parsed.document)) {
     const auto state = file_state(folder_of(path) / name);
     if (!state) continue;
-    const FileIdentity file = identity_of(*state, name);
-    named.files.insert(file);
-    if (buffers.contains(value)) named.buffers.insert(file);
+    const FileIdentity referred = identity_of(*state, name);
+    named.files.insert(referred);
+    if (buffers.contains(value)) named.buffers.insert(referred);
   }
   return named;
 }
