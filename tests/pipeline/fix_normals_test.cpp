@@ -41,7 +41,7 @@ struct Mesh {
   std::string more_primitives = {}, more_of_primitive = {}, more_accessors = {};
 };
 
-std::string text_of(const Mesh& mesh) {
+std::string text_of_mesh(const Mesh& mesh) {
   const std::size_t size = mesh.positions.size() * sizeof(float);
   return fmt::format(
       R"({{"asset": {{"version": "2.0"}}, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
@@ -60,7 +60,7 @@ Floats normals_of(const Mesh& mesh, const char* unsafe = nullptr) {
   const TempFolder folder;
   const std::string before = raw_floats(mesh.positions) + raw_floats(mesh.normals);
   folder.write("a.bin", before);
-  const auto path = folder.write("a.gltf", text_of(mesh));
+  const auto path = folder.write("a.gltf", text_of_mesh(mesh));
   FixOptions options;
   options.in_place = true;
   options.only = {"ACCESSOR_VECTOR3_NON_UNIT", "ACCESSOR_INVALID_FLOAT"};
@@ -105,7 +105,7 @@ TEST(FixNormals, AreMeansByAngle) {
   mesh.more_accessors =
       R"(,{"bufferView": 2, "componentType": 5121, "type": "SCALAR", "count": 6})";
   const TempFolder folder;
-  std::string text = text_of(mesh);
+  std::string text = text_of_mesh(mesh);
   const std::string kViews = R"("target": 34962}],)";
   text.replace(text.find(kViews), kViews.size(),
                R"("target": 34962}, {"buffer": 1, "byteLength": 6, "target": 34963}],)");

@@ -19,7 +19,7 @@ namespace {
 using container::test::TempFolder;
 
 // The text that a run makes of another one, `code` also unsafely; a second run changes nothing.
-std::string fixed(const std::string& text, const char* code = nullptr) {
+std::string text_after_fix(const std::string& text, const char* code = nullptr) {
   const TempFolder folder;
   const auto path = folder.write("a.gltf", text);
   FixOptions options;
@@ -34,21 +34,22 @@ std::string fixed(const std::string& text, const char* code = nullptr) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string asset(std::string_view members) {
+std::string asset_of_members(std::string_view members) {
   return fmt::format(R"({{"asset": {{"version": "2.0"}}, {}}})", members);
 }
 
 // What becomes of members of the root.
-std::string members(std::string_view members, const char* code = nullptr) {
-  const std::string text = fixed(asset(members), code);
-  const std::size_t begin = asset("").size() - 1;
+std::string members_after_fix(std::string_view members, const char* code = nullptr) {
+  const std::string text = text_after_fix(asset_of_members(members), code);
+  const std::size_t begin = asset_of_members("").size() - 1;
   return text.size() > begin ? text.substr(begin, text.size() - begin - 1) : text;
 }
 
 TEST(FixNull, GoesFromMembersThatNeedNotBeThere) {
-  EXPECT_EQ(members(R"("nodes": [{"mesh": null, "name": "a", "children": null}], "cameras": null)"),
+  EXPECT_EQ(members_after_fix(
+                R"("nodes": [{"mesh": null, "name": "a", "children": null}], "cameras": null)"),
             R"("nodes": [{"name": "a"}])");
-  EXPECT_EQ(members(R"("nodes": [{"name": null, "extensions": null, "rotation": null}])"),
+  EXPECT_EQ(members_after_fix(R"("nodes": [{"name": null, "extensions": null, "rotation": null}])"),
             R"("nodes": [{}])");
 }
 
@@ -56,7 +57,8 @@ TEST(FixNull, StaysWhereAValueIsMissing) {
   const char* const kRequired = R"("buffers": [{"byteLength": null}])";
   const char* const kElement = R"("materials": [{"emissiveFactor": [1, null, 1]}])";
   const char* const kOfNobody = R"("nodes": [{"extras": {"a": null}}])";
-  for (const char* const text : {kRequired, kElement, kOfNobody}) EXPECT_EQ(members(text), text);
+  for (const char* const text : {kRequired, kElement, kOfNobody})
+    EXPECT_EQ(members_after_fix(text), text);
 }
 
 TEST(FixQuotes, GoWhereTheTextCanMeanOneThingOnly) {
@@ -64,47 +66,49 @@ TEST(FixQuotes, GoWhereTheTextCanMeanOneThingOnly) {
     return fmt::format(R"("materials": [{{"pbrMetallicRoughness": {{"metallicFactor": {}}}}}])",
                        value);
   };
-  EXPECT_EQ(members(metallic(R"("0.5")")), metallic("0.5"));
-  EXPECT_EQ(members(metallic(R"("0,5")")), metallic("0.5"));
-  EXPECT_EQ(members(metallic(R"("0,500")")), metallic("0.500"));
+  EXPECT_EQ(members_after_fix(metallic(R"("0.5")")), metallic("0.5"));
+  EXPECT_EQ(members_after_fix(metallic(R"("0,5")")), metallic("0.5"));
+  EXPECT_EQ(members_after_fix(metallic(R"("0,500")")), metallic("0.500"));
   for (const char* const unclear : {R"("1,500")", R"("half")", R"("")", R"("05")", R"("0.5.1")",
                                     R"("1,2,3")", R"("1.0,5")", R"("0x1")"}) {
-    EXPECT_EQ(members(metallic(unclear)), metallic(unclear));
+    EXPECT_EQ(members_after_fix(metallic(unclear)), metallic(unclear));
   }
 }
 
 TEST(FixQuotes, GoFromIndicesFlagsAndLists) {
-  EXPECT_EQ(members(R"("scene": "0", "scenes": [{"nodes": ["0", "1"]}], "nodes": [{}, {}])"),
-            R"("scene": 0, "scenes": [{"nodes": [0, 1]}], "nodes": [{}, {}])");
-  EXPECT_EQ(members(R"("materials": [{"doubleSided": "true", "emissiveFactor": ["1", 0, "0,5"]}])"),
+  EXPECT_EQ(
+      members_after_fix(R"("scene": "0", "scenes": [{"nodes": ["0", "1"]}], "nodes": [{}, {}])"),
+      R"("scene": 0, "scenes": [{"nodes": [0, 1]}], "nodes": [{}, {}])");
+  EXPECT_EQ(members_after_fix(
+                R"("materials": [{"doubleSided": "true", "emissiveFactor": ["1", 0, "0,5"]}])"),
             R"("materials": [{"doubleSided": true, "emissiveFactor": [1, 0, 0.5]}])");
   // None of them goes unless all can.
   const char* const kMixed = R"("materials": [{"emissiveFactor": ["1", "x", 1]}])";
-  EXPECT_EQ(members(kMixed), kMixed);
+  EXPECT_EQ(members_after_fix(kMixed), kMixed);
   const char* const kNoIndex = R"("scene": "0.5", "scenes": [{}])";
-  EXPECT_EQ(members(kNoIndex), kNoIndex);
+  EXPECT_EQ(members_after_fix(kNoIndex), kNoIndex);
 }
 
 TEST(FixType, NumbersBecomeWhatTheyStandFor) {
-  EXPECT_EQ(members(R"("nodes": [{"name": 5}])"), R"("nodes": [{"name": "5"}])");
+  EXPECT_EQ(members_after_fix(R"("nodes": [{"name": 5}])"), R"("nodes": [{"name": "5"}])");
   const char* const kFlag = R"("materials": [{"doubleSided": 1}])";
-  EXPECT_EQ(members(kFlag), kFlag);
-  EXPECT_EQ(members(kFlag, "TYPE_MISMATCH"), R"("materials": [{"doubleSided": true}])");
-  EXPECT_EQ(fixed(R"({"asset": {"version": 2.0}})"), R"({"asset": {"version": "2.0"}})");
-  EXPECT_EQ(fixed(R"({"asset": {"version": 2}})"), R"({"asset": {"version": "2.0"}})");
+  EXPECT_EQ(members_after_fix(kFlag), kFlag);
+  EXPECT_EQ(members_after_fix(kFlag, "TYPE_MISMATCH"), R"("materials": [{"doubleSided": true}])");
+  EXPECT_EQ(text_after_fix(R"({"asset": {"version": 2.0}})"), R"({"asset": {"version": "2.0"}})");
+  EXPECT_EQ(text_after_fix(R"({"asset": {"version": 2}})"), R"({"asset": {"version": "2.0"}})");
   const char* const kEnum = R"("materials": [{"alphaMode": 1}])";
-  EXPECT_EQ(members(kEnum), kEnum);
+  EXPECT_EQ(members_after_fix(kEnum), kEnum);
 }
 
 TEST(FixCommas, BecomePointsWhereSpacesTellThemApart) {
   const auto node = [](std::string_view value) {
     return fmt::format(R"("nodes": [{{"translation": {}}}])", value);
   };
-  EXPECT_EQ(members(node("[0,5, 0,0, 1,25]")), node("[0.5, 0.0, 1.25]"));
-  EXPECT_EQ(members(node("[-0,5, 3, 1,25]")), node("[-0.5, 3, 1.25]"));
+  EXPECT_EQ(members_after_fix(node("[0,5, 0,0, 1,25]")), node("[0.5, 0.0, 1.25]"));
+  EXPECT_EQ(members_after_fix(node("[-0,5, 3, 1,25]")), node("[-0.5, 3, 1.25]"));
   for (const char* const unclear : {"[0,5,0,0,1,25]", "[0,5, 0,0]", "[0,5,1, 0,0, 1]",
                                     "[0, 5, 0, 0, 1, 25]", "[0,-5, 0, 0]", "[0.5,5, 1, 1]"}) {
-    EXPECT_EQ(members(node(unclear)), node(unclear));
+    EXPECT_EQ(members_after_fix(node(unclear)), node(unclear));
   }
 }
 
@@ -113,19 +117,20 @@ TEST(FixRange, RoundingAtALimitGoes) {
     return fmt::format(R"("materials": [{{"pbrMetallicRoughness": {{"baseColorFactor": [{}]}}}}])",
                        numbers);
   };
-  EXPECT_EQ(members(color("1.00000012, 0.5, -0.0000001, 1.0000001")), color("1, 0.5, 0, 1"));
-  EXPECT_EQ(members(color("1.00001, 0.5, 1.00000012, 1")), color("1.00001, 0.5, 1, 1"));
-  EXPECT_EQ(members(color("-0.0001, 2, 1, 1")), color("-0.0001, 2, 1, 1"));
-  EXPECT_EQ(members(R"("nodes": [{"rotation": [0, 0, 0, 1.0000001]}])"),
+  EXPECT_EQ(members_after_fix(color("1.00000012, 0.5, -0.0000001, 1.0000001")),
+            color("1, 0.5, 0, 1"));
+  EXPECT_EQ(members_after_fix(color("1.00001, 0.5, 1.00000012, 1")), color("1.00001, 0.5, 1, 1"));
+  EXPECT_EQ(members_after_fix(color("-0.0001, 2, 1, 1")), color("-0.0001, 2, 1, 1"));
+  EXPECT_EQ(members_after_fix(R"("nodes": [{"rotation": [0, 0, 0, 1.0000001]}])"),
             R"("nodes": [{"rotation": [0, 0, 0, 1]}])");
   // There is no least number above 0.
   const char* const kOpen =
       R"("cameras": [{"type": "perspective", "perspective": {"znear": 0, "yfov": 1}}])";
-  EXPECT_EQ(members(kOpen), kOpen);
+  EXPECT_EQ(members_after_fix(kOpen), kOpen);
 }
 
 // Three positions, and what their accessor and its view say besides.
-std::string positions(std::string_view accessor, std::string_view view) {
+std::string asset_of_positions(std::string_view accessor, std::string_view view) {
   const std::string bytes =
       std::string(8, '\0') + std::string("\0\0\x80\x3f", 4) + std::string(24, '\0');
   return fmt::format(R"("scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
@@ -136,16 +141,18 @@ std::string positions(std::string_view accessor, std::string_view view) {
                      accessor, view, container::encode_base64(bytes));
 }
 
-constexpr std::string_view kBounds = R"("min": [0, 0, 0], "max": [0, 0, 1])";
+constexpr std::string_view kSoundBounds = R"("min": [0, 0, 0], "max": [0, 0, 1])";
 
 TEST(FixBounds, AreWrittenAnewWhateverStandsThere) {
   for (const char* const least : {"[0, 0]", "[0, 0, 0, 0]", "[]", "0", "null", R"("0 0 0")", "{}",
                                   R"(["0", "0", "0"])", "[0, null, 0]", "[0, 0, 1e999]"}) {
-    EXPECT_EQ(members(positions(fmt::format(R"("min": {}, "max": [0, 0, 1])", least), "")),
-              positions(kBounds, ""))
+    EXPECT_EQ(members_after_fix(
+                  asset_of_positions(fmt::format(R"("min": {}, "max": [0, 0, 1])", least), "")),
+              asset_of_positions(kSoundBounds, ""))
         << least;
   }
-  EXPECT_EQ(members(positions(R"("min": [], "max": [0])", "")), positions(kBounds, ""));
+  EXPECT_EQ(members_after_fix(asset_of_positions(R"("min": [], "max": [0])", "")),
+            asset_of_positions(kSoundBounds, ""));
 }
 
 TEST(FixBounds, OfIntegersAreIntegers) {
@@ -157,19 +164,21 @@ TEST(FixBounds, OfIntegersAreIntegers) {
                        most);
   };
   for (const char* const most : {"0.5", "300", "-1", R"("x")"}) {
-    EXPECT_EQ(members(indices(most)), indices("0")) << most;
+    EXPECT_EQ(members_after_fix(indices(most)), indices("0")) << most;
   }
 }
 
 TEST(FixStride, GoesWhereElementsLiePacked) {
   for (const char* const stride : {"0", "4", "8"}) {
     const std::string view = fmt::format(R"("byteStride": {}, )", stride);
-    EXPECT_EQ(members(positions(kBounds, view)), positions(kBounds, "")) << stride;
+    EXPECT_EQ(members_after_fix(asset_of_positions(kSoundBounds, view)),
+              asset_of_positions(kSoundBounds, ""))
+        << stride;
   }
 }
 
 // Two accessors of one view.
-std::string pair(std::string_view stride, unsigned second, std::string_view type) {
+std::string asset_of_pair(std::string_view stride, unsigned second, std::string_view type) {
   return fmt::format(R"("scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
 "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0, "{}": 1}}, "mode": 0}}]}}],
 "accessors": [{{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 2, "min": [0, 0, 0], "max": [0, 0, 0]}},
@@ -181,44 +190,47 @@ std::string pair(std::string_view stride, unsigned second, std::string_view type
 }
 
 TEST(FixStride, IsThatOfAllElementsWhereAttributesShareAView) {
-  EXPECT_EQ(members(pair(R"("byteStride": 0, )", 24, "VEC3")),
-            pair(R"("byteStride": 12, )", 24, "VEC3"));
-  const std::string interleaved = pair(R"("byteStride": 0, )", 12, "VEC3");
-  EXPECT_EQ(members(interleaved), interleaved);
-  const std::string different = pair(R"("byteStride": 0, )", 24, "VEC2");
-  EXPECT_EQ(members(different), different);
+  EXPECT_EQ(members_after_fix(asset_of_pair(R"("byteStride": 0, )", 24, "VEC3")),
+            asset_of_pair(R"("byteStride": 12, )", 24, "VEC3"));
+  const std::string interleaved = asset_of_pair(R"("byteStride": 0, )", 12, "VEC3");
+  EXPECT_EQ(members_after_fix(interleaved), interleaved);
+  const std::string different = asset_of_pair(R"("byteStride": 0, )", 24, "VEC2");
+  EXPECT_EQ(members_after_fix(different), different);
 }
 
 TEST(FixStride, StaysWhereItMayBeMisspelt) {
-  const std::string large = positions(kBounds, R"("byteStride": 256, )");
-  EXPECT_EQ(members(large), large);
-  std::string gaps = positions(kBounds, R"("byteStride": 0, )");
+  const std::string large = asset_of_positions(kSoundBounds, R"("byteStride": 256, )");
+  EXPECT_EQ(members_after_fix(large), large);
+  std::string gaps = asset_of_positions(kSoundBounds, R"("byteStride": 0, )");
   gaps.replace(gaps.find(R"("count": 3)"), 10, R"("count": 2)");
-  EXPECT_EQ(members(gaps), gaps);
+  EXPECT_EQ(members_after_fix(gaps), gaps);
 }
 
 TEST(FixMisplaced, WhatNobodyDrawsMovesIntoTheAsset) {
-  EXPECT_EQ(fixed(R"({"asset": {"version": "2.0"}, "copyright": "CC0", "generator": "x"})"),
-            R"({"asset": {"version": "2.0", "copyright": "CC0", "generator": "x"}})");
+  EXPECT_EQ(
+      text_after_fix(R"({"asset": {"version": "2.0"}, "copyright": "CC0", "generator": "x"})"),
+      R"({"asset": {"version": "2.0", "copyright": "CC0", "generator": "x"}})");
   const char* const kThere = R"({"asset": {"version": "2.0", "copyright": "a"}, "copyright": "b"})";
-  EXPECT_EQ(fixed(kThere), kThere);
+  EXPECT_EQ(text_after_fix(kThere), kThere);
   const char* const kDrawn = R"("materials": [{"metallicFactor": 0}])";
-  EXPECT_EQ(members(kDrawn), kDrawn);
+  EXPECT_EQ(members_after_fix(kDrawn), kDrawn);
 }
 
 TEST(FixMisplaced, OthersMoveIfAskedFor) {
   constexpr const char* kCode = "UNEXPECTED_PROPERTY";
   EXPECT_EQ(
-      members(R"("materials": [{"metallicFactor": 0, "baseColorFactor": [1, 0, 0, 1]}])", kCode),
+      members_after_fix(R"("materials": [{"metallicFactor": 0, "baseColorFactor": [1, 0, 0, 1]}])",
+                        kCode),
       R"("materials": [{"pbrMetallicRoughness": {"metallicFactor": 0, "baseColorFactor": [1, 0, 0, 1]}}])");
-  EXPECT_EQ(members(R"("materials": [{"pbrMetallicRoughness": {"alphaMode": "BLEND"}}])", kCode),
+  EXPECT_EQ(members_after_fix(R"("materials": [{"pbrMetallicRoughness": {"alphaMode": "BLEND"}}])",
+                              kCode),
             R"("materials": [{"pbrMetallicRoughness": {}, "alphaMode": "BLEND"}])");
   // Which of two, and what is right, nobody knows.
   for (const char* const unclear :
        {R"("materials": [{"texCoord": 1}])", R"("materials": [{"metallicFactor": 5}])",
         R"("nodes": [{"arrayIndex": 3}])", R"("nodes": [{}], "camera": 0)",
         R"("materials": [{"metallicFactor": 0, "pbrMetallicRoughness": {"metallicFactor": 1}}])"}) {
-    EXPECT_EQ(members(unclear, kCode), unclear);
+    EXPECT_EQ(members_after_fix(unclear, kCode), unclear);
   }
 }
 
@@ -229,11 +241,11 @@ TEST(FixMisplaced, MovesAcrossAnArrayOfOne) {
 {{"componentType": 5126, "type": "VEC3", "count": 1, "min": [0, 0, 0], "max": [0, 0, 0]}}])",
                        of_mesh, primitives);
   };
-  EXPECT_EQ(members(mesh(R"("mode": 0, )", R"({"attributes": {"POSITION": 0}})"), kCode),
+  EXPECT_EQ(members_after_fix(mesh(R"("mode": 0, )", R"({"attributes": {"POSITION": 0}})"), kCode),
             mesh("", R"({"attributes": {"POSITION": 0}, "mode": 0})"));
   const std::string two =
       mesh(R"("mode": 0, )", R"({"attributes": {"POSITION": 0}}, {"attributes": {"POSITION": 0}})");
-  EXPECT_EQ(members(two, kCode), two);
+  EXPECT_EQ(members_after_fix(two, kCode), two);
 }
 
 }  // namespace
