@@ -15,19 +15,21 @@ namespace {
 
 using container::test::TempFolder;
 
-std::string file_of(const std::filesystem::path& path) { return container::test::content_of(path); }
+std::string file_content(const std::filesystem::path& path) {
+  return container::test::content_of(path);
+}
 
 // A PNG of one pixel.
-std::string picture() {
+std::string tiny_picture() {
   return *container::decode_base64(
       "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR42mP4DwABAQEAHLCMmQAAAABJRU5ErkJggg="
       "=");
 }
 
-std::string with_image(const std::string& uri, const std::string& more = {}) {
+std::string asset_of_image(const std::string& uri, const std::string& more = {}) {
   return R"({"asset":{"version":"2.0"},"images":[{"uri":")" + uri + "\"}" + more + "]}";
 }
-std::string with_buffer(const std::string& uri) {
+std::string asset_of_buffer(const std::string& uri) {
   return R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":")" + uri + "\"}]}";
 }
 
@@ -41,7 +43,7 @@ class FixFiles : public testing::Test {
     options.unsafe = !unsafe.empty();
     report_ = fix_file(path.native(), options);
     EXPECT_EQ(report_.error, "");
-    return file_of(path);
+    return file_content(path);
   }
 
   TempFolder folder_;
@@ -49,70 +51,70 @@ class FixFiles : public testing::Test {
 };
 
 TEST_F(FixFiles, EncodesASpaceAndNothingElse) {
-  folder_.write("St\xC3\xBChle 1.png", picture());
-  EXPECT_EQ(fixed(with_image("St\xC3\xBChle 1.png")), with_image("St\xC3\xBChle%201.png"));
+  folder_.write("St\xC3\xBChle 1.png", tiny_picture());
+  EXPECT_EQ(fixed(asset_of_image("St\xC3\xBChle 1.png")), asset_of_image("St\xC3\xBChle%201.png"));
   EXPECT_EQ(validate_file((folder_.path() / "asset.gltf").native()).counts.errors, 0U);
 }
 
 TEST_F(FixFiles, EncodesAHashWhereTheFileIsThere) {
-  folder_.write("wood#1.png", picture());
+  folder_.write("wood#1.png", tiny_picture());
   folder_.write("mesh?2.bin", "0123");
-  EXPECT_EQ(fixed(with_image("wood#1.png")), with_image("wood%231.png"));
-  EXPECT_EQ(fixed(with_buffer("mesh?2.bin")), with_buffer("mesh%3F2.bin"));
-  EXPECT_EQ(fixed(with_buffer("mesh#3.bin")), with_buffer("mesh#3.bin"));
+  EXPECT_EQ(fixed(asset_of_image("wood#1.png")), asset_of_image("wood%231.png"));
+  EXPECT_EQ(fixed(asset_of_buffer("mesh?2.bin")), asset_of_buffer("mesh%3F2.bin"));
+  EXPECT_EQ(fixed(asset_of_buffer("mesh#3.bin")), asset_of_buffer("mesh#3.bin"));
 }
 
 TEST_F(FixFiles, CutsAQueryWhereOnlyTheFileWithoutItIsThere) {
   folder_.write("a.bin", "0123");
-  EXPECT_EQ(fixed(with_buffer("a.bin?v=2")), with_buffer("a.bin"));
+  EXPECT_EQ(fixed(asset_of_buffer("a.bin?v=2")), asset_of_buffer("a.bin"));
   folder_.write("a.bin?v=2", "0123");
-  EXPECT_EQ(fixed(with_buffer("a.bin?v=2")), with_buffer("a.bin?v=2"));
+  EXPECT_EQ(fixed(asset_of_buffer("a.bin?v=2")), asset_of_buffer("a.bin?v=2"));
 }
 
 // The name is certain, whatever is wrong with the file.
 TEST_F(FixFiles, EncodesAHashInTheNameOfAFileWithErrors) {
   folder_.write("mesh#2.bin", "012");
-  EXPECT_EQ(fixed(with_buffer("mesh#2.bin")), with_buffer("mesh%232.bin"));
+  EXPECT_EQ(fixed(asset_of_buffer("mesh#2.bin")), asset_of_buffer("mesh%232.bin"));
 }
 
 TEST_F(FixFiles, NamesTheFileThatDiffersInCaseEndingOrSpelling) {
-  folder_.write("Textures/Wood.PNG", picture());
-  folder_.write("leaf.png", picture());
-  folder_.write("lambert1.001.png", picture());
+  folder_.write("Textures/Wood.PNG", tiny_picture());
+  folder_.write("leaf.png", tiny_picture());
+  folder_.write("lambert1.001.png", tiny_picture());
   folder_.write("Mesh.bin", "0123");
-  EXPECT_EQ(fixed(with_image("textures/wood.png")), with_image("Textures/Wood.PNG"));
-  EXPECT_EQ(fixed(with_image("leaf.jpg")), with_image("leaf.png"));
-  EXPECT_EQ(fixed(with_image("lambert1.png")), with_image("lambert1.001.png"));
-  EXPECT_EQ(fixed(with_image("maps/leaf.png")), with_image("leaf.png"));
-  EXPECT_EQ(fixed(with_buffer("mesh.bin")), with_buffer("Mesh.bin"));
+  EXPECT_EQ(fixed(asset_of_image("textures/wood.png")), asset_of_image("Textures/Wood.PNG"));
+  EXPECT_EQ(fixed(asset_of_image("leaf.jpg")), asset_of_image("leaf.png"));
+  EXPECT_EQ(fixed(asset_of_image("lambert1.png")), asset_of_image("lambert1.001.png"));
+  EXPECT_EQ(fixed(asset_of_image("maps/leaf.png")), asset_of_image("leaf.png"));
+  EXPECT_EQ(fixed(asset_of_buffer("mesh.bin")), asset_of_buffer("Mesh.bin"));
 }
 
 TEST_F(FixFiles, LeavesANameWhereTwoFilesAreMeantOrNoneDecodes) {
-  folder_.write("Leaf.png", picture());
-  folder_.write("LEAF.png", picture());
+  folder_.write("Leaf.png", tiny_picture());
+  folder_.write("LEAF.png", tiny_picture());
   folder_.write("Wood.png", "not a picture");
   folder_.write("Mesh.bin", "012");
   for (const char* uri : {"leaf.png", "wood.png"}) {
-    EXPECT_EQ(fixed(with_image(uri)), with_image(uri));
+    EXPECT_EQ(fixed(asset_of_image(uri)), asset_of_image(uri));
     EXPECT_EQ(report_.left(), 1U);
   }
-  EXPECT_EQ(fixed(with_buffer("mesh.bin")), with_buffer("mesh.bin"));
+  EXPECT_EQ(fixed(asset_of_buffer("mesh.bin")), asset_of_buffer("mesh.bin"));
 }
 
 TEST_F(FixFiles, LeavesANameWhereAnotherImageHasTheFile) {
-  folder_.write("stones.png", picture());
-  const std::string asset = with_image("stone.png", R"(,{"uri":"stones.png"})");
+  folder_.write("stones.png", tiny_picture());
+  const std::string asset = asset_of_image("stone.png", R"(,{"uri":"stones.png"})");
   EXPECT_EQ(fixed(asset), asset);
 }
 
 TEST_F(FixFiles, OfAWindowsDriveAreFoundWhenAskedFor) {
-  folder_.write("maps/wood.png", picture());
-  const std::string asset = with_image(R"(C:\\Users\\me\\maps\\wood.png)");
+  folder_.write("maps/wood.png", tiny_picture());
+  const std::string asset = asset_of_image(R"(C:\\Users\\me\\maps\\wood.png)");
   EXPECT_EQ(fixed(asset), asset);
-  EXPECT_EQ(fixed(asset, "URI_OUTSIDE_ROOT"), with_image("maps/wood.png"));
+  EXPECT_EQ(fixed(asset, "URI_OUTSIDE_ROOT"), asset_of_image("maps/wood.png"));
 }
 
-std::string number(std::size_t value) {
+std::string four_bytes(std::size_t value) {
   std::string bytes;
   for (unsigned shift = 0; shift < 32; shift += 8) {
     bytes += static_cast<char>((value >> shift) & 0xFFU);
@@ -120,11 +122,11 @@ std::string number(std::size_t value) {
   return bytes;
 }
 
-std::string glb_of(const std::string& chunks) {
-  return "glTF" + number(2) + number(12 + chunks.size()) + chunks;
+std::string glb_file(const std::string& chunks) {
+  return "glTF" + four_bytes(2) + four_bytes(12 + chunks.size()) + chunks;
 }
-std::string chunk_of(const std::string& type, const std::string& data, std::size_t uncounted = 0) {
-  return number(data.size() - uncounted) + type + data;
+std::string glb_chunk(const std::string& type, const std::string& data, std::size_t uncounted = 0) {
+  return four_bytes(data.size() - uncounted) + type + data;
 }
 
 class FixGlb : public FixFiles {
@@ -137,28 +139,30 @@ class FixGlb : public FixFiles {
     options.unsafe = !unsafe.empty();
     report_ = fix_file(path.native(), options);
     EXPECT_EQ(report_.error, "");
-    return file_of(path);
+    return file_content(path);
   }
 };
 
-const std::string kBinType("BIN\0", 4);
-const std::string kJson = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]}    )";
+const std::string kGlbBin("BIN\0", 4);
+const std::string kGlbJson = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]}    )";
 
 TEST_F(FixGlb, WritesTheTypesOfChunksThatAreNumbers) {
-  EXPECT_EQ(fixed_glb(glb_of(chunk_of(number(0), kJson) + chunk_of(number(1), "abcd"))),
-            glb_of(chunk_of("JSON", kJson) + chunk_of(kBinType, "abcd")));
+  EXPECT_EQ(
+      fixed_glb(glb_file(glb_chunk(four_bytes(0), kGlbJson) + glb_chunk(four_bytes(1), "abcd"))),
+      glb_file(glb_chunk("JSON", kGlbJson) + glb_chunk(kGlbBin, "abcd")));
 }
 
 TEST_F(FixGlb, CountsPaddingThatIsThere) {
-  const std::string sound = glb_of(chunk_of("JSON", kJson) + chunk_of(kBinType, "abcd"));
-  EXPECT_EQ(fixed_glb(glb_of(chunk_of("JSON", kJson, 3) + chunk_of(kBinType, "abcd"))), sound);
+  const std::string sound = glb_file(glb_chunk("JSON", kGlbJson) + glb_chunk(kGlbBin, "abcd"));
+  EXPECT_EQ(fixed_glb(glb_file(glb_chunk("JSON", kGlbJson, 3) + glb_chunk(kGlbBin, "abcd"))),
+            sound);
 }
 
 TEST_F(FixGlb, RemovesAnEmptyUriInFrontOfTheBinChunk) {
   const std::string json = R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"uri":""}]} )";
   const std::string after =
-      fixed_glb(glb_of(chunk_of("JSON", json + std::string(3 - (json.size() + 3) % 4, ' ')) +
-                       chunk_of(kBinType, "abcd")));
+      fixed_glb(glb_file(glb_chunk("JSON", json + std::string(3 - (json.size() + 3) % 4, ' ')) +
+                         glb_chunk(kGlbBin, "abcd")));
   EXPECT_EQ(after.find("uri"), std::string::npos);
   EXPECT_NE(after.find("abcd"), std::string::npos);
 }
@@ -167,7 +171,7 @@ TEST_F(FixGlb, ConvertsNamesToUtf8WhenAskedFor) {
   const auto asset = [](const std::string& name) {
     std::string json = R"({"asset":{"version":"2.0"},"nodes":[{"name":")" + name + "\"}]}";
     json.resize((json.size() + 3) / 4 * 4, ' ');
-    return glb_of(chunk_of("JSON", json));
+    return glb_file(glb_chunk("JSON", json));
   };
   EXPECT_EQ(fixed_glb(asset("St\xFChle")), asset("St\xFChle"));
   EXPECT_EQ(fixed_glb(asset("St\xFChle"), "JSON_INVALID_UTF8"), asset("St\xC3\xBChle"));
