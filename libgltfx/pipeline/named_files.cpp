@@ -96,8 +96,9 @@ class Groups {
     return position;
   }
   void join(std::size_t one, std::size_t other) {
-    const auto [first, second] = std::minmax(first_of(one), first_of(other));
-    parents_[second] = first;
+    one = first_of(one);
+    other = first_of(other);
+    parents_[std::max(one, other)] = std::min(one, other);
   }
 
  private:
