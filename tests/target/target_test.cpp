@@ -313,7 +313,7 @@ INSTANTIATE_TEST_SUITE_P(
       for (char& letter : name) {
         if (letter == '.' || letter == '-') letter = '_';
       }
-      return name;
+      return name + "_" + std::to_string(tested.index);
     });
 
 }  // namespace

@@ -111,7 +111,7 @@ std::string folded(std::vector<Row> rows, const std::vector<TargetChoice>& choic
     for (auto field = row->begin() + 1; field != row->end(); ++field) *field = signs_of(*field);
   }
   return fmt::format(
-      "{}\nx refused, - ignored, r read, d drawn, . or empty: not measured. Two signs: {}.\n\n{}",
+      "{}\nx refused, - ignored, r read, d drawn, . or empty: not measured.\nTwo signs: {}.\n\n{}",
       aligned(legend), kTwo, aligned(rows));
 }
 
