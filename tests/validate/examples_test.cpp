@@ -28,6 +28,8 @@ const std::map<std::string_view, std::set<std::string_view>>& companions() {
       {"GLB_UNEXPECTED_BIN_CHUNK", {"GLB_UNKNOWN_CHUNK_TYPE"}},
       // The declared length is short of the chunk, and so of the file.
       {"GLB_CHUNK_TOO_BIG", {"GLB_LENGTH_MISMATCH"}},
+      // A hint on the image, whatever shows it.
+      {"TEXTURE_NOT_8_BIT", {"IMAGE_16_BIT"}},
       // What is given up is so because of what was found before.
       {"DRACO_NOT_CHECKED", {"DRACO_LIMIT_EXCEEDED"}},
       // Nobody knows an extension whose name is none.
