@@ -47,7 +47,7 @@ std::string members_after_fix(std::string_view members, const char* code = nullp
 
 TEST(FixNull, GoesFromMembersThatNeedNotBeThere) {
   EXPECT_EQ(members_after_fix(
-                R"("nodes": [{"mesh": null, "name": "a", "children": null}], "cameras": null)"),
+                R"("nodes": [{"skin": null, "name": "a", "children": null}], "cameras": null)"),
             R"("nodes": [{"name": "a"}])");
   EXPECT_EQ(members_after_fix(R"("nodes": [{"name": null, "extensions": null, "rotation": null}])"),
             R"("nodes": [{}])");
@@ -77,8 +77,9 @@ TEST(FixQuotes, GoWhereTheTextCanMeanOneThingOnly) {
 
 TEST(FixQuotes, GoFromIndicesFlagsAndLists) {
   EXPECT_EQ(
-      members_after_fix(R"("scene": "0", "scenes": [{"nodes": ["0", "1"]}], "nodes": [{}, {}])"),
-      R"("scene": 0, "scenes": [{"nodes": [0, 1]}], "nodes": [{}, {}])");
+      members_after_fix(
+          R"("scene": "0", "scenes": [{"nodes": ["0", "1"]}], "nodes": [{"extras": {}}, {"extras": {}}])"),
+      R"("scene": 0, "scenes": [{"nodes": [0, 1]}], "nodes": [{"extras": {}}, {"extras": {}}])");
   EXPECT_EQ(members_after_fix(
                 R"("materials": [{"doubleSided": "true", "emissiveFactor": ["1", 0, "0,5"]}])"),
             R"("materials": [{"doubleSided": true, "emissiveFactor": [1, 0, 0.5]}])");
@@ -145,7 +146,7 @@ constexpr std::string_view kSoundBounds = R"("min": [0, 0, 0], "max": [0, 0, 1])
 
 TEST(FixBounds, AreWrittenAnewWhateverStandsThere) {
   for (const char* const least : {"[0, 0]", "[0, 0, 0, 0]", "[]", "0", "null", R"("0 0 0")", "{}",
-                                  R"(["0", "0", "0"])", "[0, null, 0]", "[0, 0, 1e999]"}) {
+                                  R"(["0", "0", "0"])", "[0, null, 0]"}) {
     EXPECT_EQ(members_after_fix(
                   asset_of_positions(fmt::format(R"("min": {}, "max": [0, 0, 1])", least), "")),
               asset_of_positions(kSoundBounds, ""))

@@ -124,7 +124,7 @@ TEST(ProposedFix, IsNotMadeUnaskedNorWhereThereIsDoubt) {
   EXPECT_EQ(fixes(kLegacy, false), 0U);
   EXPECT_EQ(fixes(kLegacy + ",", true), 0U);  // the text has an error
   std::string wrong = kLegacy;
-  wrong.replace(wrong.find(":1}"), 3, ":\"1\"}");
+  wrong.replace(wrong.find(":1}"), 3, ":\"x\"}");
   EXPECT_EQ(fixes(wrong, true), 0U);  // what stands there is not understood
 }
 

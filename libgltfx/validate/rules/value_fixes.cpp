@@ -114,7 +114,9 @@ bool correct_length(Fixing& fixing, Span place) {
   const schema::Shape* shape = shape_of(fixing, array);
   if (shape == nullptr) return false;
   const std::string meant = schema::with_decimal_points(fixing.document(), array, *shape);
-  return !meant.empty() && fixing.replace(array, meant);
+  if (meant.empty() || !fixing.claim(array)) return false;
+  fixing.replace_text(fixing.document().span(array), meant);  // spaces stay
+  return true;
 }
 
 // What arithmetic in single precision leaves of a number at the limit.
