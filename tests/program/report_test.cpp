@@ -52,10 +52,6 @@ TEST_F(Report, FoldersOfThePageAreMade) {
   const Outcome refused = here({"in", "-o", "file/page.html", "--no-thumbnails"});
   EXPECT_EQ(refused.code, 4);
   EXPECT_THAT(refused.err, HasSubstr("cannot create 'file'"));
-  const Outcome other = gltfx({"validate", "in", "--format", "json=reports/in.json"},
-                              {folder_.path().native(), {}, {}});
-  EXPECT_EQ(other.code, 1);
-  EXPECT_EQ(json::parse(content("reports/in.json"))["files"].size(), 2U);
 }
 
 TEST_F(Report, OnePageForAFolder) {
@@ -125,7 +121,6 @@ TEST_F(Report, MistakesOfTheCommandAreNamed) {
               HasSubstr("32 to 1024"));
   EXPECT_THAT(here({"in/sound.gltf", "-o", "in/sound.gltf"}).err,
               HasSubstr("is a file that is to be checked"));
-  EXPECT_EQ(here({"in", "-o", "no/such/folder.html", "--no-thumbnails"}).code, 4);
   EXPECT_FALSE(fs::exists(folder_.path() / "a.html"));
 }
 

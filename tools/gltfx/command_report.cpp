@@ -48,7 +48,7 @@ class ReportRun {
         known_(std::move(known)),
         thumbnails_(request.thumbnails),
         page_(page_options(request)),
-        output_(request.output),
+        output_(request.output, true),
         progress_(!request.validate.quiet, true) {}
 
   ExitCode execute() {

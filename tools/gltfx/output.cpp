@@ -38,21 +38,26 @@ bool same_place(const std::string& a, const std::string& b) {
   return fs::path(a).lexically_normal() == fs::path(b).lexically_normal();
 }
 
-Output::Output(std::string path) : path_(std::move(path)) {
+Output::Output(std::string path, bool folders) : path_(std::move(path)) {
   if (path_.empty()) {
     fd_ = STDOUT_FILENO;
   } else {
-    open();
+    open(folders);
   }
 }
 
-void Output::open() {
+void Output::open(bool folders) {
   const std::string target = resolved(path_);
   struct stat status {};
   const bool exists = ::stat(target.c_str(), &status) == 0;
   const fs::path folder = fs::path(path_).parent_path();
   if (!exists && !folder.empty()) {
-    note(edit::make_folder(folder));
+    std::error_code error;
+    if (folders) note(edit::make_folder(folder));
+    if (problem_.empty() && !fs::is_directory(folder, error)) {
+      problem_ = fmt::format("cannot write {}: there is no folder {}", quoted(path_, 200),
+                             quoted(folder.native(), 200));
+    }
     if (!problem_.empty()) return;
   }
   if (!exists || S_ISREG(status.st_mode)) {

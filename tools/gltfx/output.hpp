@@ -22,9 +22,9 @@ bool same_place(const std::string& a, const std::string& b);
 class Output {
  public:
   /// An empty path is standard output. Anything but a regular file (a pipe, /dev/stderr) is
-  /// written as it comes; a file is written beside its place and moved there by finish(). Folders
-  /// above it are made.
-  explicit Output(std::string path);
+  /// written as it comes; a file is written beside its place and moved there by finish().
+  /// `folders`: those above it are made.
+  explicit Output(std::string path, bool folders = false);
   Output(Output&& other) noexcept = default;
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
@@ -39,7 +39,7 @@ class Output {
   const std::string& problem() const { return problem_; }
 
  private:
-  void open();
+  void open(bool folders);
   void note(const std::optional<Error>& trouble);
   void fail(std::string_view action, int error);
 
