@@ -245,6 +245,8 @@ bool has_new_line_ends(std::string_view bytes) {
 // that.
 TextDamage damage_of(std::string_view bytes, std::uint64_t json_end) {
   if (has_new_line_ends(bytes)) return TextDamage::line_ends;
+  const std::string_view headers = bytes.substr(0, kHeaderSize + kChunkHeaderSize);
+  if (headers.find("\xEF\xBF\xBD") != std::string_view::npos) return TextDamage::replaced;
   const std::size_t brace = std::min(bytes.find('{'), bytes.size());
   bool replaced = false;
   bool other = false;

@@ -260,9 +260,7 @@ class Rounds {
     return files ? Severity::error : Severity::hint;
   }
   bool names_the_same_files(const PlannedFixes& planned) const {
-    return fixes_only(planned, [](Code code) {
-      return code == Code::NON_RELATIVE_URI || code == Code::INVALID_URI;
-    });
+    return fixes_only(planned, [](Code code) { return code == Code::NON_RELATIVE_URI; });
   }
 
   // What the changes make of the asset, or why it is not to be taken.

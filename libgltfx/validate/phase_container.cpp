@@ -106,7 +106,8 @@ bool drop_trailing_zeros(Fixing& fixing, Span) {
 bool check_kind(const container::Container& container, Collector& collector) {
   if (container.format == container::Format::glb) return true;
   const std::string_view bytes = container.bytes.text();
-  const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size());
+  // A byte order mark is told of the text.
+  const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size());
   if (bytes.substr(first).starts_with('{')) return true;
   const container::Content found = container::name_content(bytes);
   if (found.name.empty() || found.image) return true;

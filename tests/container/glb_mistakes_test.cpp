@@ -111,6 +111,12 @@ TEST(GlbMistakes, BytesThatWereReplaced) {
   EXPECT_THAT(container.errors[0].message, HasSubstr("replaced"));
 }
 
+TEST(GlbMistakes, BytesOfTheHeaderThatWereReplaced) {
+  std::string bytes = binary();
+  bytes.replace(8, 2, "\xEF\xBF\xBD");
+  EXPECT_THAT(codes_of(open_glb(bytes)), ElementsAre("GLB_CHANGED_AS_TEXT"));
+}
+
 TEST(GlbMistakes, BytesThatWereEncoded) {
   std::string changed;
   for (const char c : binary()) append_utf8(changed, static_cast<unsigned char>(c));

@@ -73,8 +73,8 @@ TEST_F(FixFiles, CutsAQueryWhereOnlyTheFileWithoutItIsThere) {
 
 // The name is certain, whatever is wrong with the file.
 TEST_F(FixFiles, EncodesAHashInTheNameOfAFileWithErrors) {
-  folder_.write("mesh#2.bin", "012");
-  EXPECT_EQ(fixed(asset_of_buffer("mesh#2.bin")), asset_of_buffer("mesh%232.bin"));
+  folder_.write("wood#1.png", "not a picture");
+  EXPECT_EQ(fixed(asset_of_image("wood#1.png")), asset_of_image("wood%231.png"));
 }
 
 TEST_F(FixFiles, NamesTheFileThatDiffersInCaseEndingOrSpelling) {
@@ -173,7 +173,6 @@ TEST_F(FixGlb, ConvertsNamesToUtf8WhenAskedFor) {
     json.resize((json.size() + 3) / 4 * 4, ' ');
     return glb_file(glb_chunk("JSON", json));
   };
-  EXPECT_EQ(fixed_glb(asset("St\xFChle")), asset("St\xFChle"));
   EXPECT_EQ(fixed_glb(asset("St\xFChle"), "JSON_INVALID_UTF8"), asset("St\xC3\xBChle"));
   EXPECT_EQ(fixed_glb(asset("\x83\x65\x83\x58\x83\x67"), "JSON_INVALID_UTF8"),
             asset("\xE3\x83\x86\xE3\x82\xB9\xE3\x83\x88"));
