@@ -40,6 +40,21 @@ TEST(Equal, FindsEveryDifference) {
   EXPECT_FALSE(same(R"({"a": {"b": [{"c": 1}]}})", R"({"a": {"b": [{"c": 2}]}})"));
 }
 
+TEST(Equal, TellsApartWhatADoubleOrAReaderDoesNot) {
+  EXPECT_FALSE(same("9007199254740993", "9007199254740992"));
+  EXPECT_FALSE(same("[1, 9007199254740993]", "[1, 9007199254740992]"));
+  EXPECT_FALSE(same("0.1", "0.10000000000000000001"));
+  EXPECT_FALSE(same("1e-400", "2e-400"));
+  EXPECT_FALSE(same("-0.0", "0"));
+  EXPECT_FALSE(same(R"("\ud800")", R"("\ud801")"));
+  EXPECT_FALSE(same(R"("\ud800")", R"("\ufffd")"));
+  EXPECT_FALSE(same(R"({"\ud800": 1})", R"({"\ud801": 1})"));
+  EXPECT_TRUE(same("9007199254740993", "9007199254740993"));
+  EXPECT_TRUE(same(R"("\ud800")", R"("\ud800")"));
+  EXPECT_TRUE(same("1e400", "1e400"));
+  EXPECT_TRUE(same("0", "0.0"));
+}
+
 TEST(Equal, DepthIsNoProblem) {
   const std::string deep = std::string(200, '[') + std::string(200, ']');
   EXPECT_TRUE(same(deep, deep));

@@ -17,7 +17,6 @@
 namespace gltfx {
 namespace {
 
-using Json = nlohmann::json;
 using testing::HasSubstr;
 
 const std::string kPixel =
@@ -38,7 +37,7 @@ std::string asset_with(const std::string& members, const std::string& image = ""
                      container::encode_base64(bytes), kPixel, image, members);
 }
 
-std::string content(const std::filesystem::path& path) {
+std::string whole_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
@@ -52,15 +51,15 @@ BakeReport embed_into(const std::filesystem::path& path) {
   return bake_file(path.native(), options);
 }
 
-Json embedded(const std::string& text) {
+nlohmann::json embedded(const std::string& text) {
   const container::test::TempFolder folder;
   const auto path = folder.write("a.gltf", text);
   EXPECT_EQ(embed_into(path).error, "");
-  return Json::parse(content(path));
+  return nlohmann::json::parse(whole_file(path));
 }
 
 TEST(BakeEmbed, TheOldThumbnailMakesRoom) {
-  const Json document = embedded(asset_with(""));
+  const nlohmann::json document = embedded(asset_with(""));
   EXPECT_EQ(document["images"].size(), 1U);
   EXPECT_NE(document["images"][0]["uri"], kPixel);
 }
@@ -82,16 +81,16 @@ TEST(BakeEmbed, AnImageThatMayBeUsedElsewhereStays) {
            std::string(R"(,"textures":[{"extensions":{"EXT_texture_webp":{"source":0}}}],
 "extensionsUsed":["EXT_texture_webp"])"),
        }) {
-    const Json document = embedded(asset_with(members));
+    const nlohmann::json document = embedded(asset_with(members));
     ASSERT_EQ(document["images"].size(), 2U) << members;
-    EXPECT_EQ(document["images"][0], Json({{"uri", kPixel}})) << members;
+    EXPECT_EQ(document["images"][0], nlohmann::json({{"uri", kPixel}})) << members;
     EXPECT_EQ(document["asset"]["thumbnail"], 1) << members;
   }
 }
 
 TEST(BakeEmbed, WhatTheOldThumbnailSaysStays) {
   for (const char* const said : {R"(,"name":"front")", R"(,"extras":{"by":"me"})"}) {
-    const Json document = embedded(asset_with("", said));
+    const nlohmann::json document = embedded(asset_with("", said));
     ASSERT_EQ(document["images"].size(), 2U) << said;
     EXPECT_EQ(document["images"][0]["uri"], kPixel) << said;
     EXPECT_EQ(document["asset"]["thumbnail"], 1) << said;
@@ -106,7 +105,7 @@ TEST(BakeEmbed, AnIndexThatLeadsNowhereDoesNotGetThePicture) {
   const BakeReport report = embed_into(path);
   EXPECT_FALSE(report.embedded);
   EXPECT_THAT(report.error, HasSubstr("an index of images leads nowhere"));
-  EXPECT_EQ(content(path), text);
+  EXPECT_EQ(whole_file(path), text);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace gltfx {
 namespace {
 
 // The text of an asset after all safe fixes.
-std::string fixed(const std::string& text) {
+std::string after_safe_fixes(const std::string& text) {
   const container::test::TempFolder folder;
   const auto path = folder.write("a.gltf", text);
   FixOptions options;
@@ -59,7 +59,7 @@ TEST(FixKeeps, TheFormOfATransformThatIsDrawn) {
        R"(,"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 2,0,0,2],"translation":[2,0,0])"},
   };
   for (const auto& [before, after] : kCases) {
-    const std::string text = fixed(node_with(before));
+    const std::string text = after_safe_fixes(node_with(before));
     // What moves nothing may go by itself, too.
     const bool scale_goes = after.empty();
     if (scale_goes) {
@@ -89,7 +89,7 @@ TEST(FixKeeps, ValuesThatAreNotExactlyEqual) {
            R"("a":1,"a":"1")",
            R"("a":1,"a":2,"a":1)",
        }) {
-    EXPECT_EQ(fixed(extras_with(members)), extras_with(members));
+    EXPECT_EQ(after_safe_fixes(extras_with(members)), extras_with(members));
   }
 }
 
@@ -107,7 +107,7 @@ TEST(FixKeeps, TheLastOfEqualValues) {
       {R"("a":{"b":1,"b":1},"a":{"b":1})", R"("a":{"b":1})"},
   };
   for (const auto& [before, after] : kCases) {
-    EXPECT_EQ(fixed(extras_with(before)), extras_with(after));
+    EXPECT_EQ(after_safe_fixes(extras_with(before)), extras_with(after));
   }
 }
 
@@ -125,7 +125,7 @@ std::string sparse_with(unsigned count, const std::string& stride) {
 
 TEST(FixKeeps, AStrideThatMovesSparseValues) {
   const auto changes = [](unsigned count, const std::string& stride) {
-    const std::string text = fixed(sparse_with(count, stride));
+    const std::string text = after_safe_fixes(sparse_with(count, stride));
     EXPECT_TRUE(text == sparse_with(count, stride) || text == sparse_with(count, "")) << text;
     return text == sparse_with(count, "");
   };
@@ -143,8 +143,8 @@ TEST(FixKeeps, ANodeThatIsListedBeforeItsRoot) {
 "cameras":[{{"type":"perspective","perspective":{{"yfov":1,"znear":1}}}}]}})",
                        list);
   };
-  EXPECT_EQ(fixed(roots("1, 0")), roots("1, 0"));
-  EXPECT_EQ(fixed(roots("0, 1")), roots("0"));
+  EXPECT_EQ(after_safe_fixes(roots("1, 0")), roots("1, 0"));
+  EXPECT_EQ(after_safe_fixes(roots("0, 1")), roots("0"));
 }
 
 TEST(FixKeeps, TheNameOfAnExtensionWithAnObjectInAWrongPlace) {
@@ -153,7 +153,7 @@ TEST(FixKeeps, TheNameOfAnExtensionWithAnObjectInAWrongPlace) {
 "{}":[{{"extensions":{{"KHR_materials_unlit":{{}}}}}}]}})",
                        member);
   };
-  EXPECT_EQ(fixed(with("materals")), with("materals"));
+  EXPECT_EQ(after_safe_fixes(with("materals")), with("materals"));
 }
 
 }  // namespace
