@@ -3,6 +3,8 @@
 
 #include <gltfx/version.hpp>
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "json/parse.hpp"
@@ -129,8 +131,10 @@ Result<PageLine> read_page_line(std::string_view line) {
   return read;
 }
 
-Result<PageEnd> read_page_end(std::string_view line) {
-  const std::string whole = "{" + std::string(line.substr(0, line.find('<')));
+Result<PageEnd> read_page_end(std::string_view text) {
+  const std::size_t size = std::min(text.find('<'), text.size());
+  if (text.substr(size) != page_end()) return foreign();
+  const std::string whole = "{" + std::string(text.substr(0, size));
   const json::Parsed parsed = json::parse(whole);
   if (!is_harmless(whole, parsed)) return foreign();
   Members members(parsed.document, parsed.document.root());

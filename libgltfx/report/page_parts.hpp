@@ -47,8 +47,8 @@ Result<PageHead> read_page_head(std::string_view text);
 /// Without its line break.
 bool is_page_end(std::string_view line);
 Result<PageLine> read_page_line(std::string_view line);
-/// The line after the one that is_page_end().
-Result<PageEnd> read_page_end(std::string_view line);
+/// `text`: all behind the line that is_page_end().
+Result<PageEnd> read_page_end(std::string_view text);
 
 /// The data behind the assets, and the rest of the page.
 std::string page_tail(const std::set<std::string_view>& codes, const std::set<std::string>& targets,

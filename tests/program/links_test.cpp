@@ -64,7 +64,7 @@ TEST_F(Links, ThatLeaveAFolderAreNotFollowedByAnyVerb) {
   expect_nothing_of_outside({"upgrade", "in", "--in-place"});
   expect_nothing_of_outside({"upgrade", "in", "--diff"});
   expect_nothing_of_outside({"edit", "in", "--delete", "/materials/0", "--in-place"});
-  expect_nothing_of_outside({"report", "in", "--no-thumbnails"});
+  expect_nothing_of_outside({"report", "in", "--no-thumbnails", "-o", "-"});
   EXPECT_FALSE(fs::exists(folder_.path() / "out/a.gltf"));
 }
 

@@ -27,6 +27,8 @@ const std::map<std::string, int, std::less<>> kLayers{
 const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/diagnostic.hpp", "base"},
     {"gltfx/version.hpp", "base"},
+    {"gltfx/searched_folders.hpp", "base"},
+    {"gltfx/memory_asset.hpp", "container"},
     {"gltfx/decoders.hpp", "codec"},
     {"gltfx/schema.hpp", "schema"},
     {"gltfx/report.hpp", "report"},
@@ -83,7 +85,7 @@ const std::vector<std::string_view> kSystemHeaders{
     "sched.h",        "sys/socket.h",    "sys/types.h", "sys/wait.h",    "spawn.h",
     "sys/prctl.h",    "sys/resource.h",  "sys/time.h",  "linux/audit.h", "linux/capability.h",
     "linux/filter.h", "linux/seccomp.h", "malloc.h",    "sys/file.h",    "sys/xattr.h",
-    "elf.h",          "link.h"};
+    "elf.h",          "link.h",          "pthread.h"};
 
 bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
 

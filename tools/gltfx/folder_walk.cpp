@@ -123,6 +123,7 @@ FolderWalk::FolderWalk(const NamedPaths& named) : named_(named) {
 }
 
 bool FolderWalk::enter(const std::string& folder) {
+  note_search(folder);
   root_length_ = folder.size() + (folder.ends_with('/') ? 0 : 1);
   if (!named_.no_ignore) ignore_files_.begin(folder);
   return list(folder);

@@ -2,8 +2,11 @@
 /// The assets below a folder that the user named, without what .gitignore files leave out.
 #pragma once
 
+#include <gltfx/searched_folders.hpp>
+
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,6 +70,10 @@ class FolderWalk {
   bool at_end() const { return open_.empty(); }
   /// The next one, or nothing: then the walk is at its end, or has to be asked again.
   std::optional<FoundFile> next();
+  /// `folder`, as paths of what is found begin, is searched by other means.
+  void note_search(const std::string& folder) { searched_->insert(folder); }
+  /// What was searched so far. Grows.
+  std::shared_ptr<const SearchedFolders> searched() const { return searched_; }
   /// Whether NamedPaths::exclude names a file or folder.
   bool is_excluded(std::string_view path, std::string_view place) const;
   /// Assets that .gitignore files name, those in folders that they name left out.
@@ -89,6 +96,7 @@ class FolderWalk {
   std::vector<Listing> open_;    ///< from the folder that was named to that of the next file
   IgnoreFiles ignore_files_;     ///< along open_
   std::uint64_t ignored_ = 0;
+  std::shared_ptr<SearchedFolders> searched_ = std::make_shared<SearchedFolders>();
 };
 
 /// Whether a path ends in .gltf, .glb or .vrm (an avatar in a GLB), in any case of letters.

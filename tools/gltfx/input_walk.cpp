@@ -168,7 +168,7 @@ std::optional<Input> InputWalk::step() {
       words_.from_list() || *word == "-" || !is_glob(*word) || fs::exists(*word, error);
   if (plain) return enter(*word);
   several_ = true;
-  searched_->insert(folder_of_glob(*word));
+  folder_.note_search(folder_of_glob(*word));
   matches_ = expand_glob(*word);
   std::reverse(matches_.begin(), matches_.end());
   if (!matches_.empty() || named_.allow_empty) return Input();
@@ -192,7 +192,6 @@ std::optional<Input> InputWalk::enter(const std::string& path) {
   }
   several_ = true;
   folders_.push_back(path);
-  searched_->insert(path);
   if (!folder_.enter(path)) return take(path, fs::path(path).filename().native(), path);
   return Input();
 }

@@ -66,7 +66,7 @@ class InputWalk {
   /// may be meant, and the folders and globs without any asset, as they were named.
   const std::vector<std::string>& folders() const { return folders_; }
   /// What was searched so far: folders among the arguments, and where globs begin to match. Grows.
-  std::shared_ptr<const SearchedFolders> searched() const { return searched_; }
+  std::shared_ptr<const SearchedFolders> searched() const { return folder_.searched(); }
   bool several() const { return several_ || met_ > 1; }
   const std::vector<std::string>& without_assets() const { return without_assets_; }
   /// Assets that .gitignore files name, those in folders that they name left out.
@@ -91,7 +91,6 @@ class InputWalk {
   std::unordered_set<Hash128, HashOfHash> seen_;
   std::uint64_t met_ = 0;
   std::vector<std::string> folders_, without_assets_;
-  std::shared_ptr<SearchedFolders> searched_ = std::make_shared<SearchedFolders>();
   bool several_ = false;
 };
 

@@ -55,9 +55,12 @@ class PageFile {
     const auto line = read();
     if (!line) return line.error();
     if (!report::is_page_end(*line)) return keep(report::read_page_line(*line), next_);
-    const auto last = read();
-    if (!last) return last.error();
-    return keep(report::read_page_end(*last), end_);
+    std::string rest;
+    for (auto more = lines_.next(); !more || *more; more = lines_.next()) {
+      if (!more) return wrong(more.error().message);
+      rest.append(**more).append(1, '\n');
+    }
+    return keep(report::read_page_end(rest), end_);
   }
 
  private:
