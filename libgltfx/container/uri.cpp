@@ -61,7 +61,7 @@ std::string remove_dot_segments(std::string_view path, bool hollow_count = false
       segments.push_back(segment);
     }
   }
-  if (segments.empty()) return "./";
+  if (segments.empty() || (segments.size() == 1 && segments.front().empty())) return "./";
   std::string out;
   for (const std::string_view segment : segments) out.append(segment).push_back('/');
   if (!folder) out.pop_back();

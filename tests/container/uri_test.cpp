@@ -171,7 +171,9 @@ TEST(LenientUri, IsRepairedWhereItCanBe) {
                                                         {"./a:b:c", "a%3Ab:c"},
                                                         {"./:a", "%3Aa"},
                                                         {"sub//a", "sub//a"},
-                                                        {".", "./"}}) {
+                                                        {".", "./"},
+                                                        {"./", "./"},
+                                                        {"a/../", "./"}}) {
     const Uri found = classify_uri(uri, UriReading::lenient);
     EXPECT_EQ(found.kind, UriKind::relative_path) << uri;
     EXPECT_EQ(found.normalized, normalized) << uri;
