@@ -80,8 +80,9 @@ const std::vector<Verb>& verbs() {
       {"inspect", words("PATH --format --top --exclude --no-ignore --allow-empty --root --schema "
                         "--schema-dir --quiet --config "
                         "--isolated --jobs --color")},
-      {"merge", words("REPORT --format --min-severity --group-by --statistics --sarif-notes "
-                      "--fail-on --quiet --color")},
+      {"merge",
+       words("REPORT --output --format --min-severity --group-by --statistics --sarif-notes "
+             "--fail-on --quiet --color")},
       {"explain", words("CODE --color")},
       {"rules", words("--format --color")},
       {"targets", words("NAME[@VERSION] --format --target --target-file --color")},
