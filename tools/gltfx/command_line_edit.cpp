@@ -17,7 +17,7 @@ void declare_destination(CLI::App& app, RawEditOptions& words) {
   app.add_flag("--restore", words.restore, "Restore the files that --backup kept");
   app.add_flag("--check", words.check, "Write nothing; exit 1 if there is work to do");
   app.add_flag("--diff", words.diff, "Print the changes as a unified diff");
-  app.add_flag("--raw", words.raw, "With --diff: print characters that hide or reorder text, too");
+  app.add_flag("--raw", words.raw, "With --diff: print all characters as they are");
 }
 
 void declare_sources(CLI::App& app, RawEditOptions& words) {
