@@ -73,13 +73,27 @@ std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared)
   return chunk;
 }
 
+// Whether extensions say where the bytes of all its views are, as those of compressed data do.
+bool has_views_of_extensions_alone(const Context& context, std::size_t buffer) {
+  const auto& views = context.asset.elements(model::RootArray::buffer_views);
+  bool any = false;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    if (views[i] == json::kNoNode || context.views.buffer_views[i].buffer != buffer) continue;
+    if (model::object_member(context.document, views[i], "extensions") == json::kNoNode)
+      return false;
+    any = true;
+  }
+  return any;
+}
+
 // An extension of the buffer may say where its data is, or that it has none.
-void report_missing_data(const Resource& resource, bool first) {
+void report_missing_data(const Resource& resource, std::size_t index) {
   const json::Document& document = resource.context.document;
   if (model::object_member(document, resource.object, "extensions") != json::kNoNode) return;
+  if (has_views_of_extensions_alone(resource.context, index)) return;
   const bool text = resource.context.container.format != container::Format::glb;
   resource.find(Code::BUFFER_WITHOUT_DATA, "",
-                text && first
+                text && index == 0
                     ? "The buffer has no uri; a .gltf file has no BIN chunk that could be its data."
                     : "The buffer has no uri; only the first buffer of a GLB can be the BIN chunk.",
                 "write the data to a file and add its name as uri");
@@ -124,7 +138,7 @@ std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index) {
   const bool has_uri = document.holds(resource.object, "uri");
   const container::Container& container = resource.context.container;
   const bool glb = !has_uri && index == 0 && container.format == container::Format::glb;
-  if (!has_uri && !glb) report_missing_data(resource, index == 0);
+  if (!has_uri && !glb) report_missing_data(resource, index);
   const auto declared = model::unsigned_member(document, resource.object, "byteLength");
   if (!declared || *declared == 0) return undeclared_bytes(resource);
   if (glb && !container.bin && is_fallback(resource.context, resource.object)) return std::nullopt;
