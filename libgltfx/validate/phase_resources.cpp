@@ -73,24 +73,28 @@ std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared)
   return chunk;
 }
 
-// Whether extensions say where the bytes of all its views are, as those of compressed data do.
-bool has_views_of_extensions_alone(const Context& context, std::size_t buffer) {
+// Buffers, by index, of which extensions say where the bytes of all views are, as those of
+// compressed data do.
+std::vector<bool> stored_elsewhere(const Context& context) {
   const auto& views = context.asset.elements(model::RootArray::buffer_views);
-  bool any = false;
+  const std::size_t count = context.asset.elements(model::RootArray::buffers).size();
+  std::vector<bool> extended(count);
+  std::vector<bool> plain(count);
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (views[i] == json::kNoNode || context.views.buffer_views[i].buffer != buffer) continue;
-    if (model::object_member(context.document, views[i], "extensions") == json::kNoNode)
-      return false;
-    any = true;
+    const auto buffer = context.views.buffer_views[i].buffer;
+    if (views[i] == json::kNoNode || !buffer || *buffer >= count) continue;
+    const bool has =
+        model::object_member(context.document, views[i], "extensions") != json::kNoNode;
+    (has ? extended : plain)[*buffer] = true;
   }
-  return any;
+  for (std::size_t i = 0; i < count; ++i) extended[i] = extended[i] && !plain[i];
+  return extended;
 }
 
 // An extension of the buffer may say where its data is, or that it has none.
 void report_missing_data(const Resource& resource, std::size_t index) {
   const json::Document& document = resource.context.document;
   if (model::object_member(document, resource.object, "extensions") != json::kNoNode) return;
-  if (has_views_of_extensions_alone(resource.context, index)) return;
   const bool text = resource.context.container.format != container::Format::glb;
   resource.find(Code::BUFFER_WITHOUT_DATA, "",
                 text && index == 0
@@ -132,13 +136,13 @@ std::optional<Bytes> undeclared_bytes(const Resource& resource) {
       {resource.context, resource.sink, resource.report, resource.path, resource.object, unlisted});
 }
 
-std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index) {
+std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index, bool elsewhere) {
   const json::Document& document = resource.context.document;
   resource.info.mime_type = "application/gltf-buffer";
   const bool has_uri = document.holds(resource.object, "uri");
   const container::Container& container = resource.context.container;
   const bool glb = !has_uri && index == 0 && container.format == container::Format::glb;
-  if (!has_uri && !glb) report_missing_data(resource, index);
+  if (!has_uri && !glb && !elsewhere) report_missing_data(resource, index);
   const auto declared = model::unsigned_member(document, resource.object, "byteLength");
   if (!declared || *declared == 0) return undeclared_bytes(resource);
   if (glb && !container.bin && is_fallback(resource.context, resource.object)) return std::nullopt;
@@ -152,12 +156,14 @@ void load_buffers(const Context& context, Sink& sink, FileReport& report, Resour
   const Path array(root, "buffers");
   const auto& objects = context.asset.elements(model::RootArray::buffers);
   resources.data.buffers.resize(objects.size());
+  const std::vector<bool> elsewhere = stored_elsewhere(context);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i] == json::kNoNode) continue;
     const Path path(array, static_cast<std::uint64_t>(i));
     ResourceInfo info;
     info.pointer = path.pointer();
-    resources.data.buffers[i] = load_buffer({context, sink, report, path, objects[i], info}, i);
+    resources.data.buffers[i] =
+        load_buffer({context, sink, report, path, objects[i], info}, i, elsewhere[i]);
     resources.listed.push_back(std::move(info));
   }
 }
