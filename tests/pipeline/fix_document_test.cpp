@@ -39,9 +39,12 @@ TEST(FixDocument, ReplacesATargetThatIsNone) {
                        target, container::encode_base64(std::string(36, '\0')));
   };
   const TempFolder folder;
+  FixOptions options = written_back();
+  options.only = {"BUFFER_VIEW_TARGET_MISSING",
+                  "BUFFER_VIEW_TARGET_OVERRIDE"};  // the one is a hint
   for (const char* const none : {"34961", "\"x\""}) {
     const auto path = folder.write("a.gltf", with(none));
-    EXPECT_EQ(fix_file(path.native(), written_back()).error, "");
+    EXPECT_EQ(fix_file(path.native(), options).error, "");
     EXPECT_EQ(content_of(path), with("34962"));
   }
 }
@@ -104,14 +107,14 @@ TEST(FixDocument, DeletesReferencesToNothingWithWhatNeedsThem) {
   EXPECT_NE(text.find(R"("sampler":0)"), std::string::npos) << text;
 }
 
-// The order of joints counts, so that they stay; of the two members with them the first one does.
+// The order of joints counts, so that they stay; of the two members with them the last one does.
 TEST(FixDocument, WhatIsFoundInTheOtherCopyOfAMemberIsLeft) {
   const TempFolder folder;
   const auto path = folder.write("a.gltf", R"({"asset":{"version":"2.0"},"nodes":[{}],
 "skins":[{"joints":[0,0]}],"skins":[{"joints":[0,0]}]})");
   const FixReport report = fix_file(path.native(), written_back());
-  EXPECT_EQ(content_of(path), R"({"asset":{"version":"2.0"},"nodes":[{}],
-"skins":[{"joints":[0,0]}]})");
+  EXPECT_EQ(content_of(path),
+            R"({"asset":{"version":"2.0"},"nodes":[{}],"skins":[{"joints":[0,0]}]})");
   ASSERT_EQ(report.actions.size(), 2U);
   EXPECT_EQ(report.actions[0].code, "JSON_DUPLICATE_KEY");
   EXPECT_TRUE(report.actions[0].done);
