@@ -79,9 +79,9 @@ TEST(Document, HiddenMembersAreFoundInTheTextOnly) {
   EXPECT_TRUE(document.is_hidden(document.find_in_text(0, "a")));
   std::vector<std::string> left;
   for (const auto member : document.members(0)) left.emplace_back(document.raw(member.value));
-  EXPECT_THAT(left, ::testing::ElementsAre("1", R"({"a": 2})", "4"));
+  EXPECT_THAT(left, ::testing::ElementsAre(R"({"a": 2})", "4"));
   document.hide(document.find(0, "c"));
-  EXPECT_EQ(document.object_size(0), 2u) << "nothing behind the last one either";
+  EXPECT_EQ(document.object_size(0), 1u) << "nothing behind the last one either";
 }
 
 TEST(Document, AHiddenNullIsNoValue) {
