@@ -133,13 +133,14 @@ class Rounds {
   FixedAsset run() {
     for (unsigned rounds = 0; rounds < kMostRounds && advance();) ++rounds;
     std::vector<FixAction> actions;
-    if (changes_) {
+    if (changes_.any) {
       // One of the two documents at a time.
       forget_document();
       done().move_to(actions);
     }
     left_over().move_to(actions);
-    return {std::move(asset_), std::move(actions), std::move(edits_), std::move(files_), changes_};
+    return {std::move(asset_), std::move(actions), std::move(changes_.edits),
+            std::move(changes_.files), changes_.any};
   }
 
  private:
@@ -166,7 +167,7 @@ class Rounds {
   Tally done() const {
     Tally done(true, options_);
     const json::Parsed first = json::parse(first_.text);
-    const std::vector<bool> gone = sites_gone(first_.sites, asset_.sites(), edits_);
+    const std::vector<bool> gone = sites_gone(first_.sites, asset_.sites(), changes_.edits);
     for (std::size_t i = 0; i < gone.size(); ++i) {
       const Site& site = first_.sites[i];
       if (gone[i] && is_asked_for(site)) done.add(first.document, site, severity_of(site));
@@ -234,8 +235,8 @@ class Rounds {
   std::optional<std::string> find_guarded(const std::vector<edit::ReplacedFile>& files) const {
     if (!effort_.guard) return std::nullopt;
     for (edit::ReplacedFile file : files) {
-      const auto known = files_.find(file.path);
-      if (known != files_.end()) file.before = known->second.before;
+      const auto known = changes_.files.find(file.path);
+      if (known != changes_.files.end()) file.before = known->second.before;
       if (auto why = effort_.guard(file)) return why;
     }
     return std::nullopt;
@@ -324,13 +325,14 @@ class Rounds {
 
   void accept(Trial trial) {
     move_dropped(trial.planned.changes.edits, trial.after.sites());
-    if (first_.text) edits_ = json::chain_edits(*first_.text, edits_, trial.planned.changes.edits);
+    if (first_.text)
+      changes_.edits = json::chain_edits(*first_.text, changes_.edits, trial.planned.changes.edits);
     for (edit::ReplacedFile& file : trial.planned.changes.buffers.files) {
-      const auto [known, is_new] = files_.try_emplace(file.path, file);
+      const auto [known, is_new] = changes_.files.try_emplace(file.path, file);
       if (!is_new) known->second.after = file.after;
     }
     asset_ = std::move(trial.after);
-    changes_ = true;
+    changes_.any = true;
   }
 
   // What stood in a text that is gone is judged anew.
@@ -364,12 +366,15 @@ class Rounds {
     SharedText text;
     Sites sites;
   } first_;
-  std::vector<json::Edit> edits_;
-  std::map<std::string, edit::ReplacedFile> files_;
+  // What all rounds so far come to.
+  struct {
+    std::vector<json::Edit> edits;
+    std::map<std::string, edit::ReplacedFile> files;
+    bool any = false;
+  } changes_;
   // Sites, by position, that are left out: the number of the reason; 0 for others.
   std::vector<std::uint32_t> dropped_;
   std::vector<std::string> reasons_{""};
-  bool changes_ = false;
   bool retries_ = false;  // something was accepted after something was dropped
   std::uint64_t trials_;  // left, for what stands against others
 };
