@@ -19,6 +19,7 @@ namespace {
 const std::map<std::string_view, std::set<std::string_view>>& companions() {
   static const std::map<std::string_view, std::set<std::string_view>> table{
       // What lies outside a bound makes it wrong.
+      {"URI_NOT_ENCODED", {"IO_ERROR"}},
       {"ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND", {"ACCESSOR_MIN_MISMATCH"}},
       {"ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND", {"ACCESSOR_MAX_MISMATCH"}},
       // The repaired file has data where the broken one has none.

@@ -129,7 +129,8 @@ TEST(OtherContent, IsNamedOfBuffersAndGlbFiles) {
   for (const char* const name : {"a.gltf", "b.glb"}) {
     const FileReport report = validate_file((folder.path() / name).native(), options);
     ASSERT_EQ(report.diagnostics.size(), 1U) << name;
-    EXPECT_THAT(report.diagnostics[0].help, HasSubstr("an HTML page (a failed download?)"));
+    EXPECT_THAT(report.diagnostics[0].message + report.diagnostics[0].help,
+                HasSubstr("an HTML page (a failed download?)"));
   }
 }
 
