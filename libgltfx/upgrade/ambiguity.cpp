@@ -53,12 +53,16 @@ class Touched {
 
   Place place_of(Span span) const {
     Place place;
-    for (const auto member : document_.members(document_.root())) {
-      const Span key = document_.span(member.key);
-      if (span.begin < key.begin || span.begin >= document_.span(member.value).end) continue;
-      place.root = document_.key(member.key_id);
+    const json::NodeId root = document_.root();
+    if (!document_.is_object(root)) return place;
+    // Those of repeated names, too.
+    for (json::NodeId name = root + 1; name < document_.next(root);
+         name = document_.next(name + 1)) {
+      const Span key = document_.span(name);
+      if (span.begin < key.begin || span.begin >= document_.span(name + 1).end) continue;
+      place.root = document_.key(document_.node(name).next);
       place.is_root = span.begin == key.begin;
-      place.in_host = is_in_host(place.root, member.value, span);
+      place.in_host = is_in_host(place.root, name + 1, span);
     }
     return place;
   }

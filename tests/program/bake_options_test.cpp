@@ -144,7 +144,7 @@ TEST_F(BakeOptionsTest, WhatIsNotThereIsNamedWithWhatIs) {
   EXPECT_THAT(complaint({"-o", "a.png", "--frame", "4"}, 1),
               HasSubstr("nothing of node '4' and its children is visible"));
   EXPECT_THAT(complaint({"-o", "a.png", "--frame", "0", "--camera", "0"}, 1),
-              HasSubstr("only others frame a node"));
+              HasSubstr("use another camera to frame a node"));
   EXPECT_THAT(complaint({"-o", "a.png", "--variant", "green"}, 1),
               HasSubstr("no variant 'green'; there is 'red', 'blue'"));
   EXPECT_THAT(complaint({"-o", "a.png", "--scene", "2"}, 1),

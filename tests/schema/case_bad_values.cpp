@@ -119,9 +119,12 @@ class BadValues {
       add("member: " + item.how, map);
     }
     if (shape_.property_names == kNone) return;
-    Json map = good_;
-    map["a name nobody chose"] = good_.front();
-    add("name", map);
+    for (const char* name : {"a name nobody chose", "event"}) {
+      if (maker_.holds(shape_.property_names, name)) continue;
+      Json map = good_;
+      map[name] = good_.front();
+      return add("name", map);
+    }
   }
 
   const schema::Set& set_;

@@ -15,9 +15,10 @@ using schema::kNone;
 using schema::Shape;
 using schema::ShapeId;
 
-constexpr std::array<const char*, 15> kWords{
-    "POSITION", "a",  "TRANSLATION", "2.0",       "_A",   "KHR_x",     "/a",
-    "a/b",      "ab", "1",           "video/mp4", "GEOD", "https://a", "https://vrm.dev/a",
+constexpr std::array<const char*, 16> kWords{
+    "POSITION", "a",         "TRANSLATION", "2.0",       "_A",
+    "KHR_x",    "/a",        "math/E",      "a/b",       "ab",
+    "1",        "video/mp4", "GEOD",        "https://a", "https://vrm.dev/a",
     "1.0.0"};
 
 Json from_literal(const schema::Literal& literal) {

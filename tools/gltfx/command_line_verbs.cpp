@@ -162,7 +162,7 @@ void declare_inspect(CLI::App& app, RawInspectOptions& words) {
 }
 
 void declare_merge(CLI::App& app, RawMergeOptions& words) {
-  describe_positional(app, "REPORT", "Files of validate --format jsonl=FILE, or report pages");
+  describe_positional(app, "REPORT", "Files of validate --format jsonl, or report pages");
   add_formats(app, words.formats);
   add_word(app, "-o,--output", words.output, "FILE", "Page of the pages of report --shard");
   add_listing(app, words.listing);

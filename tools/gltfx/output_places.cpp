@@ -216,7 +216,9 @@ Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::st
   }
   std::vector<EditInput> placed;
   std::set<fs::path> seen, targets;
-  const std::set<fs::path> assets = placing ? real_paths(inputs.paths) : std::set<fs::path>();
+  std::set<fs::path> assets;  // but for those that an earlier run wrote
+  if (placing) assets = real_paths(inputs.paths);
+  std::erase_if(assets, [&](const fs::path& asset) { return destination.holds(asset); });
   DistinctPlaces distinct(inputs);
   // Several shards write into folders only.
   for (const std::string& place : distinct.of_others()) {
