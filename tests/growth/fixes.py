@@ -15,8 +15,9 @@ from assets import base, data_uri, merged, text_of
 from by_hand import finished, raw
 
 # There is one in a file, whatever its size.
-ONE_IN_A_FILE = {"BUFFER_GLB_CHUNK_TOO_BIG", "GLB_CHUNK_LENGTH_UNALIGNED", "GLB_CHUNK_TOO_BIG", "GLB_EXTRA_DATA",
-                 "GLB_LENGTH_MISMATCH", "JSON_BYTE_ORDER_MARK"}
+ONE_IN_A_FILE = {"BUFFER_GLB_CHUNK_TOO_BIG", "GLB_BIN_PADDING", "GLB_CHUNK_LENGTH_UNALIGNED", "GLB_CHUNK_TOO_BIG",
+                 "GLB_CHUNK_TYPE_NUMBER", "GLB_EXTRA_DATA", "GLB_JSON_PADDING", "GLB_LENGTH_MISMATCH",
+                 "JSON_BYTE_ORDER_MARK", "JSON_INVALID_UTF8"}
 # A report lists the first of them, or one for all objects of an extension.
 TOLD_ONCE = {"JSON_DUPLICATE_KEY", "JSON_TRAILING_COMMA", "JSON_MISSING_COMMA", "EXTENSION_NAME_MISSPELT",
              "EXTENSION_REQUIRED_WITH_FALLBACK", "EXTENSION_SHOULD_BE_REQUIRED", "EXTENSION_UNUSED"}
