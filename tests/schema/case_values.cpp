@@ -15,10 +15,9 @@ using schema::kNone;
 using schema::Shape;
 using schema::ShapeId;
 
-constexpr std::array<const char*, 16> kWords{
-    "POSITION", "a",         "TRANSLATION", "2.0",       "_A",
-    "KHR_x",    "/a",        "math/E",      "a/b",       "ab",
-    "1",        "video/mp4", "GEOD",        "https://a", "https://vrm.dev/a",
+constexpr std::array<const char*, 15> kWords{
+    "POSITION", "a",  "TRANSLATION", "2.0",       "_A",   "KHR_x",     "/a",
+    "a/b",      "ab", "1",           "video/mp4", "GEOD", "https://a", "https://vrm.dev/a",
     "1.0.0"};
 
 Json from_literal(const schema::Literal& literal) {
@@ -149,6 +148,11 @@ void ValueMaker::complete_branches(const Shape& shape, Json& object, const std::
     if (shape.type != kNone && set_.shape(branch).type != kNone) {
       for (const schema::Property& wanted : set_.type(set_.shape(branch).type).properties) {
         const schema::Property* own = set_.find_property(shape.type, wanted.name);
+        const bool is_choice = wanted.shape != kNone && !set_.shape(wanted.shape).literals.empty();
+        if (is_choice && object.contains(wanted.name) &&
+            !holds(wanted.shape, object[wanted.name])) {
+          object[wanted.name] = from_literal(set_.shape(wanted.shape).literals.front());
+        }
         if (!wanted.required || wanted.shape != kNone || own == nullptr ||
             object.contains(wanted.name))
           continue;
