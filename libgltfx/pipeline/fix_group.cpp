@@ -30,6 +30,7 @@ constexpr std::size_t kMostNeighbours = 64;
 struct Kept {
   std::string user;  ///< path of the asset that reads them
   std::vector<ByteRange> ranges;
+  bool unreadable = false;  ///< the asset, so that nothing is known of what it reads
 };
 
 /// What may not be changed.
@@ -37,6 +38,9 @@ class KeptBytes {
  public:
   void add(const FileIdentity& file, const std::string& user, std::vector<ByteRange> ranges) {
     kept_[file].push_back({user, std::move(ranges)});
+  }
+  void add_whole(const FileIdentity& file, const std::string& unreadable) {
+    kept_[file].push_back({unreadable, {{0, UINT64_MAX}}, true});
   }
 
   // Why the asset at `path` may not change the file so. Another asset is named where there is one.
@@ -51,8 +55,9 @@ class KeptBytes {
       if (found == nullptr || found->user == path) found = &kept;
     }
     if (found == nullptr) return std::nullopt;
-    return fmt::format("{} reads the same bytes of {} as something else",
+    return fmt::format("{} {} the same bytes of {} as something else",
                        found->user == path ? "another asset" : quoted(found->user, 200),
+                       found->unreadable ? "cannot be read, and may read" : "reads",
                        quoted(file.path, 200));
   }
 
@@ -72,6 +77,7 @@ class Group {
 
   std::vector<FixReport> fix() {
     for_each_member([this](FixMember& member) { plan(member); });
+    keep_for_unreadable();
     find_readers();
     unsigned steps = 0;
     while (!resolve(steps < kMostSteps)) ++steps;
@@ -93,6 +99,21 @@ class Group {
       return kept_.find_reason(file, member.path());
     });
     if (members_.size() > 1 || !member.changed_files().empty()) member.find_uses();
+  }
+
+  // A member that could not be opened shares a file with others, and cannot object to a change.
+  void keep_for_unreadable() {
+    const auto unreadable = std::find_if(members_.begin(), members_.end(),
+                                         [](const FixMember& each) { return !each.is_sound(); });
+    if (unreadable == members_.end()) return;
+    for (const FixMember& member : members_) {
+      for (const auto& [file, changed] : member.changed_files()) {
+        kept_.add_whole(file, unreadable->path());
+      }
+    }
+    for_each_member([this](FixMember& member) {
+      if (!member.changed_files().empty()) plan(member);
+    });
   }
 
   // Whether all agree on the new contents of files. Where they do not, the fixes of some are made

@@ -171,6 +171,21 @@ TEST_F(FixShared, ReportsComeInTheOrderOfTheInputs) {
   EXPECT_EQ(bytes("own.bin"), shared_bytes(1, 4));
 }
 
+// Nobody knows what it reads; it may have failed for want of memory or of descriptors.
+TEST_F(FixShared, BytesStayWhereAnAssetThatNamesTheFileCannotBeRead) {
+  write("a.gltf", {});
+  std::string nodes = R"(,"cameras":[0)";
+  for (int i = 0; i < 2'000'000; ++i) nodes += ",0";
+  Triangle large;
+  large.more = nodes + "]";
+  write("b.gltf", large);
+  const auto reports = fix_in_place({"a.gltf", "b.gltf"}, 2);
+  ASSERT_EQ(reports.size(), 2U);
+  expect_left(reports[0], "b.gltf' cannot be read, and may read the same bytes");
+  EXPECT_EQ(reports[1].problem, EditProblem::unreadable) << reports[1].error;
+  EXPECT_EQ(bytes("shared.bin"), shared_bytes(2, 4));
+}
+
 TEST_F(FixShared, BytesThatAnotherAssetReadsAsSomethingElseStay) {
   write("a.gltf", {});
   write("b.gltf", with_positions_there());
