@@ -44,8 +44,10 @@ TEST_F(Inspect, ExtensionsWithoutObjectsAreToldByWhatTheyAllow) {
     "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})");
   const std::string out = here({"a.gltf"}).out;
   EXPECT_THAT(out, HasSubstr("used      1 accessor has its formats"));
-  EXPECT_THAT(out, HasSubstr("KHR_texture_transform  ratified           used      no object has it"));
-  EXPECT_EQ(out.find("object has it"), out.rfind("object has it")) << "nothing is told of the third: " << out;
+  EXPECT_THAT(out,
+              HasSubstr("KHR_texture_transform  ratified           used      no object has it"));
+  EXPECT_EQ(out.find("object has it"), out.rfind("object has it"))
+      << "nothing is told of the third: " << out;
 }
 
 TEST_F(Inspect, LegacyObjectsAreToldWithWhatUpgradeMakesOfThem) {

@@ -26,12 +26,12 @@ struct MemoryAsset {
   /// Where resources come from that are not among `files`. Empty: from the folder `root` of the
   /// options, or nowhere.
   ReadResource read = {};
-  /// What `read` is asked for.
+  /// Forms of the names of resources.
   enum class Names : std::uint8_t {
     uris,   ///< URIs as reports print them, absolute ones too
     paths,  ///< decoded paths below the folder of the asset; what leads out of it is refused
   };
-  Names names = Names::uris;
+  Names names = Names::uris;  ///< what `read` is asked for
   /// By their paths from the asset's own folder: '/' separated, not percent-encoded.
   std::map<std::string, std::string> files = {};
 };
