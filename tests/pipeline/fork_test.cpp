@@ -28,6 +28,19 @@ namespace fs = std::filesystem;
 
 constexpr unsigned kHangs = 300;  // seconds: what takes long is no error
 
+#if defined(__has_feature)
+constexpr bool kThreadSanitizer = __has_feature(thread_sanitizer);
+#else
+constexpr bool kThreadSanitizer = false;
+#endif
+
+class Fork : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (kThreadSanitizer) GTEST_SKIP() << "ThreadSanitizer ends a child that starts threads";
+  }
+};
+
 std::vector<std::string> assets() {
   std::vector<std::string> paths;
   for (const char* name : {"good/leaf.gltf", "good/cobble.glb", "good/pebble.gltf",
@@ -126,12 +139,16 @@ class Busy {
 };
 
 void fork_often(int count, const std::function<std::string()>& work) {
+  if (kSanitized) {
+    GTEST_SKIP() << "the allocator of AddressSanitizer stays locked in the child of a fork() that "
+                    "comes while another thread allocates (clang before 18)";
+  }
   Busy busy(3, work);
   std::mt19937 random(7);
   std::vector<Child> children;
   for (int i = 0; i < count; ++i) {
     std::this_thread::sleep_for(std::chrono::microseconds(random() % 5000));
-    children.push_back(forked(work, !kSanitized && i % 2 == 0));
+    children.push_back(forked(work, i % 2 == 0));
     if (WIFSIGNALED(children.back().status)) break;
   }
   EXPECT_EQ(busy.stop(), 0);
@@ -143,9 +160,9 @@ void fork_often(int count, const std::function<std::string()>& work) {
 }
 
 // The first forks come while what is made once is being made.
-TEST(Fork, AChildFindsWhatItsParentFinds) { fork_often(200, findings); }
+TEST_F(Fork, AChildFindsWhatItsParentFinds) { fork_often(200, findings); }
 
-TEST(Fork, AChildDrawsWhatItsParentDraws) {
+TEST_F(Fork, AChildDrawsWhatItsParentDraws) {
   if (can_bake()) fork_often(40, pixels);
 }
 
@@ -161,13 +178,13 @@ int sockets() {
 }
 
 // The decoders of the parent would not see its end otherwise.
-TEST(Fork, AChildHasNoDescriptorsOfTheDecodersOfItsParent) {
+TEST_F(Fork, AChildHasNoDescriptorsOfTheDecodersOfItsParent) {
   findings();
   EXPECT_GT(sockets(), 0);
   EXPECT_EQ(forked([] { return std::to_string(sockets()); }, false).result, "0");
 }
 
-TEST(Fork, AChildOfAChildFindsWhatBothFind) {
+TEST_F(Fork, AChildOfAChildFindsWhatBothFind) {
   const std::string expected = findings();
   const Child child = forked([] { return findings() + forked(findings, false).result; }, false);
   EXPECT_EQ(child.result, expected + expected);
