@@ -30,17 +30,14 @@ constexpr std::size_t kMostNeighbours = 64;
 struct Kept {
   std::string user;  ///< path of the asset that reads them
   std::vector<ByteRange> ranges;
-  bool unreadable = false;  ///< the asset, so that nothing is known of what it reads
+  bool is_certain = true;  ///< false: the asset cannot be read, and may read anything
 };
 
 /// What may not be changed.
 class KeptBytes {
  public:
-  void add(const FileIdentity& file, const std::string& user, std::vector<ByteRange> ranges) {
-    kept_[file].push_back({user, std::move(ranges)});
-  }
-  void add_whole(const FileIdentity& file, const std::string& unreadable) {
-    kept_[file].push_back({unreadable, {{0, UINT64_MAX}}, true});
+  void add(const FileIdentity& file, const FixMember& user, std::vector<ByteRange> ranges) {
+    kept_[file].push_back({user.path(), std::move(ranges), user.is_sound()});
   }
 
   // Why the asset at `path` may not change the file so. Another asset is named where there is one.
@@ -57,7 +54,7 @@ class KeptBytes {
     if (found == nullptr) return std::nullopt;
     return fmt::format("{} {} the same bytes of {} as something else",
                        found->user == path ? "another asset" : quoted(found->user, 200),
-                       found->unreadable ? "cannot be read, and may read" : "reads",
+                       found->is_certain ? "reads" : "cannot be read, and may read",
                        quoted(file.path, 200));
   }
 
@@ -77,7 +74,6 @@ class Group {
 
   std::vector<FixReport> fix() {
     for_each_member([this](FixMember& member) { plan(member); });
-    keep_for_unreadable();
     find_readers();
     unsigned steps = 0;
     while (!resolve(steps < kMostSteps)) ++steps;
@@ -99,21 +95,6 @@ class Group {
       return kept_.find_reason(file, member.path());
     });
     if (members_.size() > 1 || !member.changed_files().empty()) member.find_uses();
-  }
-
-  // A member that could not be opened shares a file with others, and cannot object to a change.
-  void keep_for_unreadable() {
-    const auto unreadable = std::find_if(members_.begin(), members_.end(),
-                                         [](const FixMember& each) { return !each.is_sound(); });
-    if (unreadable == members_.end()) return;
-    for (const FixMember& member : members_) {
-      for (const auto& [file, changed] : member.changed_files()) {
-        kept_.add_whole(file, unreadable->path());
-      }
-    }
-    for_each_member([this](FixMember& member) {
-      if (!member.changed_files().empty()) plan(member);
-    });
   }
 
   // Whether all agree on the new contents of files. Where they do not, the fixes of some are made
@@ -157,11 +138,12 @@ class Group {
     std::vector<const FixMember*> readers;
     const auto add = [&](const FixMember& member, bool changes) {
       const auto use = member.uses().find(file);
-      if (use == member.uses().end()) return;
+      const bool is_known = use != member.uses().end();
+      if (!is_known && member.is_sound()) return;
       const auto changed = member.changed_files();
       const auto own = changed.find(file);
       users.push_back({own == changed.end() ? content.before.text() : own->second->after.text(),
-                       use->second.reads, changes});
+                       is_known ? use->second.reads : edit::FileReads{true, {}}, changes});
       readers.push_back(&member);
     };
     for (const FixMember& member : members_) add(member, true);
@@ -169,7 +151,7 @@ class Group {
     edit::MergedFile merged = edit::merge_changes(content.before.text(), users);
     for (auto& conflict : merged.conflicts) {
       if (!by_bytes) conflict.ranges = {{0, UINT64_MAX}};
-      kept_.add(file, readers[conflict.user]->path(), std::move(conflict.ranges));
+      kept_.add(file, *readers[conflict.user], std::move(conflict.ranges));
     }
     content.after = container::Bytes::from_string(std::move(merged.content));
     return merged.conflicts.empty();
@@ -245,7 +227,7 @@ class Group {
         auto changed = edit::ranges_read(
             use->second.reads, edit::differences(content.before.text(), content.after.text()));
         if (changed.empty() || !neighbour.is_worse_with(contents_)) continue;
-        kept_.add(file, neighbour.path(), std::move(changed));
+        kept_.add(file, neighbour, std::move(changed));
         disputed.insert(file);
       }
     }
