@@ -129,13 +129,13 @@ def make_world(folder, program):
         os.symlink(os.path.abspath(program), os.path.join(folder, place, "gltfx"))
     good = os.path.join(ROOT, "fixtures/good")
     leaf = [name for name in os.listdir(good) if re.match(r"leaf(_\w+)?\.(gltf|bin|png)$", name)]
+    data, document = model()
     for place in ("assets", "library", "props/lamps", "."):
         os.makedirs(os.path.join(folder, place), exist_ok=True)
-        for name in leaf if place == "." else ["triangle.gltf", "bowl.glb"]:
+        for name in leaf if place == "." else ["triangle.gltf"]:
             shutil.copy(os.path.join(good, name), os.path.join(folder, place))
-    data, document = model()
-    with open(os.path.join(folder, "model.glb"), "wb") as file:
-        file.write(glb(document, data))
+        with open(os.path.join(folder, place, "model.glb"), "wb") as file:
+            file.write(glb(document, data))
     document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64.b64encode(data).decode()
     with open(os.path.join(folder, "model.gltf"), "w", encoding="utf-8") as file:
         json.dump(document, file)
