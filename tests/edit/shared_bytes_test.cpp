@@ -13,18 +13,18 @@
 namespace gltfx::edit {
 namespace {
 
-using Bytes = std::set<std::uint64_t>;
+using ByteSet = std::set<std::uint64_t>;
 
-Bytes bytes_of(const std::vector<ByteRange>& ranges) {
-  Bytes bytes;
+ByteSet bytes_of(const std::vector<ByteRange>& ranges) {
+  ByteSet bytes;
   for (const ByteRange& range : ranges) {
     for (std::uint64_t at = range.begin; at < range.end; ++at) bytes.insert(at);
   }
   return bytes;
 }
 
-Bytes bytes_of(const FileReads& reads) {
-  Bytes bytes;
+ByteSet bytes_of(const FileReads& reads) {
+  ByteSet bytes;
   for (const ByteRead& read : reads.parts) {
     for (std::uint64_t i = 0; i < read.count; ++i) {
       for (std::uint64_t b = 0; b < read.size; ++b) bytes.insert(read.begin + i * read.stride + b);
@@ -38,9 +38,9 @@ FileReads all_of(std::uint64_t begin, std::uint64_t end) {
 }
 
 TEST(SharedBytes, DifferencesAreTheBytesThatDiffer) {
-  EXPECT_EQ(bytes_of(differences("abcdef", "abXdeY")), (Bytes{2, 5}));
-  EXPECT_EQ(bytes_of(differences("abc", "abc")), Bytes());
-  EXPECT_EQ(bytes_of(differences("abc", "aXcde")), (Bytes{1, 3, 4}));
+  EXPECT_EQ(bytes_of(differences("abcdef", "abXdeY")), (ByteSet{2, 5}));
+  EXPECT_EQ(bytes_of(differences("abc", "abc")), ByteSet());
+  EXPECT_EQ(bytes_of(differences("abc", "aXcde")), (ByteSet{1, 3, 4}));
 }
 
 // Against every byte of every element, written out.
@@ -59,14 +59,14 @@ TEST(SharedBytes, ARangeIsReadWhereAnElementHasAByteOfIt) {
       ranges.push_back({at, end});
       at = end;
     }
-    const Bytes read = bytes_of(reads);
-    Bytes expected;
+    const ByteSet read = bytes_of(reads);
+    ByteSet expected;
     for (const ByteRange& range : ranges) {
       for (std::uint64_t at = range.begin; at < range.end; ++at) {
         if (read.contains(at)) expected.insert(range.begin);
       }
     }
-    Bytes found;
+    ByteSet found;
     for (const ByteRange& range : ranges_read(reads, ranges)) found.insert(range.begin);
     ASSERT_EQ(found, expected) << trial;
   }
