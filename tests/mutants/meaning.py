@@ -299,7 +299,8 @@ class Comparison:
             for i, (one, other) in enumerate(zip(old, new)):
                 self.compare(one, other, path + (i,), holders)
         elif isinstance(old, list) and isinstance(new, list) and not kept:
-            if not kept_list(self.before.document, path, old, new):
+            is_fixed_bound = path[0] == "accessors" and path[-1] in ("min", "max") and self.is_bound(path[-1], path)
+            if not is_fixed_bound and not kept_list(self.before.document, path, old, new):
                 self.tell(path, f"{old} is {new}")
         elif type(old) is not type(new) and {type(old), type(new)} != {int, decimal.Decimal} or old != new:
             if kept or not self.may_change(old, new, path, holders):
