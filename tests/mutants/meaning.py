@@ -92,6 +92,8 @@ class Asset:
         if accessor.get("bufferView") is not None:
             data, stride = self.view(accessor["bufferView"])
             stride, at = stride or size, accessor.get("byteOffset", 0)
+            if stride < size:
+                return None  # elements that overlap are no values: gltfx draws nothing of them
             values = [struct.unpack_from(form, data, at + i * stride) for i in range(count)]
         sparse = accessor.get("sparse")
         if sparse:
@@ -355,13 +357,14 @@ class Comparison:
 
 
 def finds_more(before, after):
-    """Whether the path of a file was corrected: the picture may have more, too."""
+    """Whether the path of a file or the place of elements was corrected: the picture may have more, too."""
     for array in ("buffers", "images"):
         for old, new in zip(before.list(array), after.list(array)):
             uri = find(old, "uri")
             if isinstance(uri, str) and not uri.startswith("data:") and uri != find(new, "uri"):
                 return True
-    return False
+    return any(before.elements(i) is None and after.elements(i) is not None
+               for i in range(len(before.list("accessors"))))
 
 
 def losses(before, after):
