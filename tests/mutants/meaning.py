@@ -65,6 +65,8 @@ class Asset:
     def view(self, index):
         """Bytes of a buffer view and its stride."""
         view = self.list("bufferViews")[index]
+        if "extensions" in view:
+            raise ValueError("compressed")
         data = self.buffer(view["buffer"])
         begin = view.get("byteOffset", 0)
         end = begin + view["byteLength"]
