@@ -2,8 +2,8 @@
 """What an asset says, read without a line of gltfx: whether a changed asset still says it.
 
 losses(before, after) lists what is missing or different in the second of two assets, but for what has no meaning:
-bounds, targets of buffer views, unused members, names of extensions that nobody uses, the length of what is a
-direction. Names, extras, unknown extensions, materials, values of accessors and bytes of images have to stay.
+bounds, targets of buffer views, unused members and those that are null, quotes around a number, names of extensions
+that nothing uses, the length of what is a direction. Names, extras, unknown extensions, materials, values of accessors and bytes of images have to stay.
 """
 import base64
 import decimal
@@ -325,7 +325,7 @@ class Comparison:
 
     def may_go(self, key, value, path, holders):
         old, new = holders[-1]
-        if value in ([], {}) or key in ("byteStride", "target", "extensionsUsed", "extensionsRequired"):
+        if value is None or value in ([], {}) or key in ("byteStride", "target", "extensionsUsed", "extensionsRequired"):
             return key not in ("extras",)
         if key in TRANSFORM:
             return same_transform(old, new)
@@ -339,6 +339,8 @@ class Comparison:
 
     def may_change(self, old, new, path, holders):
         key = next((step for step in reversed(path) if isinstance(step, str)), "")
+        if isinstance(old, str) != isinstance(new, str) and not isinstance(old, bool) and str(old) == str(new):
+            return True  # a number in quotes, or without them
         if key in TRANSFORM:
             return same_transform(*holders[-1])
         if key == "uri":
