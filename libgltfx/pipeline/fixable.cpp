@@ -2,71 +2,48 @@
 #include "pipeline/fixable.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
+#include <memory>
+#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "base/codes.hpp"
+#include "base/code.hpp"
 #include "edit/rewrite.hpp"
 #include "json/lines.hpp"
-#include "pipeline/edit_asset.hpp"
-#include "pipeline/fix_rounds.hpp"
-#include "pipeline/open_asset.hpp"
+#include "pipeline/fix_plan.hpp"
 #include "schema/compile.hpp"
 #include "validate/context.hpp"
+#include "validate/fix.hpp"
 
 namespace gltfx {
 namespace {
 
-using model::OpenedAsset;
-using validate::Site;
 using validate::Sites;
 using validate::ValidatedAsset;
-using SchemaSet = std::shared_ptr<const schema::Set>;
 
-// Whoever validates asked for no fix: what a run would do is found out at little cost, or not.
-const FixEffort kEffort = {.trial_bytes = 4U << 20U, .content_bytes = 16U << 20U};
-constexpr std::size_t kMostNodes = 1U << 20U;  // of the JSON text
+constexpr std::size_t kMostNodes = 1U << 20U;       // of the JSON text
+constexpr std::uint64_t kMostContent = 16U << 20U;  // bytes of buffers
 
-bool is_safe(const Site& site) { return validate::description(site.code).fix == Fix::safe; }
-
-// Whether a safe fix would change something, whatever became of it.
-bool is_any_planned(const OpenedAsset& asset, const Sites& sites, const schema::Set& schemas) {
-  if (!asset.container().json || edit::find_glb_obstacle(asset.container())) return false;
-  if (std::none_of(sites.begin(), sites.end(), is_safe)) return false;
-  validate::Fixing fixing(asset, schemas, kEffort.content_bytes);
-  return std::any_of(sites.begin(), sites.end(), [&](const Site& site) {
-    return is_safe(site) && validate::find_fix(site.code)->fix(fixing, site.span);
-  });
-}
-
-/// What a run comes to.
-struct FixRehearsal {
-  std::vector<bool> removed;  ///< sites, by position
-  FindingsByCode before;      ///< of the verb's own judgement
-};
-
-FixRehearsal rehearse(const ValidatedAsset& validated, const ValidateOptions& asked,
-                      const SchemaSet& schemas) {
-  const OpenedAsset& asset = validated.asset();
+// Sites for which a safe fix has a change, by position.
+std::vector<bool> find_planned(const ValidatedAsset& validated, const schema::Set& schemas) {
+  const model::OpenedAsset& asset = validated.asset();
   const Sites& sites = validated.sites();
-  FixRehearsal rehearsal{std::vector<bool>(sites.size()), {}};
-  if (asset.document().node_count() > kMostNodes) return rehearsal;
-  if (!is_any_planned(asset, sites, *schemas)) return rehearsal;
-  OpenedAsset again(asset.name(), without_zero_padding(asset.container()), asset.resolver());
-  ValidatedAsset before(std::move(again), fix_judgement(schemas, asked));
-  rehearsal.before = findings_by_code(before.report());
-  FixOptions options;
-  options.validation = [&asked](const std::string&) { return asked; };
-  const FixedAsset fixed = fix_in_rounds(std::move(before), options, schemas, kEffort);
-  if (!fixed.changes || find_obstacle(fixed.after.asset())) return rehearsal;
-  rehearsal.removed = sites_gone(sites, fixed.after.sites(), fixed.edits);
+  std::vector<bool> planned(sites.size());
+  if (asset.document().node_count() > kMostNodes) return planned;
+  if (!asset.container().json || edit::find_glb_obstacle(asset.container())) return planned;
+  std::map<validate::FixStage, validate::Fixing> stages;
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (!is_safe(sites[i])) rehearsal.removed[i] = false;
+    if (validate::description(sites[i].code).fix != Fix::safe) continue;
+    const validate::FixEntry& entry = *validate::find_fix(sites[i].code);
+    validate::Fixing& fixing =
+        stages.try_emplace(entry.stage, asset, schemas, kMostContent).first->second;
+    planned[i] = entry.fix(fixing, sites[i].span);
   }
-  return rehearsal;
+  return planned;
 }
 
 // A place of the text, or none, with a code.
@@ -76,69 +53,81 @@ FindingPlace place_of(const Diagnostic& finding) {
   return {finding.code, finding.location.length == 0 ? UINT64_MAX : finding.location.offset};
 }
 
-FindingPlace place_of(const Site& site, std::uint64_t json_offset) {
+FindingPlace place_of(const validate::Site& site, std::uint64_t json_offset) {
   return {code_name(site.code), site.span.end == 0 ? UINT64_MAX : json_offset + site.span.begin};
 }
 
-// What fixes of one rule come to, where they are edits of a text file and bring no new finding.
-std::shared_ptr<const ProposedFix> proposal(const ValidatedAsset& validated,
-                                            const FindingsByCode& before,
-                                            const std::vector<bool>& wanted, std::string_view does,
-                                            const ValidateOptions& asked,
-                                            const SchemaSet& schemas) {
-  const OpenedAsset& asset = validated.asset();
-  const auto planned =
-      plan_fixes(asset, validated.sites(), *schemas, wanted, kEffort.content_bytes, {});
-  if (planned.changes.edits.empty()) return nullptr;
-  if (planned.changes.container || !planned.changes.buffers.files.empty()) return nullptr;
-  auto changed = with_changes(asset, planned.changes);
-  if (!changed) return nullptr;
-  const ValidatedAsset after(*std::move(changed), fix_judgement(schemas, asked));
-  if (!worse_codes(before, after.report()).empty()) return nullptr;
-  ProposedFix fix;
-  fix.description = does;
-  const json::LineIndex lines(*asset.container().json);
-  for (const json::Edit& edit : planned.changes.edits) {
-    fix.replacements.push_back({lines.locate(edit.span), edit.text});
-  }
-  return std::make_shared<const ProposedFix>(std::move(fix));
-}
+/// Fixes of one asset, a rule at a time.
+class Proposals {
+ public:
+  Proposals(const ValidatedAsset& validated, const std::vector<bool>& planned,
+            const ValidateOptions& asked)
+      : validated_(validated),
+        planned_(planned),
+        schemas_(asked.schemas ? asked.schemas : schema::builtin_set()),
+        judgement_(fix_judgement(schemas_, asked)) {}
 
-void propose(ValidatedAsset& validated, const FixRehearsal& rehearsal, const ValidateOptions& asked,
-             const SchemaSet& schemas) {
-  const Sites& sites = validated.sites();
-  std::set<std::string_view> done;
-  for (Diagnostic& finding : validated.report().diagnostics) {
-    if (!finding.fixable || finding.fix || !done.insert(finding.code).second) continue;
-    std::vector<bool> wanted = rehearsal.removed;
+  // What the fixes of one rule come to, where they are edits of the text alone.
+  std::shared_ptr<const ProposedFix> propose(const RuleDescription& rule) {
+    const model::OpenedAsset& asset = validated_.asset();
+    const Sites& sites = validated_.sites();
+    std::vector<bool> wanted = planned_;
     for (std::size_t i = 0; i < sites.size(); ++i) {
-      wanted[i] = wanted[i] && code_name(sites[i].code) == finding.code;
+      wanted[i] = wanted[i] && code_name(sites[i].code) == rule.code;
     }
-    finding.fix = proposal(validated, rehearsal.before, wanted, find_rule(finding.code)->fix_does,
-                           asked, schemas);
+    const auto planned = plan_fixes(asset, sites, *schemas_, wanted, kMostContent, {});
+    if (planned.changes.edits.empty()) return nullptr;
+    if (planned.changes.container || !planned.changes.buffers.files.empty()) return nullptr;
+    auto changed = with_changes(asset, planned.changes);
+    if (!changed) return nullptr;
+    const ValidatedAsset after(*std::move(changed), judgement_);
+    if (!worse_codes(before(), after.report()).empty()) return nullptr;
+    ProposedFix fix;
+    fix.description = rule.fix_does;
+    const json::LineIndex lines(*asset.container().json);
+    for (const json::Edit& edit : planned.changes.edits) {
+      fix.replacements.push_back({lines.locate(edit.span), edit.text});
+    }
+    return std::make_shared<const ProposedFix>(std::move(fix));
   }
-}
+
+ private:
+  const FindingsByCode& before() {
+    if (!before_) {
+      const model::OpenedAsset& asset = validated_.asset();
+      const ValidatedAsset again({asset.name(), asset.container(), asset.resolver()}, judgement_);
+      before_ = findings_by_code(again.report());
+    }
+    return *before_;
+  }
+
+  const ValidatedAsset& validated_;
+  const std::vector<bool>& planned_;
+  std::shared_ptr<const schema::Set> schemas_;
+  ValidateOptions judgement_;
+  std::optional<FindingsByCode> before_;
+};
 
 }  // namespace
 
 void mark_fixable(ValidatedAsset& validated, const ValidateOptions& asked) {
-  const SchemaSet schemas = asked.schemas ? asked.schemas : schema::builtin_set();
+  const auto schemas = asked.schemas ? asked.schemas : schema::builtin_set();
   const Sites& sites = validated.sites();
-  const FixRehearsal rehearsal = rehearse(validated, asked, schemas);
-  FileReport& report = validated.report();
   const container::Container& container = validated.asset().container();
+  FileReport& report = validated.report();
+  const std::vector<bool> planned = find_planned(validated, *schemas);
   std::set<FindingPlace> places;
-  for (std::size_t i = 0; i < rehearsal.removed.size(); ++i) {
-    if (!rehearsal.removed[i]) continue;
-    ++report.fixable;
-    places.insert(place_of(sites[i], container.json_offset));
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    if (planned[i]) places.insert(place_of(sites[i], container.json_offset));
   }
+  report.fixable = static_cast<std::uint64_t>(std::count(planned.begin(), planned.end(), true));
+  const bool proposes = asked.propose_fixes && container.format == container::Format::gltf;
+  Proposals proposals(validated, planned, asked);
+  std::set<std::string_view> done;
   for (Diagnostic& finding : report.diagnostics) {
     finding.fixable = places.contains(place_of(finding));
-  }
-  const bool is_text = container.format == container::Format::gltf;
-  if (asked.propose_fixes && is_text && report.fixable > 0) {
-    propose(validated, rehearsal, asked, schemas);
+    if (!proposes || !finding.fixable || finding.fix || !done.insert(finding.code).second) continue;
+    finding.fix = proposals.propose(*find_rule(finding.code));
   }
 }
 

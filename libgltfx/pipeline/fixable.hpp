@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What `gltfx fix` does about findings, said of them beforehand.
+/// What `gltfx fix` would do about findings.
 #pragma once
 
 #include <gltfx/validate.hpp>
@@ -8,10 +8,10 @@
 
 namespace gltfx {
 
-/// Marks and counts the findings that one run with safe fixes removes, of those that `asked` asks
-/// for: those the asset was validated with. Where the fixes of some would change something the run
-/// is rehearsed, so this takes as long as the run does. With `propose_fixes` the first marked
-/// finding of each rule gets the fix of all, where it is one of a text file, as Diagnostic::fix.
+/// Marks and counts the findings for which a safe fix has a change. Whether `gltfx fix` makes it is
+/// not found out: it leaves a fix that brings a new finding. `asked` is what the asset was
+/// validated with. With `propose_fixes` the first marked finding of each rule gets the fix of all,
+/// where it is one of a text file and brings no new finding, as Diagnostic::fix.
 void mark_fixable(validate::ValidatedAsset& validated, const ValidateOptions& asked);
 
 }  // namespace gltfx

@@ -27,10 +27,10 @@
 #include "json/parse.hpp"
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/cached_verb.hpp"
-#include "pipeline/fixable.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
+#include "pipeline/fixable.hpp"
 #include "pipeline/validation_key.hpp"
 #include "report/packed.hpp"
 #include "schema/compile.hpp"
@@ -147,8 +147,8 @@ void add_names(HashParts& parts, const Names& names) {
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
   const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, searched, max_issues,
-               changed_lines, count_fixable, propose_fixes, targets, jobs, select, ignore, severity,
-               schemas, cache] = options;
+               changed_lines, propose_fixes, targets, jobs, select, ignore, severity, schemas,
+               cache] = options;
   // The same report comes of any number of threads, with and without cache; with lines that changed
   // nothing is kept.
   static_cast<void>(changed_lines);
@@ -168,7 +168,6 @@ Hash128 validation_key(const ValidateOptions& options, const std::string& folder
   parts.add(root.empty() ? root
                          : (std::filesystem::path(folder) / root).lexically_normal().native());
   parts.add(max_issues);
-  parts.add(std::uint64_t{count_fixable});
   parts.add(std::uint64_t{propose_fixes});
   add_names(parts, select);
   add_names(parts, ignore);
@@ -258,7 +257,7 @@ Validation validate_or_recall(const std::string& path, const ValidateOptions& op
 validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options) {
   validate::ValidatedAsset validated(std::move(asset), options);
   if (options.propose_fixes) propose_fix(validated, options);
-  if (options.count_fixable && options.profile != Profile::khronos && !validated.sites().empty()) {
+  if (options.profile != Profile::khronos && !validated.sites().empty()) {
     mark_fixable(validated, options);
   }
   return validated;

@@ -92,10 +92,10 @@ void SarifRules::write_rule(json::Writer& writer, const Met& met) const {
   if (rule != nullptr) {
     writer.member("name", friendly_name(met.code));
     write_text(writer, "shortDescription", fmt::format("{}.", rule->summary));
-    write_text(writer, "fullDescription", rule->checks);
+    write_text(writer, "fullDescription", rule->why);
     writer.key("help");
     writer.begin_object();
-    writer.member("text", fmt::format("{} {}", rule->why, rule->help));
+    writer.member("text", rule->help);
     writer.member("markdown", help_markdown(*rule));
     writer.end_object();
     writer.member("helpUri", help_uri(*rule));

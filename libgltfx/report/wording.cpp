@@ -79,8 +79,9 @@ std::string fixable_note(const RunSummary& summary, std::string_view profile) {
                      path.find_first_not_of(
                          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-/") ==
                          std::string::npos;
-  return fmt::format("{} of these can be fixed: gltfx fix {}{}", summary.fixable,
-                     plain ? path : "PATH", profile == "strict" ? " --profile strict" : "");
+  return fmt::format("{} of these {} a fix: gltfx fix {}{}", summary.fixable,
+                     summary.fixable == 1 ? "has" : "have", plain ? path : "PATH",
+                     profile == "strict" ? " --profile strict" : "");
 }
 
 std::string unverified_note(std::uint64_t unverified) {

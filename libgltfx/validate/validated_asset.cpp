@@ -14,13 +14,12 @@ bool is_unlimited(const Budgets& budgets) {
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 bool judges_by_default(const ValidateOptions& options) {
   const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, searched, max_issues,
-               changed_lines, count_fixable, propose_fixes, targets, jobs, select, ignore, severity,
-               schemas, cache] = options;
+               changed_lines, propose_fixes, targets, jobs, select, ignore, severity, schemas,
+               cache] = options;
   // Where files come from and what is known of glTF is a matter of the asset, not of taste.
   static_cast<void>(root);
   static_cast<void>(searched);
   static_cast<void>(schemas);
-  static_cast<void>(count_fixable);
   static_cast<void>(propose_fixes);
   static_cast<void>(jobs);
   static_cast<void>(cache);

@@ -5,8 +5,9 @@
     tests/mutants/fix_mutants.py build/dev/bin/gltfx FOLDER... [--count 50000] [--seed N] [--peer NODE_MODULES]
 
 Of each mutant is asked: the fixed file has no finding, by gltfx or by npm's gltf-validator, that the broken one has
-not; a second run changes nothing; findings that `gltfx validate` marks as fixable are gone. Mutants whose text cannot
-be read are counted, but new findings of theirs are not: what could not be read could not be found. gltf-validator
+not; a second run changes nothing; findings that `gltfx validate` marks as fixable are gone or left with a reason.
+Mutants whose text cannot be read are counted, but new findings of theirs are not: what could not be read could not be
+found. gltf-validator
 leaves out values of a wrong type, counts what stands behind them anew, and goes on without what is required: what it
 finds there is not new. It does not look into an extension that is not declared, and does not know each extension: a
 finding of its is not new if it has the same against the valid asset that was broken, or if gltfx has it against the
@@ -530,8 +531,9 @@ def compare(mutants, gltfx, peer, safe, work, words, totals):
                 totals.reasons[f"{action['code']}: {action['why']}"] += count
         totals.marked += old.marked
         dropped = sum(max(0, old[code] - new[code]) for code in old.keys() & safe)
-        if dropped < old.marked:
-            wrong.append(f"{old.marked} marked, {dropped} gone: {more(new, old)}")
+        left = sum(action["count"] for action in report["actions"] if "why" in action and action["code"] in safe)
+        if dropped + left < old.marked:
+            wrong.append(f"{old.marked} marked, {dropped} gone, {left} left with a reason: {more(new, old)}")
         if peer and report["changes"]:
             totals.asked += 1
             theirs, now = peer.codes(path), peer.codes(str(path).replace("/in/", "/out/", 1))

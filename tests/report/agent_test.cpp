@@ -14,7 +14,6 @@ std::string agent(const std::vector<FileReport>& reports, bool quiet = false) {
   static constexpr std::array<RuleDescription, 1> kRules{{{.code = "VALUE_NOT_IN_RANGE",
                                                            .severity = Severity::error,
                                                            .summary = "S",
-                                                           .checks = "S.",
                                                            .why = "W.",
                                                            .help = "Use another number.",
                                                            .section = "",

@@ -19,7 +19,6 @@ constexpr std::array<RuleDescription, 2> kSarifRules{
     {{.code = "TYPE_MISMATCH",
       .severity = Severity::error,
       .summary = "A value has the wrong type",
-      .checks = "A value has the wrong type. All of it.",
       .why = "Readers refuse it.",
       .help = "Write the right type.",
       .section = "glTF 2.0, Accessors",
@@ -31,7 +30,6 @@ constexpr std::array<RuleDescription, 2> kSarifRules{
      {.code = "UNUSED_OBJECT",
       .severity = Severity::info,
       .summary = "Nothing uses an object",
-      .checks = "Nothing uses an object.",
       .why = "It costs space.",
       .help = "Remove it.",
       .section = "",
@@ -124,7 +122,7 @@ TEST(Sarif, ListsTheRulesThatWereMetOnce) {
   EXPECT_EQ(rule["id"], "TYPE_MISMATCH");
   EXPECT_EQ(rule["name"], "TypeMismatch");
   EXPECT_EQ(rule["shortDescription"]["text"], "A value has the wrong type.");
-  EXPECT_EQ(rule["help"]["text"], "Readers refuse it. Write the right type.");
+  EXPECT_EQ(rule["help"]["text"], "Write the right type.");
   EXPECT_THAT(rule["help"]["markdown"].get<std::string>(), HasSubstr("```json\n{\"a\": 1}\n```"));
   EXPECT_THAT(rule["helpUri"].get<std::string>(), ::testing::StartsWith("https://"));
   EXPECT_EQ(rule["defaultConfiguration"]["level"], "error");

@@ -59,8 +59,6 @@ std::string explanation(const RuleDescription& rule, bool color) {
   };
   text += fmt::format("{} ({}): {}.\n", style.bold(rule.code),
                       style.severity(rule.severity, severity_name(rule.severity)), rule.summary);
-  heading("What it checks");
-  text += wrapped(rule.checks, kIndent + 2);
   heading("Why it matters");
   text += wrapped(rule.why, kIndent + 2);
   heading("How to fix it");

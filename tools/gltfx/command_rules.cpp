@@ -16,7 +16,6 @@ void write_rule(json::Writer& writer, const RuleDescription& rule) {
   writer.member("code", rule.code);
   writer.member("severity", severity_name(rule.severity));
   writer.member("summary", rule.summary);
-  writer.member("checks", rule.checks);
   writer.member("why", rule.why);
   writer.member("help", rule.help);
   writer.member("section", rule.section);

@@ -104,21 +104,10 @@ Result<std::shared_ptr<ResultCache>> open_cache(const CacheChoice& choice, bool 
   return cache;
 }
 
-namespace {
-
-bool tells_of_fixes(ReportFormat format) {
-  return format != ReportFormat::khronos && format != ReportFormat::github &&
-         format != ReportFormat::junit;
-}
-
-}  // namespace
-
 Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   ValidateOptions options = request.validation;
   options.jobs = request.common.jobs;
-  options.count_fixable = request.targets.empty();
   for (const FormatTarget& target : request.targets) {
-    options.count_fixable = options.count_fixable || tells_of_fixes(target.format);
     // Lines hold what any format needs.
     options.propose_fixes = options.propose_fixes || target.format == ReportFormat::sarif ||
                             target.format == ReportFormat::jsonl;

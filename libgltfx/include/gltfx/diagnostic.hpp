@@ -34,8 +34,7 @@ std::string_view fix_name(Fix fix);
 struct RuleDescription {
   std::string_view code;     ///< SCREAMING_SNAKE, stable once released
   Severity severity;         ///< default severity
-  std::string_view summary;  ///< one line, no full stop
-  std::string_view checks;   ///< one paragraph that begins with the summary
+  std::string_view summary;  ///< one sentence, no full stop
   std::string_view why;      ///< one paragraph: what goes wrong in practice
   std::string_view help;     ///< how to fix it, one or two sentences
   std::string_view section;  ///< of the specification or an extension; empty: a rule of gltfx alone
@@ -100,7 +99,7 @@ struct Diagnostic {
   std::uint64_t count = 1;
   std::string last_pointer;                ///< pointer of the last repeat when count > 1
   std::shared_ptr<const ProposedFix> fix;  ///< null: there is none, or it was not asked for
-  bool fixable = false;  ///< `gltfx fix` fixes it; it does not tell that of repeats
+  bool fixable = false;  ///< it has a safe fix, which `gltfx fix` makes or says why not
 };
 
 }  // namespace gltfx

@@ -77,7 +77,7 @@ struct FileReport {
   std::uint64_t suppressed = 0;         ///< findings a baseline knew
   std::uint64_t left_out = 0;           ///< findings that the asset asks to leave out
   std::uint64_t unchanged = 0;          ///< findings on other lines than those that were asked for
-  std::uint64_t fixable = 0;            ///< findings that `gltfx fix` fixes, repeats counted
+  std::uint64_t fixable = 0;            ///< findings with a safe fix, repeats counted
   std::uint64_t unverified = 0;         ///< resources that were not checked: Git LFS pointers
   std::uint64_t images_wanted = 0;      ///< whose pixels were to be checked
   std::uint64_t images_decoded = 0;     ///< of those, the ones that were decoded

@@ -75,9 +75,8 @@ struct ValidateOptions {
   /// Leave out findings on other lines of the JSON text; those without a place stay when there is
   /// any range. Nothing: all lines.
   std::optional<std::vector<LineRange>> changed_lines;
-  /// Fill FileReport::fixable and Diagnostic::fixable, which takes as long as a run of the fixes.
-  bool count_fixable = true;
-  /// Fill Diagnostic::fix where a program can fix the finding and the picture stays the same.
+  /// Fill Diagnostic::fix where a program can fix the finding and the picture stays the same. Each
+  /// proposal is validated, which takes longer than the validation itself.
   bool propose_fixes = false;
   /// Engines that the asset is for: what they refuse or ignore is reported. The khronos profile
   /// reports nothing of it.

@@ -134,12 +134,6 @@ void read_front_matter(RulePage& page, Reader& reader) {
 
 }  // namespace
 
-std::string RulePage::summary() const {
-  std::size_t end = checks.find(". ");
-  if (end == std::string::npos) end = checks.size() - 1;
-  return checks.substr(0, end);
-}
-
 RulePage read_rule_page(std::string code, std::string_view text, std::string& mistake) {
   RulePage page;
   page.code = std::move(code);
@@ -147,8 +141,11 @@ RulePage read_rule_page(std::string code, std::string_view text, std::string& mi
   read_front_matter(page, reader);
   reader.skip_blank_lines();
   reader.expect("# " + page.code);
-  const std::pair<const char*, std::string*> paragraphs[] = {{"## What it checks", &page.checks},
-                                                             {"## Why it matters", &page.why},
+  reader.skip_blank_lines();
+  page.summary = reader.paragraph();
+  if (page.summary.find(". ") != std::string::npos) reader.fail("expected one sentence");
+  if (!page.summary.empty()) page.summary.pop_back();
+  const std::pair<const char*, std::string*> paragraphs[] = {{"## Why it matters", &page.why},
                                                              {"## How to fix it", &page.help}};
   for (const auto& [heading, paragraph] : paragraphs) {
     reader.skip_blank_lines();

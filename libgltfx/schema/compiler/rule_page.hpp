@@ -23,12 +23,11 @@ struct RulePage {
   bool picture = true;  ///< an asset with this error is drawn
   Fix fix = Fix::none;
   std::string section, link;  ///< both empty: the rule is ours alone
-  std::string checks, why, help;
+  std::string summary;  ///< one sentence, no full stop
+  std::string why, help;
   std::string bad, good;
   /// Of a rule that `gltfx fix` knows: what it changes, and what it makes of `bad`.
   std::string fix_does, fixed;
-  /// The first sentence of `checks` without its full stop.
-  std::string summary() const;
 };
 
 /// Reads a page. `mistake`: empty, or "line: what is wrong" with what is expected.
