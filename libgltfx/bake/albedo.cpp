@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/albedo.hpp"
 
-#include "bake/lanes.hpp"
+#include "base/lanes.hpp"
 
 namespace gltfx::bake {
 namespace {

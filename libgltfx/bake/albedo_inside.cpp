@@ -10,8 +10,8 @@
 
 #include "bake/albedo.hpp"
 #include "bake/integration.hpp"
-#include "bake/storage.hpp"
 #include "base/fork.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -1,10 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/background.hpp"
 
-#include "bake/lighting.hpp"
-#include "bake/storage.hpp"
+#include <algorithm>
+#include <cmath>
+
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
+namespace {
+
+// A photographer's paper: brightest a little above the middle of the picture.
+Rgb backdrop(double x, double y) {
+  const double dx = x - 0.5;
+  const double dy = y - 0.46;
+  const double away = smooth_step(0.1, 0.85, std::sqrt(dx * dx + dy * dy));
+  return Rgb(0.76, 0.765, 0.775) * (1 - away) + Rgb(0.47, 0.48, 0.50) * away;
+}
+
+}  // namespace
+
+double smooth_step(double from, double to, double x) {
+  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
 
 Rgb background(const TraceContext& context, const Vec3d& direction, const Float2& point) {
   const World& world = context.world;

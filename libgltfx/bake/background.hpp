@@ -6,6 +6,9 @@
 
 namespace gltfx::bake {
 
+/// Hermite's cubic from 0 at `from` to 1 at `to`, constant beyond.
+double smooth_step(double from, double to, double x);
+
 /// Black where it is transparent. `point`: of the picture.
 Rgb background(const TraceContext& context, const Vec3d& direction, const Float2& point);
 

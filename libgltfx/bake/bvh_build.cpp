@@ -13,8 +13,9 @@
 #include "bake/bvh_groups.hpp"
 #include "bake/bvh_state.hpp"
 #include "bake/embree.hpp"
-#include "bake/storage.hpp"
+#include "bake/transform.hpp"
 #include "base/fork.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "bake/sampler.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "bake/transform.hpp"
 #include "bake/wall.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

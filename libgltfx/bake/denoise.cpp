@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "bake/regression.hpp"
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx::bake {

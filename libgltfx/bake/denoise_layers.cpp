@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx::bake {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bake/light.hpp"
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 

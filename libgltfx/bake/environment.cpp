@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "bake/sin_cos.hpp"
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

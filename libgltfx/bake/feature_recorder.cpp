@@ -26,7 +26,7 @@ void FeatureRecorder::record_first(const Scene& scene, const Hit& hit, const Sur
   features_.material = scene.meshes[hit.mesh].material;
 }
 
-void FeatureRecorder::record(const Path& path, const Rgb& albedo, const Vec3d& normal,
+void FeatureRecorder::record(const PathState& path, const Rgb& albedo, const Vec3d& normal,
                              double distance) {
   if (recorded_) return;
   recorded_ = true;
@@ -36,11 +36,11 @@ void FeatureRecorder::record(const Path& path, const Rgb& albedo, const Vec3d& n
   features_.clear = features_.clear || path.depth > 1;
 }
 
-void FeatureRecorder::record(const Path& path, const Hit& hit, const Surface& surface) {
+void FeatureRecorder::record(const PathState& path, const Hit& hit, const Surface& surface) {
   record(path, scattering_color(surface.material), surface.frame.normal, hit.distance);
 }
 
-void FeatureRecorder::go_on(const Path& path, double distance) {
+void FeatureRecorder::go_on(const PathState& path, double distance) {
   length_ += distance;
   features_.clear = features_.clear || path.prefix.straight;
 }

@@ -18,10 +18,10 @@ class FeatureRecorder {
   void record_first(const Scene& scene, const Hit& hit, const Surface& surface);
   /// A vertex at a distance from the one before it, which the path has reached and not left yet.
   /// Only the first one counts.
-  void record(const Path& path, const Rgb& albedo, const Vec3d& normal, double distance);
-  void record(const Path& path, const Hit& hit, const Surface& surface);
+  void record(const PathState& path, const Rgb& albedo, const Vec3d& normal, double distance);
+  void record(const PathState& path, const Hit& hit, const Surface& surface);
   /// The path has left a surface, which it reached after `distance`.
-  void go_on(const Path& path, double distance);
+  void go_on(const PathState& path, double distance);
 
   /// The recorder of a branch, without the features that the path before it has recorded.
   FeatureRecorder split(bool records) const;

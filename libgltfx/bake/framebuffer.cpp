@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -8,8 +8,9 @@
 #include <numbers>
 
 #include "bake/framing_strays.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "bake/transform.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

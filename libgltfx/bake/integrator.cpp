@@ -6,8 +6,8 @@
 
 #include "bake/background.hpp"
 #include "bake/radiance.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -74,7 +74,7 @@ PathSample trace_path(const TraceContext& context, const CameraSample& camera,
   const auto trace = [&](const Ray& rest, const std::optional<Hit>& hit, std::uint32_t layer) {
     const std::uint32_t colors = hit ? colors_at(context.scene, *hit) : 1;
     const auto trace_color = [&](std::uint32_t i) {
-      Path path{rest, PathSampler(camera.random, layer).split(i, colors)};
+      PathState path{rest, PathSampler(camera.random, layer).split(i, colors)};
       FeatureRecorder features;
       PathSample sample = incident_radiance(context, path, features, hit, camera.point);
       sample.alpha = std::clamp(sample.alpha, 0.0, 1.0);

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "bake/directions.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
 #include "bake/wall.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

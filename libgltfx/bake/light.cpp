@@ -9,8 +9,9 @@
 
 #include "bake/material.hpp"
 #include "bake/material_at.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "bake/transform.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

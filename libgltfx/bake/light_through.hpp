@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "bake/integrator.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 

@@ -6,12 +6,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "bake/background.hpp"
 #include "bake/directions.hpp"
 #include "bake/environment.hpp"
 #include "bake/interior.hpp"
 #include "bake/light.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -35,11 +36,6 @@ constexpr std::array<SoftBox, 4> kBoxes{{
 }};
 
 constexpr double kDimBackdrop = 0.4;
-
-double smooth_step(double from, double to, double x) {
-  const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
-}
 
 // Ambient light: bright above, and reflected by the ground below.
 Rgb ambient(double elevation) {
@@ -174,13 +170,6 @@ EnvironmentImage studio_environment(const Vec3d& backward, bool modelling) {
   }
   scale_to_white(image, backward);
   return image;
-}
-
-Rgb backdrop(double x, double y) {
-  const double dx = x - 0.5;
-  const double dy = y - 0.46;
-  const double away = smooth_step(0.1, 0.85, std::sqrt(dx * dx + dy * dy));
-  return Rgb(0.76, 0.765, 0.775) * (1 - away) + Rgb(0.47, 0.48, 0.50) * away;
 }
 
 World make_world(const Scene& scene, const Subject& subject, const View& view,

@@ -27,9 +27,6 @@ Rgb irradiance(const EnvironmentImage& image, const Vec3d& normal);
 /// Whether all that is drawn shows the default material alone: white, rough metal.
 bool is_plain(const Scene& scene);
 
-/// Radiance of the backdrop at a point of the picture, x and y from 0 to 1 from the upper left.
-Rgb backdrop(double x, double y);
-
 enum class Lamps : std::uint8_t { studio, asset, both };
 
 struct LightingOptions {

@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "bake/transform.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <tuple>
 
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

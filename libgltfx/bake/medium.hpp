@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bake/scene.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 

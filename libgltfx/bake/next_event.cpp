@@ -10,13 +10,13 @@ namespace gltfx::bake {
 namespace {
 
 // The part of direct light that the first surface of the path reflects.
-Rgb reflected_share(const Path& path, const Evaluation& bsdf) {
+Rgb reflected_share(const PathState& path, const Evaluation& bsdf) {
   return path.depth == 1 ? share_of(bsdf.reflected, bsdf.f) : path.reflected_share;
 }
 
 // Traces the shadow rays of candidates whose light paths find, too; `scale`: of their
 // contributions.
-void add_unoccluded(const TraceContext& context, const Path& path,
+void add_unoccluded(const TraceContext& context, const PathState& path,
                     std::span<const Candidate> candidates, double scale, PathSample& L) {
   std::array<const Candidate*, Bvh::kShadowPacket> lit{};
   std::array<Ray, Bvh::kShadowPacket> rays;
@@ -39,7 +39,7 @@ void add_unoccluded(const TraceContext& context, const Path& path,
 
 // Traces the shadow ray towards a point or a direction, which no path meets; `share`: of the light,
 // that the first surface reflects.
-void add_punctual(const TraceContext& context, const Path& path, const Candidate& light,
+void add_punctual(const TraceContext& context, const PathState& path, const Candidate& light,
                   const Rgb& share, PathSample& L) {
   if (!(max_value(light.contribution) > 0)) return;
   ++L.rays;
@@ -49,7 +49,7 @@ void add_punctual(const TraceContext& context, const Path& path, const Candidate
 
 }  // namespace
 
-void add_direct_light(const TraceContext& context, Path& path, const Hit& hit,
+void add_direct_light(const TraceContext& context, PathState& path, const Hit& hit,
                       const Surface& surface, const Bsdf& bsdf, PathSample& L) {
   const DirectLight light(context, surface, bsdf, path.media.around(hit.body()));
   const bool first = path.depth == 1;
@@ -81,7 +81,7 @@ void add_direct_light(const TraceContext& context, Path& path, const Hit& hit,
   add_punctual(context, path, lamp, reflected_share(path, lamp.bsdf), L);
 }
 
-void add_direct_light(const TraceContext& context, const Path& path, PathSample& L) {
+void add_direct_light(const TraceContext& context, const PathState& path, PathSample& L) {
   const Candidate light =
       sample_punctual(context, path.media.top(), path.ray, path.sampler.pair(Dimension::punctual));
   add_punctual(context, path, light, path.reflected_share, L);

@@ -13,7 +13,7 @@ namespace gltfx::bake {
 
 /// The environment counts once along a path: through the first wall that lets it in, and not again
 /// when that wall reflects it.
-inline bool sees_environment(const TraceContext& context, const Path& path) {
+inline bool sees_environment(const TraceContext& context, const PathState& path) {
   return context.world.environment && !path.prefix.environment_in;
 }
 
@@ -26,10 +26,10 @@ inline Rgb share_of(const Rgb& part, const Rgb& all) {
 /// Adds the light at a surface. The first one of a path gets more samples, as its light is the most
 /// visible. The sky chooses among many directions itself; of emitters, one of some candidates is
 /// resampled. Sets `path.sky_pdf`.
-void add_direct_light(const TraceContext& context, Path& path, const Hit& hit,
+void add_direct_light(const TraceContext& context, PathState& path, const Hit& hit,
                       const Surface& surface, const Bsdf& bsdf, PathSample& L);
 
 /// Adds the light of lamps at the start of the next ray, in a medium.
-void add_direct_light(const TraceContext& context, const Path& path, PathSample& L);
+void add_direct_light(const TraceContext& context, const PathState& path, PathSample& L);
 
 }  // namespace gltfx::bake

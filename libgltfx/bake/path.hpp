@@ -7,11 +7,11 @@
 #include <array>
 #include <cstdint>
 
-#include "bake/lanes.hpp"
 #include "bake/medium.hpp"
 #include "bake/ray.hpp"
 #include "bake/sampler.hpp"
 #include "bake/sky_samples.hpp"
+#include "base/lanes.hpp"
 
 namespace gltfx::bake {
 
@@ -96,7 +96,7 @@ struct PathPrefix {
 };
 
 /// A path up to one of its vertices, as a value: a path that splits is copied.
-struct Path {
+struct PathState {
   Ray ray;
   PathSampler sampler;
   Rgb throughput{1, 1, 1};  ///< BSDFs, phase functions and cosines over densities

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "bake/sampler.hpp"
-#include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
 #include "base/fork.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -4,8 +4,9 @@
 #include "bake/directions.hpp"
 #include "bake/feature_recorder.hpp"
 #include "bake/material_at.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "bake/transform.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

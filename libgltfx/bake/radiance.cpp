@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// incident_radiance(), and before it its steps, free functions: they change the Path that they
-/// get, and add light to a PathSample, called L, which transport never reads.
+/// incident_radiance(), and before it its steps, free functions: they change the PathState that
+/// they get, and add light to a PathSample, called L, which transport never reads.
 #include "bake/radiance.hpp"
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 #include "bake/light_through.hpp"
 #include "bake/material.hpp"
 #include "bake/next_event.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {
@@ -29,14 +29,14 @@ struct SurfaceVertex {
 };
 
 // The weight of light that the BSDF or phase function found, beside light sampling.
-double mis_weight(const TraceContext& context, const Path& path, const Hit& hit,
+double mis_weight(const TraceContext& context, const PathState& path, const Hit& hit,
                   const Surface& surface) {
   if (!(path.pdf > 0) || context.world.emitters.empty()) return 1;
   const double cosine = std::fabs(dot(surface.flat_normal, path.ray.direction));
   return power_heuristic(path.pdf, context.world.emitters.pdf(hit, cosine));
 }
 
-void add_environment(const World& world, const Path& path, const Rgb& transmittance,
+void add_environment(const World& world, const PathState& path, const Rgb& transmittance,
                      PathSample& L) {
   const EnvironmentValue seen = world.evaluate_sky(path.ray.direction, path.sky_pdf);
   const double weight = path.pdf > 0 ? power_heuristic(path.pdf, seen.pdf) : 1.0;
@@ -44,7 +44,7 @@ void add_environment(const World& world, const Path& path, const Rgb& transmitta
 }
 
 // Beyond the scene: straight on the backdrop, else the environment as a light.
-void add_infinite_light(const TraceContext& context, const Path& path, const Float2& point,
+void add_infinite_light(const TraceContext& context, const PathState& path, const Float2& point,
                         FeatureRecorder& features, PathSample& L) {
   if (path.prefix.straight) {
     L.alpha = 1 - luminance(path.throughput);
@@ -58,7 +58,7 @@ void add_infinite_light(const TraceContext& context, const Path& path, const Flo
 
 // A wall that lets light in is a window for the emitters and the environment behind it, one that is
 // too far away to occlude the environment for that. A medium goes on behind it.
-void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wall, Path& path,
+void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wall, PathState& path,
                             PathSample& L) {
   if (path.prefix.specular) return;
   const auto transmittance = [&](double distance) {
@@ -79,7 +79,7 @@ void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wa
   path.prefix.environment_in = true;
 }
 
-void add_emission(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
+void add_emission(const TraceContext& context, const PathState& path, const SurfaceVertex& vertex,
                   PathSample& L) {
   const Material& material = vertex.surface.material;
   const bool outshone = path.prefix.environment_in && material.unlit;
@@ -94,7 +94,7 @@ void add_emission(const TraceContext& context, const Path& path, const SurfaceVe
 }
 
 // Whether the path ends here, with the light of the sky instead of that of paths.
-bool end_with_sky(const TraceContext& context, const Path& path, const SurfaceVertex& vertex,
+bool end_with_sky(const TraceContext& context, const PathState& path, const SurfaceVertex& vertex,
                   PathSample& L) {
   const Material& m = vertex.surface.material;
   if (!context.effort.sky_ends_paths || path.depth == 0 || is_transmissive(m)) return false;
@@ -113,7 +113,7 @@ double sharpest(const Material& m) {
 }
 
 // A dispersive volume refracts each colour differently: from there on a path carries one of them.
-void choose_channel(const Material& material, Path& path) {
+void choose_channel(const Material& material, PathState& path) {
   if (path.channel >= 0 || material.dispersion <= 0 || material.transmission <= 0) return;
   if (!material.volumetric()) return;
   path.channel = std::min(static_cast<int>(path.sampler.single(Dimension::color) * 3), 2);
@@ -124,7 +124,7 @@ void choose_channel(const Material& material, Path& path) {
 
 // The next surface, or nothing where the medium scatters before it. Where that is ends the ray, so
 // that in dense media few triangles are looked at.
-std::optional<Hit> find_surface(const TraceContext& context, Path& path, PathSample& L) {
+std::optional<Hit> find_surface(const TraceContext& context, PathState& path, PathSample& L) {
   path.ray.far = path.media.empty() ? std::numeric_limits<double>::infinity()
                                     : sample_distance(path.media.top(), path.throughput,
                                                       path.sampler.pair(Dimension::free_flight));
@@ -144,7 +144,7 @@ bool lamps_reach(const std::vector<Light>& lights, const Medium& medium) {
 
 // Scatters the path where its ray ends; false if a surface comes first, to which the medium only
 // absorbs.
-bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, Path& path,
+bool sample_medium(const TraceContext& context, const std::optional<Hit>& hit, PathState& path,
                    FeatureRecorder& features, PathSample& L) {
   const double distance = hit ? hit->distance : path.ray.far;
   const bool scattered = !hit && std::isfinite(distance);
@@ -170,7 +170,7 @@ Random3 bsdf_random(const PathSampler& sampler) {
 
 // The next direction. False where the path ends.
 bool sample_bsdf(const TraceContext& context, const SurfaceVertex& vertex, const Bsdf& bsdf,
-                 const Random3& random, Path& path, FeatureRecorder& features) {
+                 const Random3& random, PathState& path, FeatureRecorder& features) {
   constexpr double kNarrow = 2;  // per steradian: transmitted light shows a picture
   const auto& [hit, surface, v] = vertex;
   const auto next = bsdf.sample(random);
@@ -205,7 +205,7 @@ bool sample_bsdf(const TraceContext& context, const SurfaceVertex& vertex, const
 }
 
 // Ends paths of low throughput with a probability by which the throughput of the others is divided.
-bool russian_roulette(Path& path) {
+bool russian_roulette(PathState& path) {
   const double most = max_value(path.throughput) / path.weight;
   if (!(most > 0)) return false;
   if (path.sampler.step() < kRouletteFrom || most >= 1) return true;
@@ -229,9 +229,9 @@ struct Splitting {
   std::uint32_t branches() const { return others + (apart ? 1 : 0); }
 };
 
-void add_branches(const TraceContext& context, const Path& path, const FeatureRecorder& features,
-                  const SurfaceVertex& vertex, const Bsdf& bsdf, const Splitting& splitting,
-                  const Float2& point, PathSample& L) {
+void add_branches(const TraceContext& context, const PathState& path,
+                  const FeatureRecorder& features, const SurfaceVertex& vertex, const Bsdf& bsdf,
+                  const Splitting& splitting, const Float2& point, PathSample& L) {
   const auto& [reflecting, apart, others] = splitting;
   const std::uint32_t count = splitting.branches();
   L.alpha = 0;
@@ -241,7 +241,7 @@ void add_branches(const TraceContext& context, const Path& path, const FeatureRe
     const double from = apart && !mirrors ? reflecting : 0;  // of the number that chooses a lobe
     const double to = apart && mirrors ? reflecting : 1;
     random.lobe = from + random.lobe * (to - from);
-    Path branch = path;
+    PathState branch = path;
     branch.sampler = path.sampler.split(i, count);
     branch.weight = (to - from) * count / (mirrors ? 1 : others);
     branch.throughput *= branch.weight;
@@ -258,8 +258,9 @@ void add_branches(const TraceContext& context, const Path& path, const FeatureRe
 
 }  // namespace
 
-PathSample incident_radiance(const TraceContext& context, Path& path, FeatureRecorder& features,
-                             std::optional<Hit> hit, const Float2& point) {
+PathSample incident_radiance(const TraceContext& context, PathState& path,
+                             FeatureRecorder& features, std::optional<Hit> hit,
+                             const Float2& point) {
   PathSample L;
   L.alpha = 1;
   for (; path.sampler.step() < kMaxSteps; path.sampler.next_step()) {

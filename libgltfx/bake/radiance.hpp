@@ -13,7 +13,8 @@ namespace gltfx::bake {
 /// estimation, multiple importance sampling, splitting at the first surface, and Russian roulette.
 /// `path` and `features` are used up. `hit`: of the camera ray; of later rays it is found here.
 /// `point`: of the picture, where the backdrop is seen.
-PathSample incident_radiance(const TraceContext& context, Path& path, FeatureRecorder& features,
-                             std::optional<Hit> hit, const Float2& point);
+PathSample incident_radiance(const TraceContext& context, PathState& path,
+                             FeatureRecorder& features, std::optional<Hit> hit,
+                             const Float2& point);
 
 }  // namespace gltfx::bake

@@ -14,8 +14,8 @@
 #include "bake/denoise.hpp"
 #include "bake/edge_map.hpp"
 #include "bake/pixel_surface.hpp"
-#include "bake/storage.hpp"
 #include "bake/tonemap.hpp"
+#include "base/packed.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx::bake {

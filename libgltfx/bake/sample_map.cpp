@@ -6,9 +6,9 @@
 
 #include "bake/camera_packet.hpp"
 #include "bake/render.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
 #include "bake/tonemap.hpp"
+#include "base/packed.hpp"
 #include "base/parallel.hpp"
 
 namespace gltfx::bake {

@@ -9,8 +9,8 @@
 #include <array>
 #include <cstdint>
 
-#include "bake/lanes.hpp"
 #include "bake/scene.hpp"
+#include "base/lanes.hpp"
 
 namespace gltfx::bake {
 

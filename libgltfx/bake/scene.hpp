@@ -16,13 +16,10 @@
 #include <vector>
 
 #include "base/material_table.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 
-// Storage, not arithmetic: packed, without padding.
-using Float2 = std::array<float, 2>;
-using Float3 = std::array<float, 3>;
-using Float4 = std::array<float, 4>;
 /// Three rows of an affine transform of column vectors: linear part left, translation right.
 using Matrix34 = std::array<Float4, 3>;
 inline constexpr Matrix34 kIdentity{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bake/environment.hpp"
-#include "bake/lanes.hpp"
-#include "bake/storage.hpp"
+#include "base/lanes.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 

@@ -6,9 +6,10 @@
 
 #include "bake/material_at.hpp"
 #include "bake/microfacet.hpp"
-#include "bake/storage.hpp"
 #include "bake/texture.hpp"
+#include "bake/transform.hpp"
 #include "base/fork.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

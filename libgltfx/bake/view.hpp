@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <span>
 
-#include "bake/lanes.hpp"
 #include "bake/ray.hpp"
 #include "bake/sampler.hpp"
 #include "bake/scene.hpp"
+#include "base/lanes.hpp"
 
 namespace gltfx::bake {
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/wall.hpp"
 
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "bake/transform.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

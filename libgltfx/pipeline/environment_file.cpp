@@ -28,9 +28,8 @@ std::optional<codec::ImageFormat> format_of(const std::string& path) {
 float sane(float value) { return std::isfinite(value) ? std::clamp(value, 0.0F, 1e8F) : 0.0F; }
 
 // The mean of a square of texels.
-bake::Float3 gather(const codec::Image& image, std::uint32_t x, std::uint32_t y,
-                    std::uint32_t step) {
-  bake::Float3 sum{};
+Float3 gather(const codec::Image& image, std::uint32_t x, std::uint32_t y, std::uint32_t step) {
+  Float3 sum{};
   for (std::uint32_t dy = 0; dy < step; ++dy) {
     for (std::uint32_t dx = 0; dx < step; ++dx) {
       const std::size_t texel = std::size_t{y * step + dy} * image.width + x * step + dx;

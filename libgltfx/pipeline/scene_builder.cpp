@@ -37,7 +37,7 @@ using model::Vector3;
 constexpr std::uint64_t kPlainWorth = 16;
 constexpr std::uint64_t kPackedWorth = 32;
 
-bake::Float3 narrow(const Vector3& from) {
+Float3 narrow(const Vector3& from) {
   return {static_cast<float>(from[0]), static_cast<float>(from[1]), static_cast<float>(from[2])};
 }
 
@@ -50,7 +50,7 @@ bake::Matrix34 rows_of(const Affine& affine) {
 }
 
 bool is_finite(const bake::Matrix34& matrix) {
-  return std::all_of(matrix.begin(), matrix.end(), [](const bake::Float4& row) {
+  return std::all_of(matrix.begin(), matrix.end(), [](const Float4& row) {
     return std::all_of(row.begin(), row.end(), [](float value) { return std::isfinite(value); });
   });
 }

@@ -6,9 +6,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
 #include "bake/texture.hpp"
+#include "bake/transform.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx {
 namespace {
@@ -64,15 +65,15 @@ class PlacedMesh {
   using Corners = std::array<std::uint32_t, 3>;
 
   double world_area(const Corners& corners) const {
-    const auto at = [&](std::size_t i) { return bake::to_vec(mesh_.positions[corners[i]]); };
+    const auto at = [&](std::size_t i) { return to_vec(mesh_.positions[corners[i]]); };
     const Vec3d u = bake::transform_vector(to_world_, at(1) - at(0));
     const Vec3d v = bake::transform_vector(to_world_, at(2) - at(0));
-    return bake::length(cross(u, v)) / 2;
+    return length(cross(u, v)) / 2;
   }
 
   double image_area(const bake::TextureUse& use, const Corners& corners) const {
     const auto at = [&](std::size_t i) {
-      const bake::Float2 uv = bake::transform_uv(use, mesh_.uvs[use.uv_set][corners[i]]);
+      const Float2 uv = bake::transform_uv(use, mesh_.uvs[use.uv_set][corners[i]]);
       return Vec3d(uv[0], uv[1], 0);
     };
     return std::fabs(cross(at(1) - at(0), at(2) - at(0)).z) / 2;

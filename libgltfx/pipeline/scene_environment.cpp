@@ -22,8 +22,6 @@ namespace gltfx {
 namespace {
 
 using bake::EnvironmentImage;
-using bake::Float2;
-using bake::Float3;
 using model::EnvironmentLight;
 using model::Vector3;
 

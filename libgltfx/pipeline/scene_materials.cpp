@@ -57,7 +57,7 @@ struct Assign {
                           static_cast<double>(from[2])};
   }
   void operator()(float bake::SceneMaterial::*member) const { to.*member = from[0]; }
-  void operator()(bake::Float3 bake::SceneMaterial::*member) const {
+  void operator()(Float3 bake::SceneMaterial::*member) const {
     to.*member = {from[0], from[1], from[2]};
   }
 };

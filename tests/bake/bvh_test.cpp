@@ -10,7 +10,7 @@
 
 #include "bake/bvh_groups.hpp"
 #include "bake/sampler.hpp"
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 #include "base/parallel.hpp"
 #include "base/support/two_at_once.hpp"
 #include "random.hpp"

@@ -9,7 +9,7 @@
 #include "bake/lighting.hpp"
 #include "bake/sampler.hpp"
 #include "bake/sin_cos.hpp"
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 #include "shapes.hpp"
 
 namespace gltfx::bake {

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/storage.hpp"
 #include "rendering.hpp"
 
 namespace gltfx::bake {

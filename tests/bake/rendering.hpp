@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "bake/integrator.hpp"
-#include "bake/storage.hpp"
 #include "shapes.hpp"
 #include "simple_integrator.hpp"
 

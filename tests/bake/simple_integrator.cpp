@@ -11,8 +11,8 @@
 #include "bake/light_through.hpp"
 #include "bake/medium.hpp"
 #include "bake/microfacet.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "base/packed.hpp"
 
 namespace gltfx::bake {
 namespace {

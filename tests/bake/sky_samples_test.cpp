@@ -11,7 +11,7 @@
 
 #include "bake/lighting.hpp"
 #include "bake/sampler.hpp"
-#include "bake/storage.hpp"
+#include "base/packed.hpp"
 #include "studio_stage.hpp"
 
 namespace gltfx::bake {

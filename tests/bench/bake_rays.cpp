@@ -12,8 +12,9 @@
 
 #include "bake/embree.hpp"
 #include "bake/sampler.hpp"
-#include "bake/storage.hpp"
 #include "bake/surface.hpp"
+#include "bake/transform.hpp"
+#include "base/packed.hpp"
 #include "base/parallel.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
@@ -34,10 +35,10 @@ RTCScene plain_scene(RTCDevice device, const bake::Scene& scene) {
   for (const bake::Instance& instance : scene.instances) {
     const bake::Mesh& mesh = scene.meshes[instance.mesh];
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* points = static_cast<bake::Float3*>(rtcSetNewGeometryBuffer(
+    auto* points = static_cast<Float3*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
-    for (const bake::Float3& p : mesh.positions) {
-      *points++ = bake::to_float3(bake::transform_point(instance.to_world, bake::to_vec(p)));
+    for (const Float3& p : mesh.positions) {
+      *points++ = to_float3(bake::transform_point(instance.to_world, to_vec(p)));
     }
     auto* triangles = static_cast<std::array<std::uint32_t, 3>*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
@@ -65,7 +66,7 @@ RTCRayHit query(const Vec3d& origin, const Vec3d& direction) {
 }
 
 // A cosine-weighted direction around where the ray came from.
-Vec3d bounce(const RTCRayHit& q, const bake::Float2& random) {
+Vec3d bounce(const RTCRayHit& q, const Float2& random) {
   Vec3d n = normalize(Vec3d(static_cast<double>(q.hit.Ng_x), static_cast<double>(q.hit.Ng_y),
                             static_cast<double>(q.hit.Ng_z)));
   if (n.x * static_cast<double>(q.ray.dir_x) + n.y * static_cast<double>(q.ray.dir_y) +

@@ -52,10 +52,10 @@ class AssetText {
     return add("accessors", object);
   }
   /// Positions with the bounds that they have.
-  int positions(const std::vector<bake::Float3>& points) {
-    bake::Float3 least = points.front();
-    bake::Float3 greatest = least;
-    for (const bake::Float3& p : points) {
+  int positions(const std::vector<Float3>& points) {
+    Float3 least = points.front();
+    Float3 greatest = least;
+    for (const Float3& p : points) {
       for (std::size_t i = 0; i < 3; ++i) {
         least[i] = std::min(least[i], p[i]);
         greatest[i] = std::max(greatest[i], p[i]);

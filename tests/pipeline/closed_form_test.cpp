@@ -121,7 +121,7 @@ TEST_F(ClosedForm, AHollowShellAbsorbsInItsWallAlone) {
   const auto count = static_cast<std::uint32_t>(shell.positions.size());
   for (std::size_t i = 0; i < inside.positions.size(); ++i) {
     shell.positions.push_back(inside.positions[i]);
-    const bake::Float3& n = inside.normals[i];
+    const Float3& n = inside.normals[i];
     shell.normals.push_back({-n[0], -n[1], -n[2]});
   }
   shell.uvs.clear();

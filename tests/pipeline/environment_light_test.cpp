@@ -81,7 +81,7 @@ class EnvironmentLight : public Baking {
     if (!asset.json().contains("nodes")) asset.draw(quad(1), plastic());
     return scene_of_text(asset.text());
   }
-  static bake::Float3 seen(const bake::Scene& scene, const Vec3d& direction) {
+  static Float3 seen(const bake::Scene& scene, const Vec3d& direction) {
     const auto radiance = bake::Environment(*scene.environment).radiance(direction);
     return {static_cast<float>(radiance.x), static_cast<float>(radiance.y),
             static_cast<float>(radiance.z)};

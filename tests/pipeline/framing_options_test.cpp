@@ -9,9 +9,9 @@ namespace {
 
 using testing::HasSubstr;
 
-bake::Mesh block(const bake::Float3& middle, const bake::Float3& half) {
+bake::Mesh block(const Float3& middle, const Float3& half) {
   bake::Mesh mesh = bake::cube();
-  for (bake::Float3& p : mesh.positions) {
+  for (Float3& p : mesh.positions) {
     for (std::size_t i = 0; i < 3; ++i) p[i] = middle[i] + (p[i] < 0 ? -half[i] : half[i]);
   }
   return mesh;

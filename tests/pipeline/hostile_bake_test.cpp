@@ -37,7 +37,7 @@ void chain(AssetText& asset, int length) {
 }
 
 void copies(AssetText& asset, int count) {
-  std::vector<bake::Float3> places;
+  std::vector<Float3> places;
   for (int i = 0; i < count; ++i) {
     places.push_back({static_cast<float>(i % 100), static_cast<float>(i / 100), 0});
   }

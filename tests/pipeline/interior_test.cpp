@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 
 // A profile (radius, height) from below to above, turned around the y axis; fronts outside.
-bake::Mesh turned(const std::vector<bake::Float2>& profile) {
+bake::Mesh turned(const std::vector<Float2>& profile) {
   constexpr std::uint32_t kSides = 24;
   bake::Mesh mesh;
   for (const auto& [radius, height] : profile) {
@@ -61,10 +61,10 @@ AssetText room_of_thick_walls() {
 // A bottle of glass with a label and a cap, and something in it; its height is 0.3.
 AssetText bottle() {
   AssetText asset;
-  const std::vector<bake::Float2> shape{{0, 0},          {0.04F, 0},      {0.04F, 0.18F},
-                                        {0.015F, 0.22F}, {0.015F, 0.28F}, {0, 0.28F}};
-  std::vector<bake::Float2> inner = shape;
-  for (bake::Float2& each : inner) each[0] *= 0.9F;
+  const std::vector<Float2> shape{{0, 0},          {0.04F, 0},      {0.04F, 0.18F},
+                                  {0.015F, 0.22F}, {0.015F, 0.28F}, {0, 0.28F}};
+  std::vector<Float2> inner = shape;
+  for (Float2& each : inner) each[0] *= 0.9F;
   const Json glass =
       dielectric({1, 1, 1, 1}, 0.05, {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}});
   asset.draw(turned(shape), glass);

@@ -10,7 +10,7 @@
 namespace gltfx::test {
 namespace {
 
-using Points = std::vector<bake::Float3>;
+using Points = std::vector<Float3>;
 constexpr int kPoints = 0, kLines = 1, kLineLoop = 2;
 
 class Markers : public Baking {

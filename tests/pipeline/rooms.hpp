@@ -9,14 +9,14 @@
 namespace gltfx::test {
 
 /// An axis-aligned box from one corner to the other; fronts outside, or inside for a room.
-inline bake::Mesh box(const bake::Float3& from, const bake::Float3& to, bool inside = false) {
+inline bake::Mesh box(const Float3& from, const Float3& to, bool inside = false) {
   bake::Mesh mesh = bake::cube();
-  for (bake::Float3& p : mesh.positions) {
+  for (Float3& p : mesh.positions) {
     for (std::size_t i = 0; i < 3; ++i) p[i] = p[i] < 0 ? from[i] : to[i];
   }
   if (!inside) return mesh;
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-  for (bake::Float3& normal : mesh.normals) {
+  for (Float3& normal : mesh.normals) {
     for (float& component : normal) component = -component;
   }
   return mesh;

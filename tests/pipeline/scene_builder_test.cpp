@@ -32,8 +32,8 @@ using testing::UnorderedElementsAre;
 
 const std::string kMesh = one_mesh(R"("POSITION": 0, "NORMAL": 1)");
 
-bake::Float3 at(const bake::Instance& instance, const bake::Float3& p) {
-  bake::Float3 result{};
+Float3 at(const bake::Instance& instance, const Float3& p) {
+  Float3 result{};
   for (std::size_t r = 0; r < 3; ++r) {
     const auto& row = instance.to_world[r];
     result[r] = row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + row[3];
@@ -41,7 +41,7 @@ bake::Float3 at(const bake::Instance& instance, const bake::Float3& p) {
   return result;
 }
 
-testing::Matcher<bake::Float3> near(float x, float y, float z) {
+testing::Matcher<Float3> near(float x, float y, float z) {
   return ElementsAre(FloatNear(x, 1e-5F), FloatNear(y, 1e-5F), FloatNear(z, 1e-5F));
 }
 

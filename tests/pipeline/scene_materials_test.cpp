@@ -315,7 +315,7 @@ TEST(TexCoords, ATransformTurnsCounterClockwiseAsSeen) {
                   transform + "}}}",
               image("image/png", kPng));
     const auto& m = scene.materials.at(0).use(Slot::emissive).transform;
-    return bake::Float2{m[0][0] * u + m[0][1] * v + m[0][2], m[1][0] * u + m[1][1] * v + m[1][2]};
+    return Float2{m[0][0] * u + m[0][1] * v + m[0][2], m[1][0] * u + m[1][1] * v + m[1][2]};
   };
   EXPECT_THAT(moved(R"({"offset": [3, 4], "scale": [2, 5]})", 1, 1), ElementsAre(5, 9));
   // The text's own example: the lower left quarter of the image, turned by a quarter.

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Conversion from the packed types of a scene to those of arithmetic.
+/// Affine transforms of points, vectors and normals.
 #pragma once
 
 #include <gltfx/vec3.hpp>
 
-#include <cmath>
-
 #include "bake/scene.hpp"
 
 namespace gltfx::bake {
-
-inline Vec3d to_vec(const Float3& a) { return {a[0], a[1], a[2]}; }
-inline Float3 to_float3(const Vec3d& a) {
-  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
-
-inline double length(const Vec3d& a) { return std::sqrt(dot(a, a)); }
-/// Relative luminance of linear Rec. 709.
-constexpr double luminance(const Rgb& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
 inline Vec3d transform_vector(const Matrix34& m, const Vec3d& v) {
   return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z,

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace gltfx::bake {
+namespace gltfx {
 
 inline constexpr std::size_t kLanes = 4;
 using Lanes [[gnu::vector_size(16)]] = float;
@@ -25,4 +25,4 @@ inline void store_lanes(const Lanes& lanes, float* values) {
 
 inline float sum_of(const Lanes& lanes) { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
 
-}  // namespace gltfx::bake
+}  // namespace gltfx
