@@ -6,6 +6,17 @@
 namespace gltfx::bake {
 namespace {
 
+using AlbedoRow = std::array<float, kAlbedoColumns>;
+constexpr std::array<AlbedoRow, kSpecularRows> kSpecularConstant{{
+#include "bake/tables/specular_constant.inc"
+}};
+constexpr std::array<AlbedoRow, kSpecularRows> kSpecularRising{{
+#include "bake/tables/specular_rising.inc"
+}};
+constexpr std::array<AlbedoRow, kSheenRows> kSheenAlbedo{{
+#include "bake/tables/sheen_albedo.inc"
+}};
+
 // Sums of four neighbours of a row, over the rows of a cell.
 template <class Rows>
 Lanes weigh_rows(const Rows& rows, const TableCell& cell, std::size_t first) {

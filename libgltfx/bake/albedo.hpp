@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Directional albedos: parts of light that lobes send back, by the cosine of the view.
 ///
-/// The shader reads them from tables over roughness and the fourth root of the cosine. The tables
-/// are in albedo_specular.cpp and albedo_sheen.cpp; a test compares them with quadratures, or
-/// writes them anew.
+/// The shader reads them from tables over roughness and the fourth root of the cosine. A test
+/// compares the tables with quadratures, or writes them anew.
 #pragma once
 
 #include <algorithm>
@@ -101,11 +100,6 @@ inline double diffuse_fresnel(double cosine) {
   return 0.0281636625 +
          x * (-0.0798414128 + x * (0.0864126795 + x * (-0.0436042617 + x * 0.0089516657)));
 }
-
-using AlbedoRow = std::array<float, kAlbedoColumns>;
-extern const std::array<AlbedoRow, kSpecularRows> kSpecularConstant;
-extern const std::array<AlbedoRow, kSpecularRows> kSpecularRising;
-extern const std::array<AlbedoRow, kSheenRows> kSheenAlbedo;
 
 /// Roughness of a row and cosine of a column; the first column stands for a cosine just above 0.
 constexpr double row_roughness(int row, int rows) { return row / (rows - 1.0); }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The tables of albedos against their quadratures. With GLTFX_UPDATE_TABLES set in the environment
-/// the tables are written anew (format them afterwards, build again).
+/// the tables are written anew.
 #include <cstdlib>
 #include <fstream>
 #include <functional>
+#include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -18,26 +20,17 @@ using test::Chance;
 
 constexpr int kTableResolution = 256;
 
-std::string table(const std::string& type, const std::string& name, int rows,
-                  const std::function<double(double, double)>& value) {
-  std::string text = fmt::format("const std::array<AlbedoRow, {}> {}{{{{\n", type, name);
+void write(const std::string& name, int rows, const std::function<double(double, double)>& value) {
+  std::ofstream file(fmt::format("{}/libgltfx/bake/tables/{}.inc", GLTFX_SOURCE_DIR, name));
+  file << "// SPDX-License-Identifier: Apache-2.0\n"
+          "// Written by tests/bake/albedo_test.cpp: do not edit.\n";
   for (int r = 0; r < rows; ++r) {
-    text += "    {";
     for (int c = 0; c < kAlbedoColumns; ++c) {
-      text += fmt::format("{:.5f}F{}", value(row_roughness(r, rows), column_cosine(c)),
-                          c + 1 < kAlbedoColumns ? ", " : "");
+      const std::string_view before = c == 0 ? "{" : c % 8 == 0 ? ",\n " : ", ";
+      file << before << fmt::format("{:.5f}F", value(row_roughness(r, rows), column_cosine(c)));
     }
-    text += "},\n";
+    file << "},\n";
   }
-  return text + "}};\n";
-}
-
-void write(const std::string& file, const std::string& what, const std::string& tables) {
-  std::ofstream(fmt::format("{}/libgltfx/bake/{}", GLTFX_SOURCE_DIR, file))
-      << "// SPDX-License-Identifier: Apache-2.0\n// " << what
-      << " Written by tests/bake/albedo_test.cpp: do not edit.\n#include \"bake/albedo.hpp\"\n\n"
-      << "namespace gltfx::bake {\n\n"
-      << tables << "\n}  // namespace gltfx::bake\n";
 }
 
 TEST(AlbedoTables, AreWrittenWhenAskedFor) {
@@ -45,15 +38,12 @@ TEST(AlbedoTables, AreWrittenWhenAskedFor) {
   const auto specular = [](double r, double c) {
     return integrate_specular_albedo(r, c, kTableResolution);
   };
-  write("albedo_specular.cpp", "What specular_brdf reflects.",
-        table("kSpecularRows", "kSpecularConstant", kSpecularRows,
-              [&](double r, double c) { return specular(r, c).constant; }) +
-            "\n" +
-            table("kSpecularRows", "kSpecularRising", kSpecularRows,
-                  [&](double r, double c) { return specular(r, c).rising; }));
-  write("albedo_sheen.cpp", "What sheen_brdf reflects.",
-        table("kSheenRows", "kSheenAlbedo", kSheenRows,
-              [](double r, double c) { return integrate_sheen_albedo(r, c, kTableResolution); }));
+  write("specular_constant", kSpecularRows,
+        [&](double r, double c) { return specular(r, c).constant; });
+  write("specular_rising", kSpecularRows,
+        [&](double r, double c) { return specular(r, c).rising; });
+  write("sheen_albedo", kSheenRows,
+        [](double r, double c) { return integrate_sheen_albedo(r, c, kTableResolution); });
 }
 
 TEST(AlbedoTables, AgreeWithTheQuadrature) {
