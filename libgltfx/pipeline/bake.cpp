@@ -9,8 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "bake/lighting.hpp"
-#include "bake/picture.hpp"
 #include "codec/client.hpp"
 #include "pipeline/bake_asset.hpp"
 #include "pipeline/bake_picture.hpp"
@@ -20,6 +18,8 @@
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_file.hpp"
 #include "pipeline/thumbnail.hpp"
+#include "preview/lighting.hpp"
+#include "preview/picture.hpp"
 
 namespace gltfx {
 namespace {
@@ -69,9 +69,9 @@ class Baker {
     return true;
   }
 
-  bool draw_size(const BakeSize& size, const std::vector<bake::View>& views) {
+  bool draw_size(const BakeSize& size, const std::vector<render::View>& views) {
     for (std::size_t i = 0; i < views.size(); ++i) {
-      const bake::Framebuffer drawn =
+      const render::Framebuffer drawn =
           draw_picture(loaded_, views[i], size, options_, layers_of(options_), part());
       ++done_;
       std::string suffix;
@@ -90,26 +90,28 @@ class Baker {
     };
   }
 
-  bool take(const bake::Framebuffer& drawn, const std::string& suffix) {
+  bool take(const render::Framebuffer& drawn, const std::string& suffix) {
     if (report_.pixels.bytes.empty()) {
-      bake::Picture shown =
-          bake::tone_mapped_picture(drawn, options_.transparent, bake::PixelType::bytes);
+      preview::Picture shown =
+          preview::tone_mapped_picture(drawn, options_.transparent, preview::PixelType::bytes);
       report_.pixels = {shown.width, shown.height, shown.channels, std::move(shown.bytes)};
     }
     if (options_.output.empty()) return true;
-    const auto numbers = holds_floats(format_) ? bake::PixelType::floats : bake::PixelType::bytes;
-    const bake::Picture picture = bake::tone_mapped_picture(drawn, options_.transparent, numbers);
+    const auto numbers =
+        holds_floats(format_) ? preview::PixelType::floats : preview::PixelType::bytes;
+    const preview::Picture picture =
+        preview::tone_mapped_picture(drawn, options_.transparent, numbers);
     if (!write(picture, with_suffix(options_.output, suffix))) return false;
     for (const BakeLayer layer : options_.layers) {
-      const bake::Picture seen =
-          bake::layer_picture(drawn, static_cast<bake::Layer>(layer), numbers);
+      const preview::Picture seen =
+          preview::layer_picture(drawn, static_cast<preview::Layer>(layer), numbers);
       const std::string ending = fmt::format("{}-{}", suffix, bake_layer_name(layer));
       if (!write(seen, with_suffix(options_.output, ending))) return false;
     }
     return true;
   }
 
-  bool write(const bake::Picture& picture, const std::string& path) {
+  bool write(const preview::Picture& picture, const std::string& path) {
     if (auto trouble = write_picture(picture, path)) {
       return fail(BakeProblem::not_written, std::move(trouble->message));
     }
@@ -129,7 +131,7 @@ class Baker {
   BakeScene loaded_;
   BakeReport report_;
   codec::EncodedFormat format_ = codec::EncodedFormat::png;
-  std::vector<std::vector<bake::View>> views_;  // by size
+  std::vector<std::vector<render::View>> views_;  // by size
   std::size_t pictures_ = 0, done_ = 0;
 };
 

@@ -11,9 +11,9 @@
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
 #include "pipeline/cached_picture.hpp"
-#include "pipeline/contact_sheet.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/picture_file.hpp"
+#include "preview/contact_sheet.hpp"
 
 namespace gltfx {
 namespace {
@@ -53,23 +53,23 @@ class Comparison {
       return;
     }
     choose_backdrop(first_, views->front(), options_);
-    const bake::Framebuffer a = draw(first_, views->front(), 0);
+    const render::Framebuffer a = draw(first_, views->front(), 0);
     first_.forget_faces();
     second_.subject = first_.subject;  // lit and framed alike
     second_.dim_backdrop = first_.dim_backdrop;
-    const bake::Framebuffer b = draw(second_, views->front(), 0.5);
-    const bake::Picture left = to_picture(a, first_.report);
-    const bake::Picture right = to_picture(b, second_.report);
-    const double difference = bake::mean_square_difference(left, right, a, b);
+    const render::Framebuffer b = draw(second_, views->front(), 0.5);
+    const preview::Picture left = to_picture(a, first_.report);
+    const preview::Picture right = to_picture(b, second_.report);
+    const double difference = preview::mean_square_difference(left, right, a, b);
     psnr_ = difference > 0 ? 10 * std::log10(255.0 * 255.0 / difference)
                            : std::numeric_limits<double>::infinity();
-    ssim_ = bake::structural_similarity(left, right, a, b);
+    ssim_ = preview::structural_similarity(left, right, a, b);
     if (options_.output.empty()) return;
-    auto trouble = write_picture(bake::difference(left, right), options_.output);
+    auto trouble = write_picture(preview::difference(left, right), options_.output);
     if (trouble) error_ = std::move(trouble->message);
   }
 
-  bake::Framebuffer draw(const BakeScene& loaded, const bake::View& view, double before) const {
+  render::Framebuffer draw(const BakeScene& loaded, const render::View& view, double before) const {
     std::function<void(double)> progress;
     if (options_.progress) {
       progress = [this, before](double part) { options_.progress(before + part / 2); };
@@ -77,9 +77,9 @@ class Comparison {
     return draw_picture(loaded, view, options_.sizes.front(), options_, {.alpha = true}, progress);
   }
 
-  bake::Picture to_picture(const bake::Framebuffer& drawn, BakeReport& report) const {
-    bake::Picture picture =
-        bake::tone_mapped_picture(drawn, options_.transparent, bake::PixelType::bytes);
+  preview::Picture to_picture(const render::Framebuffer& drawn, BakeReport& report) const {
+    preview::Picture picture =
+        preview::tone_mapped_picture(drawn, options_.transparent, preview::PixelType::bytes);
     report.pixels = {picture.width, picture.height, picture.channels, picture.bytes};
     return picture;
   }
@@ -100,7 +100,7 @@ class SheetOfAll {
       sheet_.emplace(inputs.size(), options.sizes.front());
       std::vector<std::string> paths;
       for (const BakeInput& input : inputs) paths.push_back(input.path);
-      labels_ = sheet_labels(paths);
+      labels_ = preview::sheet_labels(paths);
     });
   }
   void add(std::size_t position, const BakeReport& report) {
@@ -127,7 +127,7 @@ class SheetOfAll {
   }
 
   bool wanted_;
-  std::optional<ContactSheet> sheet_;
+  std::optional<preview::ContactSheet> sheet_;
   std::vector<std::string> labels_;
 };
 

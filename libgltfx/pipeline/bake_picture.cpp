@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "bake/lighting.hpp"
-#include "bake/picture.hpp"
-#include "bake/render.hpp"
+#include "preview/lighting.hpp"
+#include "preview/picture.hpp"
+#include "render/render.hpp"
 
 namespace gltfx {
 namespace {
@@ -20,7 +20,7 @@ struct QualityLevel {
   std::uint32_t samples, bounces;
   std::uint32_t feature_samples;  // RenderOptions::feature_samples
   double deviation;               // RenderOptions::deviation
-  bake::Effort effort;
+  render::Effort effort;
 };
 const QualityLevel& level_of(BakeQuality quality) {
   static constexpr std::array<QualityLevel, 3> kLevels{{
@@ -31,8 +31,8 @@ const QualityLevel& level_of(BakeQuality quality) {
   return kLevels[static_cast<std::size_t>(quality)];
 }
 
-bake::RenderOptions render_options(const BakeSize& size, const BakeOptions& options) {
-  bake::RenderOptions result;
+render::RenderOptions render_options(const BakeSize& size, const BakeOptions& options) {
+  render::RenderOptions result;
   result.width = size.width;
   result.height = size.height;
   const QualityLevel& level = level_of(options.quality);
@@ -67,7 +67,7 @@ BakeReport guarded(const std::string& path, const std::function<BakeReport()>& w
   }
 }
 
-void choose_backdrop(BakeScene& loaded, const bake::View& view, const BakeOptions& options) {
+void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOptions& options) {
   constexpr double kLeast = 12;
   constexpr std::uint32_t kSide = 48;
   if (!loaded.subject->flat || options.transparent || loaded.scene->environment) return;
@@ -82,12 +82,12 @@ void choose_backdrop(BakeScene& loaded, const bake::View& view, const BakeOption
   const auto side = [](double part) {
     return std::max(4U, static_cast<std::uint32_t>(kSide * std::min(part, 1.0)));
   };
-  const bake::Framebuffer drawn =
+  const render::Framebuffer drawn =
       draw_picture(loaded, view, {side(aspect), side(1 / aspect)}, small, {.alpha = true}, {});
-  loaded.dim_backdrop = bake::edge_contrast(drawn) < kLeast;
+  loaded.dim_backdrop = preview::edge_contrast(drawn) < kLeast;
 }
 
-bake::Layers layers_of(const BakeOptions& options) {
+render::Layers layers_of(const BakeOptions& options) {
   const auto wants = [&options](BakeLayer layer) {
     return std::find(options.layers.begin(), options.layers.end(), layer) != options.layers.end();
   };
@@ -96,30 +96,32 @@ bake::Layers layers_of(const BakeOptions& options) {
           wants(BakeLayer::material)};
 }
 
-bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
-                               const BakeSize& size, const BakeOptions& options,
-                               const bake::Layers& layers, std::function<void(double)> progress) {
-  bake::LightingOptions lighting;
-  lighting.lamps = static_cast<bake::Lamps>(options.lights);
+render::Framebuffer draw_picture(const BakeScene& loaded, const render::View& view,
+                                 const BakeSize& size, const BakeOptions& options,
+                                 const render::Layers& layers,
+                                 std::function<void(double)> progress) {
+  preview::LightingOptions lighting;
+  lighting.lamps = static_cast<preview::Lamps>(options.lights);
   lighting.transparent = options.transparent;
   lighting.exposure = options.exposure;
   lighting.dim_backdrop = loaded.dim_backdrop;
-  const std::optional<bake::Eye> eye = bake::eye_of(view, *loaded.bvh);
+  const std::optional<render::Eye> eye = preview::eye_of(view, *loaded.bvh);
   lighting.enclosed = !eye;
-  bake::World world = bake::make_world(*loaded.scene, *loaded.subject, view, lighting);
-  bake::PictureOptions drawing{render_options(size, options), layers, options.denoise};
+  render::World world = preview::make_world(*loaded.scene, *loaded.subject, view, lighting);
+  render::PictureOptions drawing{render_options(size, options), layers, options.denoise};
   drawing.render.progress = std::move(progress);
   const QualityLevel& level = level_of(options.quality);
   if (world.environment) world.sky.emplace(*world.environment, drawing.render.samples);
   world.eye = eye;
-  const bake::TraceContext paths{*loaded.scene,
-                                 *loaded.bvh,
-                                 world,
-                                 static_cast<int>(options.bounces.value_or(level.bounces)),
-                                 loaded.subject->size(),
-                                 options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
-                                 level.effort};
-  return bake::render(paths, view, drawing);
+  const render::TraceContext paths{
+      *loaded.scene,
+      *loaded.bvh,
+      world,
+      static_cast<int>(options.bounces.value_or(level.bounces)),
+      loaded.subject->size(),
+      options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
+      level.effort};
+  return render::render(paths, view, drawing);
 }
 
 }  // namespace gltfx

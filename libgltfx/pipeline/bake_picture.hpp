@@ -7,9 +7,9 @@
 #include <functional>
 #include <string>
 
-#include "bake/framebuffer.hpp"
-#include "bake/view.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "render/framebuffer.hpp"
+#include "render/view.hpp"
 
 namespace gltfx {
 
@@ -21,14 +21,15 @@ BakeReport guarded(const std::string& path, const std::function<BakeReport()>& w
 
 /// Dims the backdrop where a flat scene is as bright at its edges: less than 12 steps of lightness
 /// (CIE L*) from it. Precondition: the scene is ready.
-void choose_backdrop(BakeScene& loaded, const bake::View& view, const BakeOptions& options);
+void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOptions& options);
 
 /// What the options ask for beside the picture itself.
-bake::Layers layers_of(const BakeOptions& options);
+render::Layers layers_of(const BakeOptions& options);
 
 /// Precondition: the scene is ready. `progress` may be empty.
-bake::Framebuffer draw_picture(const BakeScene& loaded, const bake::View& view,
-                               const BakeSize& size, const BakeOptions& options,
-                               const bake::Layers& layers, std::function<void(double)> progress);
+render::Framebuffer draw_picture(const BakeScene& loaded, const render::View& view,
+                                 const BakeSize& size, const BakeOptions& options,
+                                 const render::Layers& layers,
+                                 std::function<void(double)> progress);
 
 }  // namespace gltfx

@@ -10,8 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "bake/interior.hpp"
-#include "bake/markers.hpp"
 #include "base/pages.hpp"
 #include "base/text.hpp"
 #include "codec/client.hpp"
@@ -21,6 +19,8 @@
 #include "pipeline/environment_file.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/scene_builder.hpp"
+#include "preview/interior.hpp"
+#include "preview/markers.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -117,7 +117,7 @@ Result<BuiltScene> build(const validate::ValidatedAsset& asset, const BakeOption
   return build_scene(asset, *schemas, *wanted);
 }
 
-std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
+std::optional<Error> light(render::Scene& scene, const BakeOptions& options) {
   if (options.lights == BakeLights::studio) scene.environment.reset();
   if (!options.environment.empty()) {
     auto environment = read_environment(options.environment);
@@ -125,7 +125,7 @@ std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
     scene.environment = *std::move(environment);
   }
   // Other lights follow when it is known what they shine on.
-  for (bake::SceneMaterial& each : scene.materials) {
+  for (render::SceneMaterial& each : scene.materials) {
     each.factors.emissive *= std::exp2(options.exposure);
   }
   return std::nullopt;
@@ -133,14 +133,15 @@ std::optional<Error> light(bake::Scene& scene, const BakeOptions& options) {
 
 // Points and lines are to be seen in a picture of all that is there.
 void give_markers_size(BuiltScene& built, const BakeSize& size) {
-  bake::Scene& scene = built.scene;
+  render::Scene& scene = built.scene;
   const bool any = std::any_of(scene.meshes.begin(), scene.meshes.end(),
                                [](const auto& mesh) { return !mesh.marker_directions.empty(); });
   if (!any) return;
-  const auto subject = bake::find_subject(scene, bake::Which::framed);
+  const auto subject = preview::find_subject(scene, preview::Which::framed);
   if (!subject) return;
-  bake::give_markers_size(scene, bake::marker_radius(*subject, std::max(size.width, size.height)));
-  built.subject = bake::find_subject(scene);
+  preview::give_markers_size(scene,
+                             preview::marker_radius(*subject, std::max(size.width, size.height)));
+  built.subject = preview::find_subject(scene);
 }
 
 BakeScene prepared(BakeScene result, const BakeOptions& options) {
@@ -150,7 +151,7 @@ BakeScene prepared(BakeScene result, const BakeOptions& options) {
   }
   if (!options.frame.empty()) {
     if (!result.scene->framed.empty()) {
-      result.framed = bake::find_subject(*result.scene, bake::Which::framed);
+      result.framed = preview::find_subject(*result.scene, preview::Which::framed);
     }
     if (!result.framed) {
       return failed(std::move(result), BakeProblem::nothing_to_see,
@@ -160,7 +161,7 @@ BakeScene prepared(BakeScene result, const BakeOptions& options) {
   }
   const bool draft = options.quality == BakeQuality::draft;
   auto bvh =
-      bake::Bvh::build(*result.scene, draft ? bake::BvhMethod::morton : bake::BvhMethod::sah);
+      render::Bvh::build(*result.scene, draft ? render::BvhMethod::morton : render::BvhMethod::sah);
   // What a machine with more memory draws is not refused.
   if (!bvh) return failed(std::move(result), BakeProblem::unreadable, bvh.error().message);
   result.bvh.emplace(*std::move(bvh));
@@ -198,30 +199,30 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
         fmt::format("it has {} error{}, which gltfx validate names; what can be drawn is drawn",
                     errors, errors == 1 ? "" : "s"));
   }
-  result.scene = std::make_unique<const bake::Scene>(std::move(made->scene));
+  result.scene = std::make_unique<const render::Scene>(std::move(made->scene));
   result.subject = std::move(made->subject);
   return result;
 }
 
 // A side of the asset, or a camera of its own.
-using CameraChoice = std::variant<bake::Direction, const bake::Camera*>;
+using CameraChoice = std::variant<preview::Direction, const render::Camera*>;
 
-std::vector<std::string> camera_names(const bake::Scene& scene) {
+std::vector<std::string> camera_names(const render::Scene& scene) {
   std::vector<std::string> names;
-  for (const bake::Camera& camera : scene.cameras) names.push_back(camera.name);
+  for (const render::Camera& camera : scene.cameras) names.push_back(camera.name);
   return names;
 }
 
-Result<CameraChoice> choose_camera(const bake::Scene& scene, const bake::Subject& subject,
+Result<CameraChoice> choose_camera(const render::Scene& scene, const preview::Subject& subject,
                                    const BakeOptions& options) {
   if (const auto angles = parse_angles(options.camera)) {
-    return CameraChoice(bake::Direction{angles->first, angles->second});
+    return CameraChoice(preview::Direction{angles->first, angles->second});
   }
   const auto named = find_named("camera", options.camera, camera_names(scene));
   if (named && *named) return CameraChoice(&scene.cameras[**named]);
-  if (named) return CameraChoice(bake::usual_direction(subject));
+  if (named) return CameraChoice(preview::usual_direction(subject));
   if (const auto preset = find_preset(options.camera)) {
-    return CameraChoice(bake::Direction{preset->first, preset->second});
+    return CameraChoice(preview::Direction{preset->first, preset->second});
   }
   return Error{named.error().message +
                "; front, back, left, right, top, bottom, iso and AZIMUTH,ELEVATION in degrees go "
@@ -229,7 +230,7 @@ Result<CameraChoice> choose_camera(const bake::Scene& scene, const bake::Subject
 }
 
 // What a camera of the asset cannot do.
-std::optional<Error> find_conflict(const bake::Camera& camera, const BakeOptions& options) {
+std::optional<Error> find_conflict(const render::Camera& camera, const BakeOptions& options) {
   if (options.turntable > 0) {
     return Error{"a turntable goes around the asset, not through a camera of its own"};
   }
@@ -246,19 +247,19 @@ bool stands_inside(const BakeScene& loaded, const BakeOptions& options) {
   if (options.interior != BakeInterior::automatic) return options.interior == BakeInterior::on;
   const bool usual = options.camera.empty() && options.turntable == 0 && options.frame.empty() &&
                      options.projection == BakeProjection::perspective;
-  return usual && bake::is_closed_room(*loaded.scene, *loaded.subject, *loaded.bvh);
+  return usual && preview::is_closed_room(*loaded.scene, *loaded.subject, *loaded.bvh);
 }
 
 // A turntable turns the camera in its place.
-std::vector<bake::View> views_inside(const BakeScene& loaded, const BakeOptions& options,
-                                     const bake::Direction& side, double aspect) {
+std::vector<render::View> views_inside(const BakeScene& loaded, const BakeOptions& options,
+                                       const preview::Direction& side, double aspect) {
   const auto wanted = options.camera.empty() ? std::nullopt : std::optional(side);
-  bake::Standpoint from =
-      bake::find_standpoint(*loaded.scene, *loaded.subject, *loaded.bvh, wanted, aspect);
-  std::vector<bake::View> views;
+  preview::Standpoint from =
+      preview::find_standpoint(*loaded.scene, *loaded.subject, *loaded.bvh, wanted, aspect);
+  std::vector<render::View> views;
   const std::uint32_t count = std::max(options.turntable, 1U);
   for (std::uint32_t i = 0; i < count; ++i) {
-    views.push_back(bake::look_around(from, aspect));
+    views.push_back(preview::look_around(from, aspect));
     from.direction.azimuth += 360.0 / count;
   }
   return views;
@@ -300,26 +301,26 @@ BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
   return load_bake_scene(validate_to_bake(*std::move(asset), options), options);
 }
 
-Result<std::vector<bake::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
-                                             double aspect) {
-  const bake::Subject& subject = loaded.framed ? *loaded.framed : *loaded.subject;
+Result<std::vector<render::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
+                                               double aspect) {
+  const preview::Subject& subject = loaded.framed ? *loaded.framed : *loaded.subject;
   const auto choice = choose_camera(*loaded.scene, subject, options);
   if (!choice) return choice.error();
-  if (const auto* camera = std::get_if<const bake::Camera*>(&*choice)) {
+  if (const auto* camera = std::get_if<const render::Camera*>(&*choice)) {
     if (auto trouble = find_conflict(**camera, options)) return *std::move(trouble);
-    bake::View view = bake::view_of(**camera, aspect);
+    render::View view = render::view_of(**camera, aspect);
     view.inside = options.interior == BakeInterior::on;
-    return std::vector<bake::View>{view};
+    return std::vector<render::View>{view};
   }
-  const auto& side = std::get<bake::Direction>(*choice);
+  const auto& side = std::get<preview::Direction>(*choice);
   if (stands_inside(loaded, options)) return views_inside(loaded, options, side, aspect);
-  std::vector<bake::View> views;
+  std::vector<render::View> views;
   const std::uint32_t count = std::max(options.turntable, 1U);
   for (std::uint32_t i = 0; i < count; ++i) {
-    const bake::Direction turned{side.azimuth + 360.0 * i / count, side.elevation};
+    const preview::Direction turned{side.azimuth + 360.0 * i / count, side.elevation};
     views.push_back(options.projection == BakeProjection::perspective
-                        ? bake::frame(subject, turned, aspect)
-                        : bake::frame_orthographic(subject, turned, aspect, *loaded.subject));
+                        ? preview::frame(subject, turned, aspect)
+                        : preview::frame_orthographic(subject, turned, aspect, *loaded.subject));
   }
   return views;
 }

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "bake/bvh.hpp"
-#include "bake/framing.hpp"
-#include "bake/scene.hpp"
-#include "bake/view.hpp"
+#include "preview/framing.hpp"
+#include "render/bvh.hpp"
+#include "render/scene.hpp"
+#include "render/view.hpp"
 #include "validate/validated_asset.hpp"
 
 namespace gltfx {
@@ -21,11 +21,11 @@ namespace gltfx {
 /// is when this is moved.
 struct BakeScene {
   BakeReport report;  ///< with notes of the scene
-  std::unique_ptr<const bake::Scene> scene;
-  std::optional<bake::Bvh> bvh;
-  std::optional<bake::Subject> subject;  ///< all that is drawn
-  std::optional<bake::Subject> framed;   ///< what the picture is of; nothing: the subject
-  bool dim_backdrop = false;             ///< see choose_backdrop()
+  std::unique_ptr<const render::Scene> scene;
+  std::optional<render::Bvh> bvh;
+  std::optional<preview::Subject> subject;  ///< all that is drawn
+  std::optional<preview::Subject> framed;   ///< what the picture is of; nothing: the subject
+  bool dim_backdrop = false;                ///< see choose_backdrop()
 
   /// What framing needs of the subjects, after it.
   void forget_faces() {
@@ -48,7 +48,7 @@ validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOp
 
 /// The views that the options ask for: one, or all of a turntable. An Error when there is no such
 /// camera, or it cannot do what is asked for. Precondition: the scene is ready.
-Result<std::vector<bake::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
-                                             double aspect);
+Result<std::vector<render::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
+                                               double aspect);
 
 }  // namespace gltfx

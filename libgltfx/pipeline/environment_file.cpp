@@ -46,10 +46,10 @@ Float3 gather(const codec::Image& image, std::uint32_t x, std::uint32_t y, std::
   return {sum[0] / count, sum[1] / count, sum[2] / count};
 }
 
-bake::EnvironmentImage shrunk(const codec::Image& image) {
+render::EnvironmentImage shrunk(const codec::Image& image) {
   const std::uint32_t step =
       std::min((image.width + kWidest - 1) / kWidest, std::min(image.width, image.height));
-  bake::EnvironmentImage result;
+  render::EnvironmentImage result;
   result.width = image.width / step;
   result.height = image.height / step;
   result.radiance.reserve(std::size_t{result.width} * result.height);
@@ -63,7 +63,7 @@ bake::EnvironmentImage shrunk(const codec::Image& image) {
 
 }  // namespace
 
-Result<bake::EnvironmentImage> read_environment(const std::string& path) {
+Result<render::EnvironmentImage> read_environment(const std::string& path) {
   const auto format = format_of(path);
   const std::string name = quoted(path, 200);
   if (!format) {

@@ -4,14 +4,14 @@
 
 #include <string>
 
-#include "bake/scene.hpp"
 #include "base/result.hpp"
+#include "render/scene.hpp"
 
 namespace gltfx {
 
 /// Reads an equirectangular Radiance (.hdr) or OpenEXR (.exr) file, decoded by a worker process.
 /// Numbers that are not finite or negative count as 0. What is wider than 4096 texels is made
 /// smaller.
-Result<bake::EnvironmentImage> read_environment(const std::string& path);
+Result<render::EnvironmentImage> read_environment(const std::string& path);
 
 }  // namespace gltfx

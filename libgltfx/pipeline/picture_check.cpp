@@ -23,7 +23,7 @@ constexpr double kNoiseFactor = 3;
 constexpr double kRounding = 1;
 
 // The mean difference of one channel over a square.
-double mean_difference(const bake::Picture& a, const bake::Picture& b, std::size_t first) {
+double mean_difference(const preview::Picture& a, const preview::Picture& b, std::size_t first) {
   double sum = 0;
   for (std::uint32_t y = 0; y < kSquare; ++y) {
     for (std::uint32_t x = 0; x < kSquare; ++x) {
@@ -34,7 +34,7 @@ double mean_difference(const bake::Picture& a, const bake::Picture& b, std::size
   return std::fabs(sum) / (kSquare * kSquare);
 }
 
-double greatest_difference(const bake::Picture& a, const bake::Picture& b) {
+double greatest_difference(const preview::Picture& a, const preview::Picture& b) {
   double greatest = 0;
   for (std::uint32_t y = 0; y < a.height; y += kSquare) {
     for (std::uint32_t x = 0; x < a.width; x += kSquare) {
@@ -65,7 +65,7 @@ PictureCheck::PictureCheck(const validate::ValidatedAsset& before, const std::st
   }
   views_ = *choose_views(scene, options_, 1);
   double noise = 0;
-  for (const bake::View& view : views_) {
+  for (const render::View& view : views_) {
     pictures_.push_back(draw(scene, view, 0));
     noise = std::max(noise, greatest_difference(pictures_.back(), draw(scene, view, 1)));
   }
@@ -80,7 +80,7 @@ std::string PictureCheck::find_difference(const validate::ValidatedAsset& after)
   scene.subject = subject_;  // lit and framed as before
   double difference = 0;
   for (std::size_t i = 0; i < views_.size(); ++i) {
-    const bake::Picture now = draw(scene, views_[i], 0);
+    const preview::Picture now = draw(scene, views_[i], 0);
     difference = std::max(difference, greatest_difference(pictures_[i], now));
   }
   if (difference <= limit_) return {};
@@ -89,13 +89,13 @@ std::string PictureCheck::find_difference(const validate::ValidatedAsset& after)
       limit_);
 }
 
-bake::Picture PictureCheck::draw(const BakeScene& scene, const bake::View& view,
-                                 std::uint32_t seed) const {
+preview::Picture PictureCheck::draw(const BakeScene& scene, const render::View& view,
+                                    std::uint32_t seed) const {
   BakeOptions options = options_;
   options.seed = seed;
-  return bake::tone_mapped_picture(
+  return preview::tone_mapped_picture(
       draw_picture(scene, view, options_.sizes.front(), options, {}, {}), false,
-      bake::PixelType::bytes);
+      preview::PixelType::bytes);
 }
 
 }  // namespace gltfx

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "bake/framing.hpp"
-#include "bake/picture.hpp"
-#include "bake/view.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "preview/framing.hpp"
+#include "preview/picture.hpp"
+#include "render/view.hpp"
 #include "validate/validated_asset.hpp"
 
 namespace gltfx {
@@ -34,14 +34,14 @@ class PictureCheck {
   std::string find_difference(const validate::ValidatedAsset& after) const;
 
  private:
-  bake::Picture draw(const BakeScene& scene, const bake::View& view, std::uint32_t seed) const;
+  preview::Picture draw(const BakeScene& scene, const render::View& view, std::uint32_t seed) const;
 
   BakeOptions options_;
   std::string obstacle_;
-  std::optional<bake::Subject> subject_;
-  std::vector<bake::View> views_;
-  std::vector<bake::Picture> pictures_;  ///< by view
-  double limit_ = 0;                     ///< what the difference may be
+  std::optional<preview::Subject> subject_;
+  std::vector<render::View> views_;
+  std::vector<preview::Picture> pictures_;  ///< by view
+  double limit_ = 0;                        ///< what the difference may be
 };
 
 }  // namespace gltfx

@@ -42,7 +42,7 @@ bool holds_floats(EncodedFormat format) { return format == EncodedFormat::exr; }
 
 bool holds_alpha(EncodedFormat format) { return format != EncodedFormat::jpeg; }
 
-Result<codec::EncodedImage> encode_picture(const bake::Picture& picture, EncodedFormat format) {
+Result<codec::EncodedImage> encode_picture(const preview::Picture& picture, EncodedFormat format) {
   codec::EncodeRequest request;
   request.format = format;
   request.raster = {picture.width, picture.height, picture.channels,
@@ -57,7 +57,7 @@ Result<codec::EncodedImage> encode_picture(const bake::Picture& picture, Encoded
   return std::get<codec::EncodedImage>(std::move(result));
 }
 
-std::optional<Error> write_picture(const bake::Picture& picture, const std::string& path) {
+std::optional<Error> write_picture(const preview::Picture& picture, const std::string& path) {
   const auto format = picture_format(path);
   if (!format) return format.error();
   const auto encoded = encode_picture(picture, *format);

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "bake/picture.hpp"
 #include "base/result.hpp"
 #include "codec/client.hpp"
+#include "preview/picture.hpp"
 
 namespace gltfx {
 
@@ -22,11 +22,11 @@ bool holds_alpha(codec::EncodedFormat format);
 
 /// The bytes of a file. Precondition: the picture has the numbers and channels that the format
 /// holds.
-Result<codec::EncodedImage> encode_picture(const bake::Picture& picture,
+Result<codec::EncodedImage> encode_picture(const preview::Picture& picture,
                                            codec::EncodedFormat format);
 
 /// Encodes and writes, whole or not at all. Makes the folder.
-std::optional<Error> write_picture(const bake::Picture& picture, const std::string& path);
+std::optional<Error> write_picture(const preview::Picture& picture, const std::string& path);
 
 /// `path` with something between its name and its ending.
 std::string with_suffix(const std::string& path, std::string_view suffix);

@@ -11,7 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "bake/bvh_groups.hpp"
 #include "codec/client.hpp"
 #include "model/camera.hpp"
 #include "model/elements.hpp"
@@ -23,6 +22,7 @@
 #include "model/texture.hpp"
 #include "pipeline/scene_environment.hpp"
 #include "pipeline/scene_meshes.hpp"
+#include "render/bvh_groups.hpp"
 
 namespace gltfx {
 namespace {
@@ -41,15 +41,15 @@ Float3 narrow(const Vector3& from) {
   return {static_cast<float>(from[0]), static_cast<float>(from[1]), static_cast<float>(from[2])};
 }
 
-bake::Matrix34 rows_of(const Affine& affine) {
-  bake::Matrix34 rows{};
+render::Matrix34 rows_of(const Affine& affine) {
+  render::Matrix34 rows{};
   for (std::size_t r = 0; r < 3; ++r) {
     for (std::size_t c = 0; c < 4; ++c) rows[r][c] = static_cast<float>(affine.columns[c][r]);
   }
   return rows;
 }
 
-bool is_finite(const bake::Matrix34& matrix) {
+bool is_finite(const render::Matrix34& matrix) {
   return std::all_of(matrix.begin(), matrix.end(), [](const Float4& row) {
     return std::all_of(row.begin(), row.end(), [](float value) { return std::isfinite(value); });
   });
@@ -69,9 +69,9 @@ Affine without_scale(const Affine& world) {
   return frame;
 }
 
-bake::Light to_light(const model::Light& from, const Affine& world) {
-  bake::Light light;
-  light.kind = static_cast<bake::Light::Kind>(from.type);
+render::Light to_light(const model::Light& from, const Affine& world) {
+  render::Light light;
+  light.kind = static_cast<render::Light::Kind>(from.type);
   for (std::size_t i = 0; i < 3; ++i) light.intensity[i] = from.color[i] * from.intensity;
   light.position = narrow(world.columns[3]);
   const Vector3 direction = model::unit(world.vector({0, 0, -1}));
@@ -82,8 +82,8 @@ bake::Light to_light(const model::Light& from, const Affine& world) {
   return light;
 }
 
-bake::Camera to_camera(const model::Camera& from, const Affine& world) {
-  bake::Camera camera;
+render::Camera to_camera(const model::Camera& from, const Affine& world) {
+  render::Camera camera;
   camera.name = from.name;
   camera.to_world = rows_of(without_scale(world));
   camera.perspective = from.perspective;
@@ -163,7 +163,7 @@ class SceneBuilder {
     SceneMeshes meshes(source, pose, animated_, options_.variant, materials, geometry_budget_,
                        notes_, scene_);
     place_all(pose, meshes);
-    std::optional<bake::Subject> subject = bake::find_subject(scene_);
+    std::optional<preview::Subject> subject = preview::find_subject(scene_);
     const double pixel =
         subject && options_.picture_side > 0 ? subject->size() / options_.picture_side : 0;
     textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel);
@@ -271,7 +271,7 @@ class SceneBuilder {
   }
 
   void place(const DrawnMeshes& drawn, const Affine& world) {
-    const bake::Matrix34 to_world = rows_of(world);
+    const render::Matrix34 to_world = rows_of(world);
     if (!is_finite(to_world)) {
       notes_.add("A mesh", "lies at infinity");
     } else if (!geometry_budget_.take(cost_of(drawn))) {
@@ -291,12 +291,12 @@ class SceneBuilder {
       placed.size.triangles += scene_.meshes[drawn.mesh + i].triangles.size();
       placed.size.vertices += scene_.meshes[drawn.mesh + i].positions.size();
     }
-    return kBytes + bake::hierarchy_bytes(placed.size, placed.count + 1) -
-           bake::hierarchy_bytes(placed.size, placed.count);
+    return kBytes + render::hierarchy_bytes(placed.size, placed.count + 1) -
+           render::hierarchy_bytes(placed.size, placed.count);
   }
 
   struct Placed {
-    bake::ShapeSize size;
+    render::ShapeSize size;
     std::uint64_t count = 0;
   };
 
@@ -309,7 +309,7 @@ class SceneBuilder {
   model::MemoryBudget pixel_budget_;
   model::AnimatedValues animated_;
   std::unordered_map<std::uint32_t, Placed> placed_;  // by first mesh
-  bake::Scene scene_;
+  render::Scene scene_;
 };
 
 // By index: those of textures, and of the light from all around.

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "bake/framing.hpp"
-#include "bake/scene.hpp"
+#include "preview/framing.hpp"
+#include "render/scene.hpp"
 #include "schema/set.hpp"
 #include "validate/validated_asset.hpp"
 
@@ -31,8 +31,8 @@ struct SceneOptions {
 };
 
 struct BuiltScene {
-  bake::Scene scene;
-  std::optional<bake::Subject> subject;  ///< as bake::find_subject() finds it there
+  render::Scene scene;
+  std::optional<preview::Subject> subject;  ///< as preview::find_subject() finds it there
 };
 
 /// Reads, decodes and poses what is visible. What is invalid is left out, and named in the notes

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bake/surface.hpp"
-#include "bake/texture.hpp"
-#include "bake/transform.hpp"
 #include "base/packed.hpp"
+#include "render/surface.hpp"
+#include "render/texture.hpp"
+#include "render/transform.hpp"
 
 namespace gltfx {
 namespace {
@@ -47,10 +47,10 @@ class TexelDensity {
 /// One mesh in one place.
 class PlacedMesh {
  public:
-  PlacedMesh(const bake::Mesh& mesh, const bake::Matrix34& to_world, double pixel)
+  PlacedMesh(const render::Mesh& mesh, const render::Matrix34& to_world, double pixel)
       : mesh_(mesh), to_world_(to_world), pixel_(pixel) {}
 
-  void add_to(TexelDensity& density, const bake::TextureUse& use, const ImageSize& image) const {
+  void add_to(TexelDensity& density, const render::TextureUse& use, const ImageSize& image) const {
     if (use.uv_set >= mesh_.uvs.size() || mesh_.uvs[use.uv_set].empty()) return;
     const std::size_t step = mesh_.triangles.size() / kMostTriangles + 1;
     for (std::size_t i = 0; i < mesh_.triangles.size(); i += step) {
@@ -66,35 +66,35 @@ class PlacedMesh {
 
   double world_area(const Corners& corners) const {
     const auto at = [&](std::size_t i) { return to_vec(mesh_.positions[corners[i]]); };
-    const Vec3d u = bake::transform_vector(to_world_, at(1) - at(0));
-    const Vec3d v = bake::transform_vector(to_world_, at(2) - at(0));
+    const Vec3d u = render::transform_vector(to_world_, at(1) - at(0));
+    const Vec3d v = render::transform_vector(to_world_, at(2) - at(0));
     return length(cross(u, v)) / 2;
   }
 
-  double image_area(const bake::TextureUse& use, const Corners& corners) const {
+  double image_area(const render::TextureUse& use, const Corners& corners) const {
     const auto at = [&](std::size_t i) {
-      const Float2 uv = bake::transform_uv(use, mesh_.uvs[use.uv_set][corners[i]]);
+      const Float2 uv = render::transform_uv(use, mesh_.uvs[use.uv_set][corners[i]]);
       return Vec3d(uv[0], uv[1], 0);
     };
     return std::fabs(cross(at(1) - at(0), at(2) - at(0)).z) / 2;
   }
 
-  const bake::Mesh& mesh_;
-  const bake::Matrix34& to_world_;
+  const render::Mesh& mesh_;
+  const render::Matrix34& to_world_;
   double pixel_;
 };
 
 }  // namespace
 
-std::vector<std::uint32_t> find_halvings(const bake::Scene& scene,
+std::vector<std::uint32_t> find_halvings(const render::Scene& scene,
                                          const std::vector<ImageSize>& images, double pixel) {
   std::vector<TexelDensity> densities(images.size());
-  for (const bake::Instance& instance : scene.instances) {
+  for (const render::Instance& instance : scene.instances) {
     for (std::uint32_t i = 0; i < instance.count; ++i) {
-      const bake::Mesh& mesh = scene.meshes[instance.mesh + i];
+      const render::Mesh& mesh = scene.meshes[instance.mesh + i];
       const PlacedMesh placed(mesh, instance.to_world, pixel);
-      for (const bake::TextureUse& use : bake::material_of(scene, mesh).textures) {
-        if (use.texture == bake::kNone || images[use.texture].width == 0) continue;
+      for (const render::TextureUse& use : render::material_of(scene, mesh).textures) {
+        if (use.texture == render::kNone || images[use.texture].width == 0) continue;
         placed.add_to(densities[use.texture], use, images[use.texture]);
       }
     }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bake/scene.hpp"
+#include "render/scene.hpp"
 
 namespace gltfx {
 
@@ -17,7 +17,7 @@ struct ImageSize {
 /// For each texture of a scene, how often both sides of its image can be halved so that two texels
 /// at least stay for each pixel of a picture. `images`: by texture; `pixel`: length of the side of
 /// a pixel where the scene is, in its unit. 0 where nothing is known.
-std::vector<std::uint32_t> find_halvings(const bake::Scene& scene,
+std::vector<std::uint32_t> find_halvings(const render::Scene& scene,
                                          const std::vector<ImageSize>& images, double pixel);
 
 }  // namespace gltfx

@@ -11,19 +11,19 @@
 
 #include <fmt/format.h>
 
-#include "bake/environment.hpp"
-#include "bake/texture.hpp"
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "model/image_codec.hpp"
 #include "model/node.hpp"
+#include "render/environment.hpp"
+#include "render/texture.hpp"
 
 namespace gltfx {
 namespace {
 
-using bake::EnvironmentImage;
 using model::EnvironmentLight;
 using model::Vector3;
+using render::EnvironmentImage;
 
 constexpr std::uint32_t kWidestEnvironment = 4096;
 constexpr std::size_t kFaces = 6;
@@ -88,13 +88,13 @@ Float3 radiance_from(const Cube& cube, const Vector3& direction) {
 
 // RGB by sRGB; where there is alpha, divided by it, which stores values above 1 ("RGBD").
 Face face_of(const codec::Image& image) {
-  bake::Texture texture;
+  render::Texture texture;
   texture.width = image.width;
   texture.height = image.height;
   texture.channels = image.channels;
   texture.bits = image.bits;
   texture.pixels = image.pixels;
-  texture.filter = bake::Filter::nearest;
+  texture.filter = render::Filter::nearest;
   Face face{image.width, {}};
   face.texels.reserve(static_cast<std::size_t>(image.texels()));
   const auto size = static_cast<float>(image.width);
@@ -102,7 +102,7 @@ Face face_of(const codec::Image& image) {
     for (std::uint32_t x = 0; x < image.width; ++x) {
       const float u = (static_cast<float>(x) + 0.5F) / size;
       const float v = (static_cast<float>(y) + 0.5F) / size;
-      const auto [r, g, b, a] = bake::sample_texture(texture, u, v, true);
+      const auto [r, g, b, a] = render::sample_texture(texture, u, v, true);
       const float divisor = std::max(a, 1.0F / 255);
       face.texels.push_back({r / divisor, g / divisor, b / divisor});
     }
@@ -189,9 +189,9 @@ EnvironmentImage unrolled(const EnvironmentLight& light, std::uint32_t width,
   image.radiance.reserve(std::size_t{image.width} * image.height);
   for (std::uint32_t row = 0; row < image.height; ++row) {
     for (std::uint32_t column = 0; column < image.width; ++column) {
-      const Vec3d world =
-          bake::direction_of({(static_cast<float>(column) + 0.5F) / static_cast<float>(image.width),
-                              (static_cast<float>(row) + 0.5F) / static_cast<float>(image.height)});
+      const Vec3d world = render::direction_of(
+          {(static_cast<float>(column) + 0.5F) / static_cast<float>(image.width),
+           (static_cast<float>(row) + 0.5F) / static_cast<float>(image.height)});
       Float3 texel = radiance(to_light.vector({world.x, world.y, world.z}));
       for (float& value : texel) value = std::min(value * light.intensity, 1e8F);
       image.radiance.push_back(texel);

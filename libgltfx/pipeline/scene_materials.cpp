@@ -10,13 +10,13 @@
 
 #include <fmt/format.h>
 
-#include "bake/texture.hpp"
 #include "base/checked.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "model/image_codec.hpp"
 #include "pipeline/scene_detail.hpp"
 #include "pipeline/scene_images.hpp"
+#include "render/texture.hpp"
 
 namespace gltfx {
 namespace {
@@ -31,9 +31,9 @@ constexpr std::uint64_t kWorkerPixels = std::uint64_t{1} << 23U;
 
 constexpr std::uint64_t kLargeImage = std::uint64_t{1} << 20U;  // texels
 
-bake::Wrap wrap_of(model::Wrap wrap) {
-  if (wrap == model::Wrap::clamp_to_edge) return bake::Wrap::clamp_to_edge;
-  return wrap == model::Wrap::repeat ? bake::Wrap::repeat : bake::Wrap::mirrored_repeat;
+render::Wrap wrap_of(model::Wrap wrap) {
+  if (wrap == model::Wrap::clamp_to_edge) return render::Wrap::clamp_to_edge;
+  return wrap == model::Wrap::repeat ? render::Wrap::repeat : render::Wrap::mirrored_repeat;
 }
 
 // Bytes of the decoded image, as its header has it.
@@ -42,11 +42,11 @@ Checked decoded_size(const image::Header& header) {
   return texels ? checked_mul(*texels, header.bits > 8 ? 8 : 4) : std::nullopt;
 }
 
-using bake::Slot;
+using render::Slot;
 
 // Puts the numbers of a parameter where they belong.
 struct Assign {
-  bake::SceneMaterial& to;
+  render::SceneMaterial& to;
   const std::array<float, 4>& from;
 
   void operator()(double Material::*member) const {
@@ -56,8 +56,8 @@ struct Assign {
     to.factors.*member = {static_cast<double>(from[0]), static_cast<double>(from[1]),
                           static_cast<double>(from[2])};
   }
-  void operator()(float bake::SceneMaterial::*member) const { to.*member = from[0]; }
-  void operator()(Float3 bake::SceneMaterial::*member) const {
+  void operator()(float render::SceneMaterial::*member) const { to.*member = from[0]; }
+  void operator()(Float3 render::SceneMaterial::*member) const {
     to.*member = {from[0], from[1], from[2]};
   }
 };
@@ -68,7 +68,7 @@ class Translation {
   Translation(const model::Material& from, SceneTextures& textures)
       : from_(from), textures_(textures) {}
 
-  std::pair<bake::SceneMaterial, MaterialNeeds> run() {
+  std::pair<render::SceneMaterial, MaterialNeeds> run() {
     find_sets();
     set_parameters();
     for (std::size_t i = 0; i < kMaterialSlots; ++i) use(static_cast<Slot>(i), from_.slots[i]);
@@ -97,15 +97,15 @@ class Translation {
 
   void use(Slot slot, const model::TextureSlot& from) {
     if (!from.texture) return;
-    bake::TextureUse& to = to_.use(slot);
+    render::TextureUse& to = to_.use(slot);
     to.texture = textures_.use(*from.texture);
     to.uv_set = position_of(from.tex_coord);
-    to.transform = bake::texture_transform(from.offset, from.rotation, from.scale);
+    to.transform = render::texture_transform(from.offset, from.rotation, from.scale);
   }
 
   void set_parameters() {
     for (std::size_t i = 0; i < kMaterialParameters; ++i) {
-      std::visit(Assign{to_, from_.values[i]}, bake::kParameterMembers[i]);
+      std::visit(Assign{to_, from_.values[i]}, render::kParameterMembers[i]);
     }
     Material& m = to_.factors;
     m.emissive *= static_cast<double>(to_.emissive_strength);
@@ -114,7 +114,7 @@ class Translation {
     m.scattering = static_cast<Scattering>(from_.scattering);
     to_.name = from_.name;
     to_.alpha = from_.of(MaterialParameter::base_color)[3];
-    to_.alpha_mode = static_cast<bake::AlphaMode>(from_.alpha_mode);
+    to_.alpha_mode = static_cast<render::AlphaMode>(from_.alpha_mode);
     to_.double_sided = from_.double_sided;
     to_.specular_glossiness = from_.specular_glossiness;
     to_.tinted_by_base_color = from_.first_generation;
@@ -122,16 +122,16 @@ class Translation {
 
   void choose_tangents() {
     for (const Slot slot : {Slot::normal, Slot::clearcoat_normal, Slot::anisotropy}) {
-      const bake::TextureUse& use = std::as_const(to_).use(slot);
-      if (use.texture == bake::kNone || needs_.tangents) continue;
+      const render::TextureUse& use = std::as_const(to_).use(slot);
+      if (use.texture == render::kNone || needs_.tangents) continue;
       needs_.tangents = use;
     }
-    if (!needs_.tangents && to_.factors.anisotropy > 0) needs_.tangents = bake::TextureUse();
+    if (!needs_.tangents && to_.factors.anisotropy > 0) needs_.tangents = render::TextureUse();
   }
 
   const model::Material& from_;
   SceneTextures& textures_;
-  bake::SceneMaterial to_;
+  render::SceneMaterial to_;
   MaterialNeeds needs_;
 };
 
@@ -169,11 +169,11 @@ std::uint32_t SceneTextures::use(std::uint32_t texture) {
   textures_.push_back(
       model::read_texture(asset_, asset_.elements(model::RootArray::textures)[texture]));
   const model::Sampler& sampler = textures_.back().sampler;
-  bake::Texture to;
+  render::Texture to;
   to.wrap_s = wrap_of(sampler.wrap_s);
   to.wrap_t = wrap_of(sampler.wrap_t);
   to.filter =
-      sampler.magnify == model::Filter::nearest ? bake::Filter::nearest : bake::Filter::linear;
+      sampler.magnify == model::Filter::nearest ? render::Filter::nearest : render::Filter::linear;
   to.missing = true;
   scene_.textures.push_back(std::move(to));
   return known->second;
@@ -271,7 +271,7 @@ void SceneTextures::finish(std::uint32_t index) {
       continue;
     }
     const auto& decoded = std::get<codec::Image>(result);
-    bake::Texture& to = scene_.textures[index];
+    render::Texture& to = scene_.textures[index];
     to.width = decoded.width;
     to.height = decoded.height;
     to.channels = decoded.channels;

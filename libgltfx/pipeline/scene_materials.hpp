@@ -10,13 +10,13 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bake/scene.hpp"
 #include "codec/client.hpp"
 #include "model/asset.hpp"
 #include "model/material.hpp"
 #include "model/memory_budget.hpp"
 #include "model/resource_data.hpp"
 #include "model/texture.hpp"
+#include "render/scene.hpp"
 
 namespace gltfx {
 
@@ -45,7 +45,7 @@ class SceneNotes {
 class SceneTextures {
  public:
   SceneTextures(const model::Asset& asset, const model::ResourceData& resources, SceneNotes& notes,
-                bake::Scene& scene)
+                render::Scene& scene)
       : asset_(asset), resources_(resources), notes_(notes), scene_(scene) {}
 
   /// The index in the scene of a texture of the asset.
@@ -72,7 +72,7 @@ class SceneTextures {
   const model::Asset& asset_;
   const model::ResourceData& resources_;
   SceneNotes& notes_;
-  bake::Scene& scene_;
+  render::Scene& scene_;
   std::unordered_map<std::uint32_t, std::uint32_t> known_;  ///< by texture of the asset
   std::vector<std::uint32_t> used_;                         ///< the other way round
   std::vector<model::Texture> textures_;                    ///< likewise
@@ -83,11 +83,11 @@ class SceneTextures {
 
 /// What meshes need to know of their material.
 struct MaterialNeeds {
-  std::uint32_t material = bake::kNone;  ///< index in the scene
+  std::uint32_t material = render::kNone;  ///< index in the scene
   /// The n of each TEXCOORD_n that is read. The material's uses count along this list.
   std::vector<std::uint32_t> tex_coords;
   /// What tangents are needed for, if any: its set is in the list above.
-  std::optional<bake::TextureUse> tangents;
+  std::optional<render::TextureUse> tangents;
 };
 
 /// Translates each material that is used once. The asset, the scene and the textures must outlive
@@ -95,7 +95,7 @@ struct MaterialNeeds {
 class SceneMaterials {
  public:
   SceneMaterials(const model::Asset& asset, const model::AnimatedValues& animated,
-                 SceneTextures& textures, SceneNotes& notes, bake::Scene& scene)
+                 SceneTextures& textures, SceneNotes& notes, render::Scene& scene)
       : asset_(asset), animated_(animated), textures_(textures), notes_(notes), scene_(scene) {}
 
   /// Of a material of the asset; nothing: the default material.
@@ -108,7 +108,7 @@ class SceneMaterials {
   const model::AnimatedValues& animated_;
   SceneTextures& textures_;
   SceneNotes& notes_;
-  bake::Scene& scene_;
+  render::Scene& scene_;
   std::unordered_map<std::uint32_t, MaterialNeeds> known_;
   MaterialNeeds default_;
 };

@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "bake/markers.hpp"
-#include "bake/texture.hpp"
 #include "model/skin.hpp"
 #include "model/tangent_space.hpp"
 #include "model/variants.hpp"
+#include "preview/markers.hpp"
+#include "render/texture.hpp"
 
 namespace gltfx {
 namespace {
@@ -24,8 +24,8 @@ std::string place_of(std::uint32_t mesh, std::uint32_t primitive) {
 }
 
 // A scene has a name less for the same arrays of numbers.
-bake::Mesh to_mesh(model::Geometry&& geometry, std::uint32_t material) {
-  bake::Mesh mesh;
+render::Mesh to_mesh(model::Geometry&& geometry, std::uint32_t material) {
+  render::Mesh mesh;
   mesh.triangles = std::move(geometry.triangles);
   mesh.positions = std::move(geometry.positions);
   mesh.normals = std::move(geometry.normals);
@@ -47,7 +47,7 @@ bool SceneMeshes::has_own_weights(model::NodeIndex node) const {
 
 const std::vector<DrawnMeshes>& SceneMeshes::use(model::NodeIndex node) {
   const model::Node& from = source_.views.nodes[node];
-  const std::uint32_t skin = from.skin.value_or(bake::kNone);
+  const std::uint32_t skin = from.skin.value_or(render::kNone);
   const auto& primitives = source_.views.meshes[*from.mesh].primitives;
   const std::uint64_t targets = primitives.empty() ? 0 : primitives.front().targets.size();
   const bool own = targets > 0 && has_own_weights(node);
@@ -66,7 +66,7 @@ const std::vector<DrawnMeshes>& SceneMeshes::use(model::NodeIndex node) {
 }
 
 const std::vector<DrawnMeshes>& SceneMeshes::use_mesh(std::uint32_t mesh) {
-  return use(Key{mesh, bake::kNone, {}});
+  return use(Key{mesh, render::kNone, {}});
 }
 
 const std::vector<DrawnMeshes>& SceneMeshes::use(Key key) {
@@ -106,7 +106,7 @@ void SceneMeshes::draw(const Key& key, const std::vector<bool>& bound, bool move
 
 const std::vector<model::Affine>& SceneMeshes::joints(std::uint32_t skin) {
   const auto [known, fresh] = joints_.try_emplace(skin);
-  if (!fresh || skin == bake::kNone) return known->second;
+  if (!fresh || skin == render::kNone) return known->second;
   const model::Skin read =
       model::read_skin(source_.asset, source_.asset.elements(model::RootArray::skins)[skin]);
   if (!budget_.take(checked_mul(read.joint_count, sizeof(model::Affine)))) {
@@ -140,19 +140,20 @@ void SceneMeshes::draw(const Key& key, std::uint32_t index, bool moved) {
   add_tangents(needs, geometry);
   const std::vector<model::Segment> segments = std::move(geometry.segments);
   const std::vector<std::uint32_t> points = std::move(geometry.points);
-  bake::Mesh drawn = to_mesh(std::move(geometry), needs.material);
+  render::Mesh drawn = to_mesh(std::move(geometry), needs.material);
   const std::size_t markers = segments.size() + points.size();  // one of them is 0
-  if (markers > bake::kMostMarkers) {
-    notes_.add(place_of(mesh, index),
-               fmt::format("has more than {} points or lines; some are drawn", bake::kMostMarkers));
+  if (markers > preview::kMostMarkers) {
+    notes_.add(
+        place_of(mesh, index),
+        fmt::format("has more than {} points or lines; some are drawn", preview::kMostMarkers));
   }
-  const std::size_t most = std::min(markers, bake::kMostMarkers);
-  if (!budget_.take(checked_mul(most, bake::marker_bytes(drawn)))) {
+  const std::size_t most = std::min(markers, preview::kMostMarkers);
+  if (!budget_.take(checked_mul(most, preview::marker_bytes(drawn)))) {
     notes_.add(place_of(mesh, index), "has more points or lines than memory allows");
     return;
   }
-  if (!segments.empty()) drawn = bake::line_markers(drawn, segments);
-  if (!points.empty()) drawn = bake::point_markers(drawn, points);
+  if (!segments.empty()) drawn = preview::line_markers(drawn, segments);
+  if (!points.empty()) drawn = preview::point_markers(drawn, points);
   scene_.meshes.push_back(std::move(drawn));
 }
 
@@ -162,7 +163,7 @@ void SceneMeshes::add_tangents(const MaterialNeeds& needs, model::Geometry& geom
   const std::uint32_t set = needs.tangents->uv_set;
   if (set >= geometry.tex_coords.size() || geometry.tex_coords[set].empty()) return;
   model::Vectors<2> coordinates = geometry.tex_coords[set];
-  for (auto& uv : coordinates) uv = bake::transform_uv(*needs.tangents, uv);
+  for (auto& uv : coordinates) uv = render::transform_uv(*needs.tangents, uv);
   if (!model::generate_tangents(geometry, coordinates, budget_)) {
     notes_.add("A mesh", "asks for too much memory for its tangents");
   }

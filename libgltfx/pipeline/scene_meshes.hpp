@@ -8,10 +8,10 @@
 #include <unordered_map>
 #include <vector>
 
-#include "bake/scene.hpp"
 #include "model/geometry.hpp"
 #include "model/pose.hpp"
 #include "pipeline/scene_materials.hpp"
+#include "render/scene.hpp"
 
 namespace gltfx {
 
@@ -28,7 +28,7 @@ class SceneMeshes {
   SceneMeshes(const model::GeometrySource& source, const model::Pose& pose,
               const model::AnimatedValues& animated, std::optional<std::uint32_t> variant,
               SceneMaterials& materials, model::MemoryBudget& budget, SceneNotes& notes,
-              bake::Scene& scene)
+              render::Scene& scene)
       : source_(source),
         pose_(pose),
         animated_(animated),
@@ -65,7 +65,7 @@ class SceneMeshes {
   SceneMaterials& materials_;
   model::MemoryBudget& budget_;
   SceneNotes& notes_;
-  bake::Scene& scene_;
+  render::Scene& scene_;
   const std::vector<DrawnMeshes> nothing_;
   std::map<Key, std::vector<DrawnMeshes>> known_;
   std::map<PlainKey, const std::vector<DrawnMeshes>*> usual_;  ///< of nodes without own weights

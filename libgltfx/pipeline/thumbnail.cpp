@@ -216,7 +216,7 @@ class Embedding {
 
 std::optional<Error> embed_thumbnail(const std::string& path, const BakedPixels& pixels,
                                      const BakeOptions& options) {
-  const bake::Picture picture{pixels.width, pixels.height, pixels.channels, pixels.bytes, {}};
+  const preview::Picture picture{pixels.width, pixels.height, pixels.channels, pixels.bytes, {}};
   const auto encoded = encode_picture(picture, codec::EncodedFormat::png);
   if (!encoded) return encoded.error();
   std::string png(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size());

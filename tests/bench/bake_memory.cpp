@@ -23,15 +23,15 @@ std::size_t bytes_of(const std::vector<T>& values) {
   return values.size() * sizeof(T);
 }
 
-std::size_t bytes_of(const bake::Scene& scene) {
+std::size_t bytes_of(const render::Scene& scene) {
   std::size_t bytes = 0;
-  for (const bake::Mesh& mesh : scene.meshes) {
+  for (const render::Mesh& mesh : scene.meshes) {
     bytes += bytes_of(mesh.triangles) + bytes_of(mesh.positions) + bytes_of(mesh.normals) +
              bytes_of(mesh.tangents) + bytes_of(mesh.colors);
     for (const auto& set : mesh.uvs) bytes += bytes_of(set);
   }
   std::set<const void*> images;
-  for (const bake::Texture& texture : scene.textures) {
+  for (const render::Texture& texture : scene.textures) {
     if (images.insert(texture.pixels.data()).second) bytes += texture.pixels.size();
   }
   return bytes;
@@ -58,10 +58,10 @@ int main(int argc, char** argv) {
   BakeScene loaded = load_bake_scene(argv[1], options);
   if (!loaded.ready()) return 1;
   const std::size_t loading = peak() - idle;
-  const bake::View view = choose_views(loaded, options, 1)->front();
+  const render::View view = choose_views(loaded, options, 1)->front();
   loaded.subject->forget_faces();
   give_back_memory();
-  const bake::Framebuffer drawn =
+  const render::Framebuffer drawn =
       draw_picture(loaded, view, {size, size}, options, layers_of(options), {});
   std::printf("%zu %zu %zu\n", bytes_of(*loaded.scene), loading, peak() - idle);
   return 0;

@@ -10,14 +10,14 @@
 #include <ctime>
 #include <vector>
 
-#include "bake/embree.hpp"
-#include "bake/sampler.hpp"
-#include "bake/surface.hpp"
-#include "bake/transform.hpp"
 #include "base/packed.hpp"
 #include "base/parallel.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "render/embree.hpp"
+#include "render/sampler.hpp"
+#include "render/surface.hpp"
+#include "render/transform.hpp"
 
 namespace {
 
@@ -30,15 +30,15 @@ double clock_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-RTCScene plain_scene(RTCDevice device, const bake::Scene& scene) {
+RTCScene plain_scene(RTCDevice device, const render::Scene& scene) {
   RTCScene top = rtcNewScene(device);
-  for (const bake::Instance& instance : scene.instances) {
-    const bake::Mesh& mesh = scene.meshes[instance.mesh];
+  for (const render::Instance& instance : scene.instances) {
+    const render::Mesh& mesh = scene.meshes[instance.mesh];
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = static_cast<Float3*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.positions.size()));
     for (const Float3& p : mesh.positions) {
-      *points++ = to_float3(bake::transform_point(instance.to_world, to_vec(p)));
+      *points++ = to_float3(render::transform_point(instance.to_world, to_vec(p)));
     }
     auto* triangles = static_cast<std::array<std::uint32_t, 3>*>(rtcSetNewGeometryBuffer(
         geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
@@ -76,19 +76,19 @@ Vec3d bounce(const RTCRayHit& q, const Float2& random) {
   }
   const double r = std::sqrt(static_cast<double>(random[0]));
   const double phi = 6.2831853 * static_cast<double>(random[1]);
-  return bake::frame_around(n).to_world(
+  return render::frame_around(n).to_world(
       {r * std::cos(phi), r * std::sin(phi), std::sqrt(1 - static_cast<double>(random[0]))});
 }
 
 // One path of intersections and occlusions; the number of rays.
-std::uint64_t cast(RTCScene scene, const bake::Ray& ray, const bake::SampleStream& random,
+std::uint64_t cast(RTCScene scene, const render::Ray& ray, const render::SampleStream& random,
                    unsigned bounces) {
   RTCRayQueryContext context;
   rtcInitRayQueryContext(&context);
   std::uint64_t rays = 0;
   RTCRayHit q = query(ray.origin, ray.direction);
   for (unsigned step = 0;; ++step) {
-    bake::find_hit(scene, context, q);
+    render::find_hit(scene, context, q);
     ++rays;
     if (q.hit.geomID == RTC_INVALID_GEOMETRY_ID || step == bounces) return rays;
     const double t = static_cast<double>(q.ray.tfar) * 0.9999;
@@ -96,7 +96,7 @@ std::uint64_t cast(RTCScene scene, const bake::Ray& ray, const bake::SampleStrea
                    static_cast<double>(q.ray.org_y) + t * static_cast<double>(q.ray.dir_y),
                    static_cast<double>(q.ray.org_z) + t * static_cast<double>(q.ray.dir_z));
     RTCRay shadow = query(at, bounce(q, random.pair(2 * step + 1))).ray;
-    bake::find_occluder(scene, context, shadow);
+    render::find_occluder(scene, context, shadow);
     ++rays;
     q = query(at, bounce(q, random.pair(2 * step + 2)));
   }
@@ -114,9 +114,9 @@ int main(int argc, char** argv) {
   options.denoise = false;
   const BakeScene loaded = load_bake_scene(argv[1], options);
   if (!loaded.ready()) return 1;
-  const bake::View view = choose_views(loaded, options, 1)->front();
+  const render::View view = choose_views(loaded, options, 1)->front();
   const double begin = seconds();
-  const bake::Framebuffer drawn =
+  const render::Framebuffer drawn =
       draw_picture(loaded, view, {size, size}, options, layers_of(options), {});
   const double drawing = seconds() - begin;
   const std::uint64_t wanted = drawn.rays;
@@ -133,7 +133,7 @@ int main(int argc, char** argv) {
         [&](std::size_t y) {
           rows[y] = 0;
           for (std::uint32_t x = 0; x < size; ++x) {
-            const bake::SampleStream random(0, static_cast<std::uint32_t>(y) * size + x, sample);
+            const render::SampleStream random(0, static_cast<std::uint32_t>(y) * size + x, sample);
             rows[y] +=
                 cast(plain, view.ray((x + 0.5) / size, (static_cast<double>(y) + 0.5) / size),
                      random, *options.bounces);

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "bake/light.hpp"
-#include "bake/texture.hpp"
-#include "bake/tonemap.hpp"
 #include "cases.hpp"
+#include "render/light.hpp"
+#include "render/texture.hpp"
+#include "render/tonemap.hpp"
 
 namespace gltfx::ground_truth {
 namespace {
@@ -13,8 +13,8 @@ namespace {
 Value transformed(const std::array<double, 2>& offset, double rotation,
                   const std::array<double, 2>& scale, const std::vector<double>& uv) {
   const auto narrow = [](double value) { return static_cast<float>(value); };
-  const auto m = bake::texture_transform({narrow(offset[0]), narrow(offset[1])}, narrow(rotation),
-                                         {narrow(scale[0]), narrow(scale[1])});
+  const auto m = render::texture_transform({narrow(offset[0]), narrow(offset[1])}, narrow(rotation),
+                                           {narrow(scale[0]), narrow(scale[1])});
   Value list;
   list.kind = Value::Kind::list;
   for (const auto& row : m) {
@@ -48,11 +48,11 @@ Value texture_transform(Inputs& inputs, const Value& expected) {
 
 namespace {
 
-bake::Light read_light(Inputs& inputs) {
-  bake::Light light;
+render::Light read_light(Inputs& inputs) {
+  render::Light light;
   const std::string type = inputs.text("type");
-  if (type == "directional") light.kind = bake::Light::Kind::directional;
-  if (type == "spot") light.kind = bake::Light::Kind::spot;
+  if (type == "directional") light.kind = render::Light::Kind::directional;
+  if (type == "spot") light.kind = render::Light::Kind::spot;
   const double intensity = inputs.number("candela", 1) * inputs.number("lux", 1);
   const Rgb color = inputs.color("color", Rgb(1)) * intensity;
   light.intensity = {static_cast<float>(color.x), static_cast<float>(color.y),
@@ -67,12 +67,12 @@ bake::Light read_light(Inputs& inputs) {
 }  // namespace
 
 Value punctual(Inputs& inputs, const Value& expected) {
-  const bake::Light light = read_light(inputs);
+  const render::Light light = read_light(inputs);
   const double distance = inputs.number("distance", 1);
   const double angle = inputs.number("angle", 0);
   // The light is in the origin and shines along -z; the surface faces it.
   const Vec3d point(distance * std::sin(angle), 0, -distance * std::cos(angle));
-  const Rgb lux = bake::illuminate(light, point).irradiance;
+  const Rgb lux = render::illuminate(light, point).irradiance;
   Material lambert;
   lambert.metallic = 0;
   lambert.specular = 0;
@@ -87,12 +87,12 @@ Value punctual(Inputs& inputs, const Value& expected) {
 Value output(Inputs& inputs, const Value& expected) {
   const Rgb linear = inputs.color("linear", {});
   const auto number = [](double x) { return static_cast<float>(x); };
-  const float srgb = bake::srgb_encode(number(linear.x));
-  const auto neutral = bake::tone_map({number(linear.x), number(linear.y), number(linear.z)});
+  const float srgb = render::srgb_encode(number(linear.x));
+  const auto neutral = render::tone_map({number(linear.x), number(linear.y), number(linear.z)});
   return for_each_key(expected, [&](const std::string& key, const Value&) -> Value {
     if (key == "pbr_neutral") return Rgb(neutral[0], neutral[1], neutral[2]);
     if (key == "srgb") return static_cast<double>(srgb);
-    if (key == "byte") return static_cast<double>(bake::to_byte(srgb));
+    if (key == "byte") return static_cast<double>(render::to_byte(srgb));
     return {};
   });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/medium.hpp"
 #include "cases.hpp"
+#include "shader/medium.hpp"
 #include "transport.hpp"
 
 namespace gltfx::ground_truth {
@@ -79,7 +79,7 @@ Value sss_sphere(Inputs& inputs, const Value& expected) {
 namespace {
 
 Value of_medium(const Material& material, const std::string& key) {
-  const bake::Medium medium = bake::medium_of(material);
+  const shader::Medium medium = shader::medium_of(material);
   if (key == "sigma_s") return medium.scattering;
   if (key == "sigma_a") return medium.absorption;
   if (key == "sigma_t") return medium.extinction();
@@ -99,7 +99,7 @@ Value sss_parameters(Inputs& inputs, const Value& expected) {
   m.scatter_distance = inputs.number("scatterDistance", m.scatter_distance);
   return for_each_key(expected, [&](const std::string& key, const Value&) -> Value {
     if (!multiple) return of_medium(m, key);
-    return key == "single_scatter_albedo" ? Value(bake::single_scatter_albedo(albedo)) : Value();
+    return key == "single_scatter_albedo" ? Value(shader::single_scatter_albedo(albedo)) : Value();
   });
 }
 
@@ -109,15 +109,15 @@ Value scatter_parameters(Inputs& inputs, const Value& expected) {
   return for_each_key(expected, [&](const std::string& key, const Value& wanted) -> Value {
     if (key != "single_scatter_albedo") return {};
     return for_each_key(wanted, [&](const std::string& extension, const Value&) -> Value {
-      if (extension.ends_with("_volume_scatter")) return bake::single_scatter_albedo(albedo);
-      if (extension.ends_with("_scatter")) return bake::single_scatter_albedo(albedo, g);
+      if (extension.ends_with("_volume_scatter")) return shader::single_scatter_albedo(albedo);
+      if (extension.ends_with("_scatter")) return shader::single_scatter_albedo(albedo, g);
       return {};
     });
   });
 }
 
 Value phase_function(Inputs& inputs, const Value& expected) {
-  const double p = bake::henyey_greenstein(inputs.number("g", 0), inputs.number("v_dot_l", 1));
+  const double p = shader::henyey_greenstein(inputs.number("g", 0), inputs.number("v_dot_l", 1));
   return for_each_key(expected, [&](const std::string& key, const Value&) -> Value {
     return key == "p" ? Value(p) : Value();
   });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/fresnel.hpp"
 #include "cases.hpp"
+#include "shader/fresnel.hpp"
 
 namespace gltfx::ground_truth {
 namespace {
@@ -78,8 +78,8 @@ Value backlit_plane(Inputs& inputs, const Value& expected) {
   return for_each_key(expected, [&](const std::string& key, const Value&) -> Value {
     if (key == "radiance") return evaluate(material, v, l, kSpec) * (lux * -l.z);
     if (key == "fresnel") {
-      const bake::Directions d(v, l);
-      return bake::dielectric_fresnel(material, 1, ShaderMode::spec).at(d.v_h).x;
+      const shader::Directions d(v, l);
+      return shader::dielectric_fresnel(material, 1, ShaderMode::spec).at(d.v_h).x;
     }
     return {};
   });
@@ -91,7 +91,7 @@ Value symmetric_lights(Inputs& inputs, const Value& expected) {
   const Vec3d v = direction(inputs.numbers("V", {0, 0}));
   const double lux = inputs.number("E", 1);
   const Vec3d front = direction({inputs.number("theta", 0), inputs.number("phi", 0)});
-  const Vec3d back = bake::mirrored(front);
+  const Vec3d back = shader::mirrored(front);
   const auto radiance = [&](const Vec3d& viewer, const Vec3d& l) {
     return evaluate(material, viewer, l, kSpec) * (lux * front.z);
   };
@@ -100,7 +100,7 @@ Value symmetric_lights(Inputs& inputs, const Value& expected) {
     if (key == "back_light_only") return radiance(v, back);
     if (key == "radiance_front") return radiance(v, front) + radiance(v, back);
     if (key == "radiance_back") {
-      return radiance(bake::mirrored(v), front) + radiance(bake::mirrored(v), back);
+      return radiance(shader::mirrored(v), front) + radiance(shader::mirrored(v), back);
     }
     return {};
   });

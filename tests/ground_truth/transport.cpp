@@ -4,13 +4,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "bake/integration.hpp"
+#include "shader/integration.hpp"
 
 namespace gltfx::ground_truth {
 namespace {
 
-using bake::gauss_legendre;
-using bake::Node;
+using shader::gauss_legendre;
+using shader::Node;
 
 // Cosines, crowded towards 0, where all these functions are steep.
 std::vector<Node> cosines() {

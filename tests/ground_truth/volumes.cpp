@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volumes.hpp"
 
-#include "bake/directions.hpp"
-#include "bake/medium.hpp"
 #include "cases.hpp"
+#include "shader/directions.hpp"
+#include "shader/medium.hpp"
 
 namespace gltfx::ground_truth {
 
@@ -44,7 +44,7 @@ Material slab_material(Inputs& inputs) {
 Rgb sphere_radiance(const Material& material, double radius, const Vec3d& v) {
   const Between b(material, v);
   const double chord = 2 * radius * -b.entering.onwards.z;
-  const Rgb dimmed = bake::medium_of(material).transmittance(chord);
+  const Rgb dimmed = shader::medium_of(material).transmittance(chord);
   return b.entering.reflected + b.entering.transmitted * dimmed * b.inside.transmitted /
                                     (Rgb(1) - b.inside.reflected * dimmed);
 }
@@ -55,7 +55,7 @@ Value volume_slab(Inputs& inputs, const Value& expected) {
   const Material m = slab_material(inputs);
   const Between b(m, direction({theta, 0}));
   const double path = thickness / -b.entering.onwards.z;
-  const Rgb dimmed = bake::medium_of(m).transmittance(path);
+  const Rgb dimmed = shader::medium_of(m).transmittance(path);
   const Rgb twice = b.inside.reflected * dimmed * b.inside.reflected * dimmed;
   const Rgb single = b.entering.transmitted * dimmed * b.inside.transmitted;
   return for_each_key(expected, [&](const std::string& key, const Value&) -> Value {
@@ -84,7 +84,7 @@ Value volume_sphere(Inputs& inputs, const Value& expected) {
 
 Value beer_lambert(Inputs& inputs, const Value& expected) {
   const double x = inputs.number("x", 0);
-  const bake::Medium medium = bake::medium_of(read_properties(inputs));
+  const shader::Medium medium = shader::medium_of(read_properties(inputs));
   return for_each_key(expected, [&](const std::string& key, const Value&) -> Value {
     if (key == "T") return medium.transmittance(x);
     if (key == "sigma_t") return medium.extinction();

@@ -268,7 +268,7 @@ def directional_albedo(brdf, n_v, fine=True):
     return sums
 
 
-# The mode "conserving", which departs from Appendix B (libgltfx/bake/conserving.hpp): diffuse light
+# The mode "conserving", which departs from Appendix B (libgltfx/shader/conserving.hpp): diffuse light
 # below a layer is scaled by s(V) s(L) / m. Here s is what the layer transmits over what the sample
 # implementation lets pass, 1 at most, and m its mean over the lights of a grazing view.
 

@@ -74,7 +74,7 @@ def conserving():
         for place in ("mirror", "same side", "grazing"):
             # Its curves of albedos are fits: half a percent of the diffuse light.
             yield brdf_case(f"conserving: dielectric, {place}, roughness {roughness}",
-                            "libgltfx/bake/conserving.hpp; Kulla and Conty 2017",
+                            "libgltfx/shader/conserving.hpp; Kulla and Conty 2017",
                             material(COLOR, 0, roughness), PAIRS[place],
                             lambda p, r=roughness: conserving_dielectric(p, COLOR, r),
                             shader="conserving", near=5e-3 * LUX / math.pi)

@@ -6,14 +6,14 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "bake/bvh_groups.hpp"
 #include "pipeline/baking.hpp"
 #include "pipeline/scene_asset.hpp"
+#include "render/bvh_groups.hpp"
 
 namespace gltfx::test {
 namespace {
 
-using bake::quad;
+using render::quad;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -72,18 +72,18 @@ void skins(AssetText& asset, int n) {
   nodes(asset, n, [mesh](int i) { return Json{{"mesh", mesh}, {"skin", i}}; });
 }
 
-bake::Scene built(const std::function<void(AssetText&, int)>& fill, int n,
-                  const SceneOptions& options = {}) {
+render::Scene built(const std::function<void(AssetText&, int)>& fill, int n,
+                    const SceneOptions& options = {}) {
   AssetText asset;
   fill(asset, n);
   return scene_of_text(asset.text(), options);
 }
 
 TEST(BakeGrowth, PrimitivesOfAMeshShareItsInstances) {
-  const bake::Scene scene = built(primitives_in_nodes, 60);
+  const render::Scene scene = built(primitives_in_nodes, 60);
   EXPECT_THAT(scene.meshes, SizeIs(60));
   ASSERT_THAT(scene.instances, SizeIs(60));
-  for (const bake::Instance& each : scene.instances) {
+  for (const render::Instance& each : scene.instances) {
     EXPECT_EQ(each.mesh, 0U);
     EXPECT_EQ(each.count, 60U);
   }
@@ -94,7 +94,7 @@ TEST(BakeGrowth, TheHierarchyGrowsWithTheFile) {
   for (const auto& fill : {primitives_in_nodes, in_one_place, shining}) {
     std::vector<std::size_t> sizes;
     for (const int n : {100, 400}) {
-      const bake::Groups groups = bake::group_instances(built(fill, n));
+      const render::Groups groups = render::group_instances(built(fill, n));
       std::size_t size = groups.instanced.size();
       for (const auto& group : groups.flat) size += group.parts.size();
       for (const auto& treated : groups.shared) {
@@ -108,7 +108,7 @@ TEST(BakeGrowth, TheHierarchyGrowsWithTheFile) {
 }
 
 TEST(BakeGrowth, WhatJointsMoveStandsApartFromTheRest) {
-  const bake::Scene scene = built(
+  const render::Scene scene = built(
       [](AssetText& asset, int) {
         const int mesh = mesh_of(asset, 3);
         add_joints(asset, asset.json()["meshes"][0]["primitives"][1]);
@@ -121,14 +121,14 @@ TEST(BakeGrowth, WhatJointsMoveStandsApartFromTheRest) {
   EXPECT_EQ(scene.instances[0].count, 2U);
   EXPECT_EQ(scene.instances[0].to_world[1][3], 7);
   EXPECT_EQ(scene.instances[1].count, 1U);
-  EXPECT_EQ(scene.instances[1].to_world, bake::kIdentity);
+  EXPECT_EQ(scene.instances[1].to_world, render::kIdentity);
   EXPECT_FLOAT_EQ(scene.meshes[scene.instances[1].mesh].positions[0][0], 4);
 }
 
 TEST(BakeGrowth, InstancesEndWithTheMemory) {
   SceneOptions options;
   options.free_bytes = 40000;
-  const bake::Scene scene = built(
+  const render::Scene scene = built(
       [](AssetText& asset, int n) {
         const int mesh = mesh_of(asset, 2);
         nodes(asset, n, [mesh](int i) {
@@ -144,7 +144,7 @@ TEST(BakeGrowth, InstancesEndWithTheMemory) {
 TEST(BakeGrowth, JointsEndWithTheMemory) {
   SceneOptions options;
   options.free_bytes = 20000;
-  const bake::Scene scene = built(
+  const render::Scene scene = built(
       [](AssetText& asset, int n) {
         const int mesh = mesh_of(asset, 1, add_joints);
         asset.add("skins", {{"joints", std::vector<int>(static_cast<std::size_t>(n), 0)}});

@@ -7,8 +7,8 @@
 namespace gltfx::test {
 namespace {
 
-using bake::cube;
-using bake::quad;
+using render::cube;
+using render::quad;
 using testing::HasSubstr;
 
 using BakeLimits = Baking;

@@ -300,7 +300,7 @@ TEST(EnvironmentFile, RadianceAndOpenExrAreRead) {
   EXPECT_NEAR(image->radiance[7][0], 4, 0.05);
   EXPECT_EQ(image->radiance[0][1], 0);
 
-  bake::Picture picture{2, 1, 3, {}, {0.5F, 1, 70000, -1, NAN, 3}};
+  preview::Picture picture{2, 1, 3, {}, {0.5F, 1, 70000, -1, NAN, 3}};
   const std::string path = (folder.path() / "sky.exr").native();
   EXPECT_FALSE(write_picture(picture, path));
   const auto floats = read_environment(path);

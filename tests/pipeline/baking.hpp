@@ -16,11 +16,11 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "bake/shapes.hpp"
 #include "codec/client.hpp"
 #include "container/temp_folder.hpp"
 #include "model/packed_bytes.hpp"
 #include "pipeline/picture_file.hpp"
+#include "render/shapes.hpp"
 
 namespace gltfx::test {
 
@@ -77,7 +77,7 @@ class AssetText {
     json_["extensionsUsed"].push_back(extension);
   }
   /// Index of the mesh. `material` below 0: none.
-  int mesh(const bake::Mesh& from, int material) {
+  int mesh(const render::Mesh& from, int material) {
     std::vector<std::uint32_t> indices;
     for (const auto& triangle : from.triangles) {
       indices.insert(indices.end(), triangle.begin(), triangle.end());
@@ -101,7 +101,7 @@ class AssetText {
     json_["scenes"][0]["nodes"].push_back(index);
     return index;
   }
-  int draw(const bake::Mesh& mesh, const Json& material, Json place = Json::object()) {
+  int draw(const render::Mesh& mesh, const Json& material, Json place = Json::object()) {
     place["mesh"] = this->mesh(mesh, this->material(material));
     return node(place);
   }
@@ -149,7 +149,7 @@ inline Json dielectric(const Json& color, double roughness, const Json& extensio
 /// A material of no account.
 inline Json plastic() { return dielectric({0.8, 0.5, 0.3, 1}, 0.5); }
 
-inline bake::Mesh scaled(bake::Mesh mesh, float factor) {
+inline render::Mesh scaled(render::Mesh mesh, float factor) {
   for (auto& p : mesh.positions) {
     for (float& part : p) part *= factor;
   }
@@ -210,7 +210,7 @@ class Baking : public testing::Test {
   /// Light of that radiance from everywhere; 0 is darkness.
   void surround(float radiance) {
     options.environment = (folder.path() / "sky.exr").native();
-    const bake::Picture sky{2, 1, 3, {}, std::vector<float>(6, radiance)};
+    const preview::Picture sky{2, 1, 3, {}, std::vector<float>(6, radiance)};
     EXPECT_FALSE(write_picture(sky, options.environment));
   }
 

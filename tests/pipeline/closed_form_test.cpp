@@ -6,17 +6,17 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/medium.hpp"
-#include "bake/transfer.hpp"
 #include "pipeline/baking.hpp"
 #include "sanitized.hpp"
+#include "shader/medium.hpp"
+#include "shader/transfer.hpp"
 
 namespace gltfx::test {
 namespace {
 
-using bake::cube;
-using bake::quad;
-using bake::sphere;
+using render::cube;
+using render::quad;
+using render::sphere;
 using std::numbers::pi;
 
 class ClosedForm : public Baking {
@@ -116,8 +116,8 @@ TEST_F(ClosedForm, AHollowShellAbsorbsInItsWallAlone) {
   surround(1);
   options.bounces = 16;
   options.samples = 64;
-  bake::Mesh shell = sphere(1, 64);
-  const bake::Mesh inside = sphere(0.75F, 64);
+  render::Mesh shell = sphere(1, 64);
+  const render::Mesh inside = sphere(0.75F, 64);
   const auto count = static_cast<std::uint32_t>(shell.positions.size());
   for (std::size_t i = 0; i < inside.positions.size(); ++i) {
     shell.positions.push_back(inside.positions[i]);
@@ -171,9 +171,9 @@ TEST_F(ClosedForm, ADeepMediumGivesBackWhatTransferTheorySays) {
   for (std::size_t c = 0; c < 3; ++c) {
     sss["scatterColor"].push_back(std::exp(-albedo[c]));
     absorption["attenuationColor"].push_back(std::exp(albedo[c] - 1));
-    first[c] = bake::plane_albedo(albedo[c], mu);
-    const double mapped = bake::single_scatter_albedo(multiple["multiscatterColorFactor"][c]);
-    second[c] = bake::plane_albedo(mapped, mu);
+    first[c] = shader::plane_albedo(albedo[c], mu);
+    const double mapped = shader::single_scatter_albedo(multiple["multiscatterColorFactor"][c]);
+    second[c] = shader::plane_albedo(mapped, mu);
   }
   const Json all{{"thicknessFactor", 1},
                  {"attenuationDistance", 1},

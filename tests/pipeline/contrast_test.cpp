@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What has no color of its own is made out by its light: sides of a cube, squares on the backdrop.
-#include "bake/tonemap.hpp"
 #include "pipeline/baking.hpp"
+#include "render/tonemap.hpp"
 #include "sanitized.hpp"
 
 namespace gltfx::test {
@@ -24,9 +24,9 @@ class Contrast : public Baking {
     for (std::size_t v = row - 1; v <= row + 1; ++v) {
       for (std::size_t u = column - 1; u <= column + 1; ++u) {
         const std::uint8_t* p = &pixels.bytes[(v * pixels.width + u) * 3];
-        sum += 0.2126 * static_cast<double>(bake::srgb_decode_byte(p[0])) +
-               0.7152 * static_cast<double>(bake::srgb_decode_byte(p[1])) +
-               0.0722 * static_cast<double>(bake::srgb_decode_byte(p[2]));
+        sum += 0.2126 * static_cast<double>(render::srgb_decode_byte(p[0])) +
+               0.7152 * static_cast<double>(render::srgb_decode_byte(p[1])) +
+               0.0722 * static_cast<double>(render::srgb_decode_byte(p[2]));
       }
     }
     const double luminance = sum / 9;
@@ -49,7 +49,7 @@ class Contrast : public Baking {
 
 TEST_F(Contrast, SidesOfACubeOfTheDefaultMaterialDiffer) {
   AssetText asset;
-  asset.node({{"mesh", asset.mesh(bake::cube(), -1)}});
+  asset.node({{"mesh", asset.mesh(render::cube(), -1)}});
   expect_apart(asset, {{0.35, 0.55}, {0.8, 0.5}, {0.55, 0.13}}, 10);
   for (const char* camera : {"iso", "-135,35"}) {
     options.camera = camera;
@@ -59,7 +59,7 @@ TEST_F(Contrast, SidesOfACubeOfTheDefaultMaterialDiffer) {
 
 TEST_F(Contrast, SidesOfAWhiteCubeDiffer) {
   AssetText asset;
-  asset.draw(bake::cube(), dielectric({1, 1, 1, 1}, 1));
+  asset.draw(render::cube(), dielectric({1, 1, 1, 1}, 1));
   expect_apart(asset, {{0.35, 0.55}, {0.8, 0.5}, {0.55, 0.13}}, 6);
 }
 
@@ -67,7 +67,7 @@ TEST_F(Contrast, FlatSquaresStandOutFromTheBackdrop) {
   for (const double grey : {1.0, 0.75, 0.6, 0.5, 0.2, 0.0}) {
     for (const bool level : {false, true}) {
       AssetText asset;
-      bake::Mesh square;
+      render::Mesh square;
       square.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
       square.triangles = {{0, 1, 2}, {0, 2, 3}};
       const Json turned = {{"rotation", {-std::sqrt(0.5), 0, 0, std::sqrt(0.5)}}};
@@ -82,7 +82,7 @@ TEST_F(Contrast, FlatSquaresStandOutFromTheBackdrop) {
 TEST_F(Contrast, ComparedPicturesHaveOneBackdrop) {
   const auto square = [](double grey) {
     AssetText asset;
-    bake::Mesh mesh;
+    render::Mesh mesh;
     mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
     asset.draw(mesh, dielectric({grey, grey, grey, 1}, 1));

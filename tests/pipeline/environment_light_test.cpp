@@ -8,17 +8,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bake/environment.hpp"
-#include "bake/lighting.hpp"
 #include "codec/support/png_encoder.hpp"
 #include "pipeline/baking.hpp"
 #include "pipeline/scene_asset.hpp"
+#include "preview/lighting.hpp"
+#include "render/environment.hpp"
 
 namespace gltfx::test {
 namespace {
 
-using bake::quad;
-using bake::sphere;
+using render::quad;
+using render::sphere;
 using std::numbers::pi;
 using namespace std::literals;
 using testing::Contains;
@@ -77,12 +77,12 @@ auto of_color(float r, float g, float b) {
 
 class EnvironmentLight : public Baking {
  protected:
-  static bake::Scene scene(AssetText& asset) {
+  static render::Scene scene(AssetText& asset) {
     if (!asset.json().contains("nodes")) asset.draw(quad(1), plastic());
     return scene_of_text(asset.text());
   }
-  static Float3 seen(const bake::Scene& scene, const Vec3d& direction) {
-    const auto radiance = bake::Environment(*scene.environment).radiance(direction);
+  static Float3 seen(const render::Scene& scene, const Vec3d& direction) {
+    const auto radiance = render::Environment(*scene.environment).radiance(direction);
     return {static_cast<float>(radiance.x), static_cast<float>(radiance.y),
             static_cast<float>(radiance.z)};
   }
@@ -91,7 +91,7 @@ class EnvironmentLight : public Baking {
 TEST_F(EnvironmentLight, FacesLieWhereTheyAreNamedFor) {
   AssetText asset;
   add_environment(asset, colored_faces(), pi / 2);
-  const bake::Scene drawn = scene(asset);
+  const render::Scene drawn = scene(asset);
   ASSERT_TRUE(drawn.environment);
   EXPECT_THAT(drawn.notes, IsEmpty());
   EXPECT_THAT(seen(drawn, {1, 0, 0}), of_color(1, 0, 0));
@@ -111,7 +111,7 @@ TEST_F(EnvironmentLight, FacesAreSeenFromInside) {
   faces[5] = "data:image/png;base64," + base64(png);
   faces[2] = faces[5];
   add_environment(asset, faces, 1);
-  const bake::Scene drawn = scene(asset);
+  const render::Scene drawn = scene(asset);
   EXPECT_GT(seen(drawn, {-0.5, 0.5, -1})[0], 0.9F);
   EXPECT_LT(seen(drawn, {0.5, 0.5, -1})[0], 0.1F);
   EXPECT_LT(seen(drawn, {-0.5, -0.5, -1})[0], 0.1F);
@@ -125,7 +125,7 @@ TEST_F(EnvironmentLight, TheRotationTurnsIt) {
   // A quarter about +Y brings +X to -Z.
   add_environment(asset, colored_faces(), pi / 2)["rotation"] = {0, std::sqrt(0.5), 0,
                                                                  std::sqrt(0.5)};
-  const bake::Scene drawn = scene(asset);
+  const render::Scene drawn = scene(asset);
   EXPECT_THAT(seen(drawn, {0, 0, -1}), of_color(1, 0, 0));
   EXPECT_THAT(seen(drawn, {1, 0, 0}), of_color(0, 0, 1));
   EXPECT_THAT(seen(drawn, {0, 1, 0}), of_color(0, 1, 0));
@@ -135,7 +135,7 @@ TEST_F(EnvironmentLight, AlphaDividesTheColorsOfPng) {
   AssetText asset;
   add_environment(asset, even_faces(face_uri(PngColor::rgba, "\xFF\x80\0\x33"sv)), 7)["intensity"] =
       2;
-  const bake::Scene drawn = scene(asset);
+  const render::Scene drawn = scene(asset);
   // 128 of 255 is 0.2158 in linear light; alpha is 51 of 255.
   EXPECT_THAT(seen(drawn, {0.6, 0.8, 0}), of_color(10, 2.158F, 0));
 }
@@ -147,12 +147,12 @@ TEST_F(EnvironmentLight, WithoutItsImagesTheCoefficientsShine) {
   light["irradianceCoefficients"] = even_irradiance(pi);
   const double up = pi / 0.488603;
   light["irradianceCoefficients"][1] = Json(std::array<double, 3>{up, up, up});
-  const bake::Scene drawn = scene(asset);
+  const render::Scene drawn = scene(asset);
   ASSERT_TRUE(drawn.environment);
   EXPECT_THAT(drawn.notes, Contains(HasSubstr("drawn by its irradiance alone")));
   EXPECT_NEAR(seen(drawn, {1, 0, 0})[0], 1, 0.05);
   EXPECT_NEAR(seen(drawn, {0, 1, 0})[0], 2.5, 0.05);
-  EXPECT_NEAR(bake::irradiance(*drawn.environment, {1, 0, 0}).x, pi, 0.1);
+  EXPECT_NEAR(preview::irradiance(*drawn.environment, {1, 0, 0}).x, pi, 0.1);
 }
 
 TEST_F(EnvironmentLight, ImagesAndCoefficientsThatDisagreeAreNoted) {

@@ -9,8 +9,8 @@ namespace {
 
 using testing::HasSubstr;
 
-bake::Mesh block(const Float3& middle, const Float3& half) {
-  bake::Mesh mesh = bake::cube();
+render::Mesh block(const Float3& middle, const Float3& half) {
+  render::Mesh mesh = render::cube();
   for (Float3& p : mesh.positions) {
     for (std::size_t i = 0; i < 3; ++i) p[i] = middle[i] + (p[i] < 0 ? -half[i] : half[i]);
   }
@@ -154,7 +154,7 @@ TEST_F(FramingOptions, OrthographicSizesDoNotDependOnTheDistance) {
 // Seen along its diagonal a cube is a regular hexagon.
 TEST_F(FramingOptions, OrthographicIsoIsIsometric) {
   AssetText asset;
-  asset.draw(bake::cube(), plastic());
+  asset.draw(render::cube(), plastic());
   options.camera = "iso";
   options.projection = BakeProjection::orthographic;
   options.sizes = {{128, 128}};
@@ -172,7 +172,7 @@ TEST_F(FramingOptions, OrthographicIsoIsIsometric) {
 
 TEST_F(FramingOptions, ACameraOfTheAssetHasItsOwnProjection) {
   AssetText asset;
-  asset.draw(bake::cube(), plastic());
+  asset.draw(render::cube(), plastic());
   asset.orthographic(2, 5);
   asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.01}}}},
                {{"translation", {0, 0, 5}}});

@@ -8,9 +8,9 @@
 namespace gltfx::test {
 namespace {
 
-using bake::cube;
-using bake::quad;
-using bake::sphere;
+using render::cube;
+using render::quad;
+using render::sphere;
 
 struct HostileCase {
   std::string name;
@@ -19,7 +19,7 @@ struct HostileCase {
 };
 void PrintTo(const HostileCase& shown, std::ostream* out) { *out << shown.name; }
 
-bake::Mesh moved(bake::Mesh mesh, float x) {
+render::Mesh moved(render::Mesh mesh, float x) {
   for (auto& p : mesh.positions) p[0] += x;
   return mesh;
 }
@@ -105,14 +105,14 @@ Json with(Json extensions, const char* name, const Json& value) {
 const HostileCase kCases[] = {
     {"degenerate_triangles",
      [](AssetText& asset) {
-       bake::Mesh mesh = quad();
+       render::Mesh mesh = quad();
        mesh.triangles.push_back({0, 0, 0});
        mesh.triangles.push_back({0, 1, 1});
        asset.draw(mesh, plastic());
      }},
     {"all_triangles_degenerate",
      [](AssetText& asset) {
-       bake::Mesh mesh = quad();
+       render::Mesh mesh = quad();
        mesh.triangles = {{0, 0, 0}, {1, 1, 2}};
        asset.draw(mesh, plastic());
      },

@@ -13,9 +13,9 @@ namespace {
 using testing::HasSubstr;
 
 // A profile (radius, height) from below to above, turned around the y axis; fronts outside.
-bake::Mesh turned(const std::vector<Float2>& profile) {
+render::Mesh turned(const std::vector<Float2>& profile) {
   constexpr std::uint32_t kSides = 24;
-  bake::Mesh mesh;
+  render::Mesh mesh;
   for (const auto& [radius, height] : profile) {
     for (std::uint32_t i = 0; i < kSides; ++i) {
       const float turn = 2 * std::numbers::pi_v<float> * static_cast<float>(i) / kSides;
@@ -33,7 +33,7 @@ bake::Mesh turned(const std::vector<Float2>& profile) {
   return mesh;
 }
 
-bake::Mesh inside_out(bake::Mesh mesh) {
+render::Mesh inside_out(render::Mesh mesh) {
   for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
   return mesh;
 }
@@ -48,7 +48,7 @@ Json paint(double red, bool double_sided = false) {
 AssetText room_of_thick_walls() {
   AssetText asset;
   const int wall = asset.material(dielectric({0.85, 0.8, 0.7, 1}, 0.9));
-  for (const bake::Mesh& each :
+  for (const render::Mesh& each :
        {box({-2.7F, -0.2F, -2.2F}, {2.7F, 0, 2.2F}), box({-2.7F, 2.6F, -2.2F}, {2.7F, 2.8F, 2.2F}),
         box({-2.7F, 0, -2.2F}, {-2.5F, 2.6F, 2.2F}), box({2.5F, 0, -2.2F}, {2.7F, 2.6F, 2.2F}),
         box({-2.5F, 0, -2.2F}, {2.5F, 2.6F, -2}), box({-2.5F, 0, 2}, {2.5F, 2.6F, 2.2F})}) {
@@ -78,8 +78,8 @@ AssetText bottle() {
 // A body with a lining, seats, wheels and a windscreen; 4.2 long.
 AssetText car() {
   AssetText asset;
-  const bake::Mesh lower = box({-0.85F, 0.3F, -2.1F}, {0.85F, 0.9F, 2.1F});
-  const bake::Mesh cabin = box({-0.75F, 0.9F, -1.5F}, {0.75F, 1.45F, 0.7F});
+  const render::Mesh lower = box({-0.85F, 0.3F, -2.1F}, {0.85F, 0.9F, 2.1F});
+  const render::Mesh cabin = box({-0.75F, 0.9F, -1.5F}, {0.75F, 1.45F, 0.7F});
   asset.draw(lower, paint(0.8, true));
   asset.draw(cabin, paint(0.8, true));
   asset.draw(box({-0.7F, 0.4F, -1.45F}, {0.7F, 1.4F, 0.65F}, true), paint(0.2, true));
@@ -110,7 +110,7 @@ AssetText in_unit(AssetText asset, double scale) {
 // The same under a roof, whose ridge is as long as the house.
 AssetText house() {
   AssetText asset = room_of_thick_walls();
-  bake::Mesh roof;
+  render::Mesh roof;
   roof.positions = {{-2.7F, 2.8F, -2.2F}, {2.7F, 2.8F, -2.2F}, {2.7F, 2.8F, 2.2F},
                     {-2.7F, 2.8F, 2.2F},  {-2.7F, 4.5F, 0},    {2.7F, 4.5F, 0}};
   roof.triangles = {{0, 4, 5}, {0, 5, 1}, {3, 2, 5}, {3, 5, 4}, {0, 3, 4}, {1, 5, 2}};

@@ -9,8 +9,8 @@
 namespace gltfx::test {
 
 /// An axis-aligned box from one corner to the other; fronts outside, or inside for a room.
-inline bake::Mesh box(const Float3& from, const Float3& to, bool inside = false) {
-  bake::Mesh mesh = bake::cube();
+inline render::Mesh box(const Float3& from, const Float3& to, bool inside = false) {
+  render::Mesh mesh = render::cube();
   for (Float3& p : mesh.positions) {
     for (std::size_t i = 0; i < 3; ++i) p[i] = p[i] < 0 ? from[i] : to[i];
   }
@@ -33,7 +33,7 @@ inline void furnish(AssetText& asset) {
       asset.draw(box({x, 0, z}, {x + 0.06F, 0.7F, z + 0.06F}), dielectric({0.3, 0.2, 0.1, 1}, 0.5));
     }
   }
-  asset.draw(bake::sphere(0.2F, 16), dielectric({0.2, 0.4, 0.8, 1}, 0.2),
+  asset.draw(render::sphere(0.2F, 16), dielectric({0.2, 0.4, 0.8, 1}, 0.2),
              {{"translation", {1.5, 0.95, 0.7}}});
   asset.draw(box({-1.8F, 0, 0.4F}, {0.5F, 0.02F, 1.8F}), dielectric({0.3, 0.35, 0.5, 1}, 1));
 }

@@ -16,7 +16,7 @@ inline constexpr int kFloat = 5126;
 inline constexpr int kUnsignedByte = 5121;
 
 /// The scene of a text that stands nowhere: nothing is looked up beside it.
-inline bake::Scene scene_of_text(const std::string& text, const SceneOptions& options = {}) {
+inline render::Scene scene_of_text(const std::string& text, const SceneOptions& options = {}) {
   const auto bytes = container::Bytes::from_string(std::string(text));
   const validate::ValidatedAsset asset(
       {"a.gltf", container::open_bytes(bytes, "a.gltf"), container::Resolver()}, {});
@@ -26,8 +26,8 @@ inline bake::Scene scene_of_text(const std::string& text, const SceneOptions& op
 }
 
 /// `members`: those of the root object beside the accessors.
-inline bake::Scene scene_of(const Accessors& accessors, const std::string& members,
-                            const SceneOptions& options = {}) {
+inline render::Scene scene_of(const Accessors& accessors, const std::string& members,
+                              const SceneOptions& options = {}) {
   std::string text(R"({"asset": {"version": "2.0"}, )");
   text.append(accessors.json(buffer_uri(accessors.bytes()))).append(", ").append(members);
   return scene_of_text(text.append("}"), options);

@@ -32,7 +32,7 @@ using testing::UnorderedElementsAre;
 
 const std::string kMesh = one_mesh(R"("POSITION": 0, "NORMAL": 1)");
 
-Float3 at(const bake::Instance& instance, const Float3& p) {
+Float3 at(const render::Instance& instance, const Float3& p) {
   Float3 result{};
   for (std::size_t r = 0; r < 3; ++r) {
     const auto& row = instance.to_world[r];
@@ -46,21 +46,21 @@ testing::Matcher<Float3> near(float x, float y, float z) {
 }
 
 TEST(SceneBuilder, AMeshIsReadOnceHoweverOftenItIsDrawn) {
-  const bake::Scene scene =
+  const render::Scene scene =
       scene_of(triangle(), kMesh + R"(, "scene": 0, "scenes": [{"nodes": [0, 1]}],
  "nodes": [{"mesh": 0, "translation": [1, 2, 3]}, {"mesh": 0, "scale": [2, 2, 2]}, {"mesh": 0}])");
   EXPECT_THAT(scene.notes, IsEmpty());
   ASSERT_THAT(scene.meshes, SizeIs(1));
   EXPECT_THAT(scene.meshes[0].triangles, SizeIs(1));
   EXPECT_THAT(scene.meshes[0].normals, SizeIs(3));
-  EXPECT_EQ(scene.meshes[0].material, bake::kNone);
+  EXPECT_EQ(scene.meshes[0].material, render::kNone);
   ASSERT_THAT(scene.instances, SizeIs(2));
   EXPECT_THAT(at(scene.instances[0], {1, 0, 0}), near(2, 2, 3));
   EXPECT_THAT(at(scene.instances[1], {1, 0, 0}), near(2, 0, 0));
 }
 
 TEST(SceneBuilder, HiddenNodesAreNotDrawnButTheirCamerasLook) {
-  const bake::Scene scene = scene_of(triangle(), kMesh + R"(, "scenes": [{"nodes": [0]}],
+  const render::Scene scene = scene_of(triangle(), kMesh + R"(, "scenes": [{"nodes": [0]}],
  "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.25}}],
  "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}]}},
  "nodes": [{"mesh": 0, "camera": 0, "name": "front", "extensions": {"KHR_lights_punctual": {"light": 0},
@@ -72,13 +72,13 @@ TEST(SceneBuilder, HiddenNodesAreNotDrawnButTheirCamerasLook) {
 }
 
 TEST(SceneBuilder, WhatIsDrawnWithoutASceneIsSaid) {
-  const bake::Scene all = scene_of(triangle(), kMesh + R"(, "nodes": [{"mesh": 0}])");
+  const render::Scene all = scene_of(triangle(), kMesh + R"(, "nodes": [{"mesh": 0}])");
   EXPECT_THAT(all.instances, SizeIs(1));
   EXPECT_THAT(all.notes, ElementsAre(HasSubstr("no scene")));
-  const bake::Scene library = scene_of(triangle(), kMesh);
+  const render::Scene library = scene_of(triangle(), kMesh);
   EXPECT_THAT(library.instances, SizeIs(1));
   EXPECT_THAT(library.notes, ElementsAre(HasSubstr("no nodes")));
-  const bake::Scene empty = scene_of_text(R"({"asset": {"version": "2.0"}})");
+  const render::Scene empty = scene_of_text(R"({"asset": {"version": "2.0"}})");
   EXPECT_THAT(empty.instances, IsEmpty());
   EXPECT_THAT(empty.notes, IsEmpty());
 }
@@ -90,13 +90,13 @@ TEST(SceneBuilder, TheSceneThatIsAskedFor) {
   SceneOptions second;
   second.scene = 1;
   EXPECT_THAT(at(scene_of(triangle(), members, second).instances.at(0), {0, 0, 0}), near(9, 0, 0));
-  const bake::Scene first = scene_of(triangle(), members);
+  const render::Scene first = scene_of(triangle(), members);
   EXPECT_THAT(at(first.instances.at(0), {0, 0, 0}), near(0, 0, 0));
   EXPECT_THAT(first.notes, ElementsAre(HasSubstr("first one")));
 }
 
 TEST(SceneBuilder, PrimitivesThatAreNotDrawnAreCounted) {
-  const bake::Scene scene = scene_of(triangle(), R"("meshes": [{"primitives": [
+  const render::Scene scene = scene_of(triangle(), R"("meshes": [{"primitives": [
  {"attributes": {"POSITION": 0}, "mode": 0}, {"attributes": {"POSITION": 0}},
  {"attributes": {"NORMAL": 1}}, {"attributes": {"NORMAL": 1}}]}], "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])");
   EXPECT_THAT(scene.meshes, SizeIs(2));
@@ -110,13 +110,13 @@ TEST(SceneBuilder, CopiesOfANodeStandInItsSpace) {
   accessors.add("VEC3", kFloat, 2, floats({1, 0, 0, 0, 1, 0}));
   const std::string node =
       R"({"mesh": 0, "scale": [2, 2, 2], "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 3)";
-  const bake::Scene scene =
+  const render::Scene scene =
       scene_of(accessors, kMesh + R"(, "scenes": [{"nodes": [0]}], "nodes": [)" + node + "}}}}]");
   EXPECT_THAT(scene.meshes, SizeIs(1));
   ASSERT_THAT(scene.instances, SizeIs(2));
   EXPECT_THAT(at(scene.instances[0], {1, 1, 0}), near(4, 2, 0));
   EXPECT_THAT(at(scene.instances[1], {1, 1, 0}), near(2, 4, 0));
-  const bake::Scene broken =
+  const render::Scene broken =
       scene_of(accessors, kMesh + R"(, "scenes": [{"nodes": [0]}], "nodes": [)" + node +
                               R"(, "SCALE": 0}}}}])");
   EXPECT_THAT(broken.instances, IsEmpty());
@@ -135,17 +135,18 @@ Accessors skinned_triangle() {
 }
 
 TEST(SceneBuilder, SkinnedMeshesStandWhereTheirJointsAre) {
-  const bake::Scene scene =
+  const render::Scene scene =
       scene_of(skinned_triangle(),
                one_mesh(R"("POSITION": 0, "NORMAL": 1, "JOINTS_0": 3, "WEIGHTS_0": 4)") + kSkinned);
   ASSERT_THAT(scene.meshes, SizeIs(1));
   EXPECT_THAT(scene.meshes[0].positions[0], near(0, 5, 0));
   ASSERT_THAT(scene.instances, SizeIs(1));
-  EXPECT_EQ(scene.instances[0].to_world, bake::kIdentity) << "the node's own place does not count";
+  EXPECT_EQ(scene.instances[0].to_world, render::kIdentity)
+      << "the node's own place does not count";
 }
 
 TEST(SceneBuilder, ASkinWithoutInfluencesMovesNothing) {
-  const bake::Scene scene = scene_of(skinned_triangle(), kMesh + kSkinned);
+  const render::Scene scene = scene_of(skinned_triangle(), kMesh + kSkinned);
   EXPECT_THAT(scene.meshes.at(0).positions[0], near(0, 0, 0));
   EXPECT_THAT(at(scene.instances.at(0), {0, 0, 0}), near(100, 0, 0));
 }
@@ -163,18 +164,18 @@ TEST(SceneBuilder, AnAnimationPosesTheScene) {
   SceneOptions half;
   half.animation = 0;
   half.time = 1;
-  const bake::Scene posed = scene_of(accessors, members, half);
+  const render::Scene posed = scene_of(accessors, members, half);
   EXPECT_THAT(posed.notes, IsEmpty());
   ASSERT_THAT(posed.meshes, SizeIs(2)) << "two poses of one mesh";
   EXPECT_THAT(at(posed.instances[0], {0, 0, 0}), near(4, 0, 0));
   EXPECT_THAT(posed.meshes[posed.instances[1].mesh].positions[1], near(1, 0, 0.5F));
-  const bake::Scene rest = scene_of(accessors, members);
+  const render::Scene rest = scene_of(accessors, members);
   EXPECT_THAT(rest.meshes, SizeIs(1));
   EXPECT_THAT(at(rest.instances[0], {0, 0, 0}), near(0, 0, 0));
 }
 
 TEST(SceneBuilder, LightsShineAlongTheirNodes) {
-  const bake::Scene scene =
+  const render::Scene scene =
       scene_of_text(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}],
  "extensions": {"KHR_lights_punctual": {"lights": [{"type": "spot", "color": [1, 0.5, 0], "intensity": 4,
   "range": 7, "spot": {"innerConeAngle": 0.1, "outerConeAngle": 0.2}}, {"type": "directional"}]}},
@@ -182,19 +183,19 @@ TEST(SceneBuilder, LightsShineAlongTheirNodes) {
   "extensions": {"KHR_lights_punctual": {"light": 0}}}, {"extensions": {"KHR_lights_punctual": {"light": 1}}},
   {"extensions": {"KHR_lights_punctual": {"light": 1}}}]})");
   ASSERT_THAT(scene.lights, SizeIs(2));
-  EXPECT_EQ(scene.lights[0].kind, bake::Light::Kind::spot);
+  EXPECT_EQ(scene.lights[0].kind, render::Light::Kind::spot);
   EXPECT_THAT(scene.lights[0].intensity, ElementsAre(4, 2, 0));
   EXPECT_THAT(scene.lights[0].position, near(1, 2, 3));
   EXPECT_THAT(scene.lights[0].direction, near(-1, 0, 0));
   EXPECT_EQ(scene.lights[0].range, 7);
   EXPECT_EQ(scene.lights[0].outer_cone, 0.2F);
-  EXPECT_EQ(scene.lights[1].kind, bake::Light::Kind::directional);
+  EXPECT_EQ(scene.lights[1].kind, render::Light::Kind::directional);
   EXPECT_EQ(scene.lights[1].range, 0);
   EXPECT_THAT(scene.lights[1].direction, near(0, 0, -1));
 }
 
 TEST(SceneBuilder, CamerasLookWithoutScale) {
-  const bake::Scene scene =
+  const render::Scene scene =
       scene_of_text(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0, 1]}],
  "cameras": [{"type": "perspective", "name": "eye", "perspective": {"yfov": 0.5, "znear": 0.25, "zfar": 9}},
   {"type": "orthographic", "orthographic": {"xmag": 2, "ymag": 3, "znear": 0, "zfar": 10}}],
@@ -204,10 +205,10 @@ TEST(SceneBuilder, CamerasLookWithoutScale) {
   EXPECT_EQ(scene.cameras[0].yfov, 0.5F);
   EXPECT_EQ(scene.cameras[0].zfar, 9);
   EXPECT_EQ(scene.cameras[0].to_world,
-            (bake::Matrix34{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 5}}}));
+            (render::Matrix34{{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 5}}}));
   EXPECT_FALSE(scene.cameras[1].perspective);
   EXPECT_EQ(scene.cameras[1].ymag, 3);
-  EXPECT_EQ(scene.cameras[1].to_world, bake::kIdentity) << "flat, but it looks somewhere";
+  EXPECT_EQ(scene.cameras[1].to_world, render::kIdentity) << "flat, but it looks somewhere";
 }
 
 TEST(SceneBuilder, CompressedGeometryIsDecoded) {
@@ -218,7 +219,7 @@ TEST(SceneBuilder, CompressedGeometryIsDecoded) {
   const std::string members = one_mesh(R"("POSITION": 0)", R"(, "indices": 1, "extensions":
  {"KHR_draco_mesh_compression": {"bufferView": 0, "attributes": {"POSITION": 0}}})") +
                               R"(, "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])";
-  const bake::Scene scene = scene_of(accessors, members);
+  const render::Scene scene = scene_of(accessors, members);
   EXPECT_THAT(scene.notes, IsEmpty());
   EXPECT_THAT(scene.meshes.at(0).positions, SizeIs(4));
   EXPECT_THAT(scene.meshes.at(0).triangles, SizeIs(2));
@@ -231,7 +232,7 @@ TEST(SceneBuilder, CompressedViewsAreDecoded) {
   const std::string stream(octets.begin(), octets.end());
   Accessors accessors;
   accessors.add_view(stream);
-  const bake::Scene scene = scene_of_text(fmt::format(
+  const render::Scene scene = scene_of_text(fmt::format(
       R"({{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}], "scenes": [{{"nodes": [0]}}],
  "accessors": [{{"bufferView": 0, "type": "VEC3", "componentType": 5126, "count": 3}}],
  "bufferViews": [{{"buffer": 1, "byteLength": 36, "byteStride": 12, "extensions": {{"EXT_meshopt_compression":
@@ -246,7 +247,7 @@ TEST(SceneBuilder, CompressedViewsAreDecoded) {
 }
 
 TEST(SceneBuilder, BuffersThatAreMissingAreNamed) {
-  const bake::Scene scene =
+  const render::Scene scene =
       scene_of_text(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
  "buffers": [{"byteLength": 36, "uri": "away.bin"}, {"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAA"}],
  "bufferViews": [{"buffer": 0, "byteLength": 36}], "accessors": [{"bufferView": 0, "type": "VEC3", "componentType": 5126, "count": 3}],
@@ -267,7 +268,7 @@ TEST(SceneBuilder, ManyPosesEndWithTheMemory) {
   }
   SceneOptions options;
   options.free_bytes = 20000;
-  const bake::Scene scene =
+  const render::Scene scene =
       scene_of(triangle(),
                one_mesh(R"("POSITION": 0)", R"(, "targets": [{"POSITION": 1}])") +
                    R"(, "scenes": [{"nodes": [)" + roots + R"(]}], "nodes": [)" + nodes + "]",
@@ -278,7 +279,7 @@ TEST(SceneBuilder, ManyPosesEndWithTheMemory) {
 }
 
 TEST(SceneBuilder, NodesAtInfinityAreLeftOut) {
-  const bake::Scene scene = scene_of(triangle(), kMesh + R"(, "scenes": [{"nodes": [0]}],
+  const render::Scene scene = scene_of(triangle(), kMesh + R"(, "scenes": [{"nodes": [0]}],
  "nodes": [{"scale": [3e38, 1, 1], "children": [1]}, {"mesh": 0, "scale": [3e38, 1, 1]}])");
   EXPECT_THAT(scene.instances, IsEmpty());
   EXPECT_THAT(scene.notes, ElementsAre("A mesh lies at infinity."));

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bake/shapes.hpp"
+#include "render/shapes.hpp"
 
 namespace gltfx {
 namespace {
@@ -17,11 +17,11 @@ using testing::ElementsAre;
 
 // A square of two metres, whose diagonal fills the picture: so many texels of its image lie along
 // one of 256 pixels.
-bake::Scene square(float uv_scale) {
-  bake::SceneMaterial material;
-  material.use(bake::Slot::base_color).texture = 0;
-  bake::Scene scene = bake::scene_of(bake::quad(), material);
-  bake::Mesh& mesh = scene.meshes.front();
+render::Scene square(float uv_scale) {
+  render::SceneMaterial material;
+  material.use(render::Slot::base_color).texture = 0;
+  render::Scene scene = render::scene_of(render::quad(), material);
+  render::Mesh& mesh = scene.meshes.front();
   mesh.uvs = {{{0, 0}, {uv_scale, 0}, {uv_scale, uv_scale}, {0, uv_scale}}};
   scene.textures.resize(1);
   return scene;
@@ -42,17 +42,17 @@ TEST(SceneDetail, TwoTexelsStayForEachPixel) {
 
 // A small part that is stretched does not count; a larger one does.
 TEST(SceneDetail, TheLeastDetailDecides) {
-  bake::Scene scene = square(1);
-  bake::Mesh& mesh = scene.meshes.front();
+  render::Scene scene = square(1);
+  render::Mesh& mesh = scene.meshes.front();
   mesh.uvs = {{{0, 0}, {1, 0}, {1, 1}, {1, 1}}};
   EXPECT_THAT(find_halvings(scene, {{2048, 2048}}, pixel(256)), ElementsAre(0))
       << "half has no detail";
-  bake::Mesh stretched = bake::quad(0.1F);
+  render::Mesh stretched = render::quad(0.1F);
   stretched.uvs = {{{0, 0}, {0, 0}, {0, 0}, {0, 0}}};
   scene = square(1);
   stretched.material = 0;
   scene.meshes.push_back(stretched);
-  scene.instances.push_back({1, bake::kIdentity});
+  scene.instances.push_back({1, render::kIdentity});
   EXPECT_THAT(find_halvings(scene, {{2048, 2048}}, pixel(256)), ElementsAre(2))
       << "1 % has no detail";
 }

@@ -9,14 +9,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bake/material_at.hpp"
 #include "codec/support/png_encoder.hpp"
 #include "pipeline/scene_asset.hpp"
+#include "render/material_at.hpp"
 
 namespace gltfx {
 namespace {
 
-using bake::Slot;
+using render::Slot;
 using test::Accessors;
 using test::encode_png;
 using test::PngColor;
@@ -37,9 +37,9 @@ std::string image(const std::string& type, const std::string& bytes) {
 }
 
 // A node with a triangle of the materials' first one; more attributes and members may follow.
-bake::Scene drawn(const std::string& materials, const std::string& images = {},
-                  const std::string& attributes = {}, const std::string& textures = {},
-                  const SceneOptions& options = {}) {
+render::Scene drawn(const std::string& materials, const std::string& images = {},
+                    const std::string& attributes = {}, const std::string& textures = {},
+                    const SceneOptions& options = {}) {
   std::string members = test::one_mesh(
       R"("POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2)" + attributes, R"(, "material": 0)");
   members.append(R"(, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "materials": [)");
@@ -55,12 +55,12 @@ bake::Scene drawn(const std::string& materials, const std::string& images = {},
 TEST(SceneMaterials, ToonIsMatteBetweenItsTwoColors) {
   const std::string toon = R"("pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0.5, 1]},
    "extensions": {"KHR_materials_unlit": {}, "VRMC_materials_mtoon": {"specVersion": "1.0", "shadeColorFactor": [0.5, 0, 0.5]}})";
-  const bake::Scene scene = drawn("{" + toon + "}");
+  const render::Scene scene = drawn("{" + toon + "}");
   ASSERT_THAT(scene.materials, SizeIs(1));
   EXPECT_TRUE(scene.materials[0].toon);
   EXPECT_FALSE(scene.materials[0].factors.unlit);
-  const bake::Hit hit{};
-  const Material at = bake::material_at({scene, scene.meshes.at(0), scene.materials[0], hit});
+  const render::Hit hit{};
+  const Material at = render::material_at({scene, scene.meshes.at(0), scene.materials[0], hit});
   EXPECT_EQ(at.base_color, Rgb(0.75, 0.25, 0.5));
   EXPECT_EQ(at.metallic, 0);
   EXPECT_EQ(at.specular, 0);
@@ -69,7 +69,7 @@ TEST(SceneMaterials, ToonIsMatteBetweenItsTwoColors) {
 }
 
 TEST(SceneMaterials, FactorsAreThoseOfTheAsset) {
-  const bake::Scene scene = drawn(
+  const render::Scene scene = drawn(
       R"({"name": "skin", "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 0.125, 0.75],
  "metallicFactor": 0.5, "roughnessFactor": 0.25}, "emissiveFactor": [1, 0.5, 0], "alphaMode": "MASK", "alphaCutoff": 0.25, "doubleSided": true,
  "extensions": {"KHR_materials_emissive_strength": {"emissiveStrength": 4}, "KHR_materials_ior": {"ior": 1.25},
@@ -77,7 +77,7 @@ TEST(SceneMaterials, FactorsAreThoseOfTheAsset) {
  "KHR_materials_volume": {"thicknessFactor": 2, "attenuationDistance": 0.5, "attenuationColor": [0.5, 1, 1]},
  "KHR_materials_transmission": {"transmissionFactor": 0.5}, "KHR_materials_dispersion": {"dispersion": 1}}})");
   ASSERT_THAT(scene.materials, SizeIs(1));
-  const bake::SceneMaterial& m = scene.materials[0];
+  const render::SceneMaterial& m = scene.materials[0];
   EXPECT_EQ(scene.meshes.at(0).material, 0U);
   EXPECT_EQ(m.name, "skin");
   EXPECT_EQ(m.factors.base_color, Rgb(0.5, 0.25, 0.125));
@@ -85,7 +85,7 @@ TEST(SceneMaterials, FactorsAreThoseOfTheAsset) {
   EXPECT_EQ(m.factors.metallic, 0.5);
   EXPECT_EQ(m.factors.roughness, 0.25);
   EXPECT_EQ(m.factors.emissive, Rgb(4, 2, 0));
-  EXPECT_EQ(m.alpha_mode, bake::AlphaMode::mask);
+  EXPECT_EQ(m.alpha_mode, render::AlphaMode::mask);
   EXPECT_EQ(m.alpha_cutoff, 0.25F);
   EXPECT_TRUE(m.double_sided);
   EXPECT_EQ(m.factors.ior, 1.25);
@@ -101,19 +101,19 @@ TEST(SceneMaterials, FactorsAreThoseOfTheAsset) {
 
 // What a user of <gltfx/material.hpp> gets without saying anything is what a file gets.
 TEST(SceneMaterials, DefaultsOfTheLibraryAreThoseOfTheSchemas) {
-  const bake::SceneMaterial read = drawn("{}").materials.at(0);
-  const bake::SceneMaterial plain;
+  const render::SceneMaterial read = drawn("{}").materials.at(0);
+  const render::SceneMaterial plain;
   for (std::size_t i = 0; i < kMaterialParameters; ++i) {
     // Without scattering its strength counts for nothing.
     if (i == static_cast<std::size_t>(MaterialParameter::scatter_strength)) continue;
-    const auto& member = bake::kParameterMembers[i];
+    const auto& member = render::kParameterMembers[i];
     if (const auto* number = std::get_if<double Material::*>(&member)) {
       EXPECT_EQ(read.factors.**number,
                 static_cast<double>(static_cast<float>(plain.factors.**number)))
           << i;
     } else if (const auto* color = std::get_if<Rgb Material::*>(&member)) {
       EXPECT_EQ(read.factors.**color, plain.factors.**color) << i;
-    } else if (const auto* single = std::get_if<float bake::SceneMaterial::*>(&member)) {
+    } else if (const auto* single = std::get_if<float render::SceneMaterial::*>(&member)) {
       EXPECT_EQ(read.**single, plain.**single) << i;
     }
   }
@@ -145,7 +145,7 @@ TEST(SceneMaterials, OneTextSaysHowLightScatters) {
 }
 
 TEST(SceneMaterials, TheFirstTranslucencyIsTintedByTheBaseColour) {
-  const bake::SceneMaterial first =
+  const render::SceneMaterial first =
       drawn(
           R"({"extensions": {"KHR_materials_translucency": {"translucencyFactor": 0.5, "translucencyTexture": {"index": 0}}}})",
           image("image/png", kPng))
@@ -153,17 +153,17 @@ TEST(SceneMaterials, TheFirstTranslucencyIsTintedByTheBaseColour) {
   EXPECT_TRUE(first.tinted_by_base_color);
   EXPECT_EQ(first.factors.diffuse_transmission, 0.5);
   EXPECT_EQ(first.use(Slot::diffuse_transmission).channel, 0U);
-  const bake::SceneMaterial later =
+  const render::SceneMaterial later =
       drawn(
           R"({"extensions": {"KHR_materials_diffuse_transmission": {"diffuseTransmissionFactor": 0.5, "diffuseTransmissionTexture": {"index": 0}}}})",
           image("image/png", kPng))
           .materials.at(0);
   EXPECT_FALSE(later.tinted_by_base_color);
-  EXPECT_EQ(later.use(Slot::diffuse_transmission).channel, bake::kNone);
+  EXPECT_EQ(later.use(Slot::diffuse_transmission).channel, render::kNone);
 }
 
 TEST(SceneMaterials, SpecularGlossinessTakesThePlaceOfTheBase) {
-  const bake::SceneMaterial m =
+  const render::SceneMaterial m =
       drawn(
           R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "extensions": {"KHR_materials_pbrSpecularGlossiness":
  {"diffuseFactor": [0.5, 0.25, 0, 0.5], "specularFactor": [0.25, 0.5, 1], "glossinessFactor": 0.5, "specularGlossinessTexture": {"index": 1}}}})",
@@ -174,12 +174,13 @@ TEST(SceneMaterials, SpecularGlossinessTakesThePlaceOfTheBase) {
   EXPECT_EQ(m.alpha, 0.5F);
   EXPECT_THAT(m.f0, ElementsAre(0.25F, 0.5F, 1));
   EXPECT_EQ(m.glossiness, 0.5F);
-  EXPECT_EQ(m.use(Slot::base_color).texture, bake::kNone);
-  EXPECT_NE(m.use(Slot::specular_glossiness).texture, bake::kNone);
+  EXPECT_EQ(m.use(Slot::base_color).texture, render::kNone);
+  EXPECT_NE(m.use(Slot::specular_glossiness).texture, render::kNone);
 }
 
 TEST(SceneMaterials, OnlyMaterialsThatAreDrawnAreThere) {
-  const bake::Scene scene = drawn(R"({"name": "a"}, {"name": "b", "normalTexture": {"index": 0}})");
+  const render::Scene scene =
+      drawn(R"({"name": "a"}, {"name": "b", "normalTexture": {"index": 0}})");
   ASSERT_THAT(scene.materials, SizeIs(1));
   EXPECT_EQ(scene.materials[0].name, "a");
   EXPECT_THAT(scene.textures, IsEmpty());
@@ -193,7 +194,7 @@ TEST(SceneMaterials, AnAnimationReachesThem) {
   SceneOptions options;
   options.animation = 0;
   options.time = 0.25;
-  const bake::Scene scene = scene_of(
+  const render::Scene scene = scene_of(
       accessors,
       test::one_mesh(R"("POSITION": 0)", R"(, "material": 0)") +
           R"(, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "materials": [{"pbrMetallicRoughness": {}}],
@@ -206,7 +207,7 @@ TEST(SceneMaterials, AnAnimationReachesThem) {
 TEST(SceneMaterials, AVariantChangesThem) {
   SceneOptions options;
   options.variant = 1;
-  const bake::Scene scene = scene_of(
+  const render::Scene scene = scene_of(
       triangle(),
       test::one_mesh(R"("POSITION": 0)",
                      R"(, "material": 0, "extensions": {"KHR_materials_variants":
@@ -217,15 +218,15 @@ TEST(SceneMaterials, AVariantChangesThem) {
 }
 
 TEST(SceneTextures, AnImageIsDecodedOnceForAllThatShowIt) {
-  const bake::Scene scene = drawn(
+  const render::Scene scene = drawn(
       R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}, "normalTexture": {"index": 1}, "emissiveTexture": {"index": 0}})",
       image("image/png", kPng));
   EXPECT_THAT(scene.notes, IsEmpty());
   ASSERT_THAT(scene.textures, SizeIs(2));
-  const bake::SceneMaterial& m = scene.materials.at(0);
+  const render::SceneMaterial& m = scene.materials.at(0);
   EXPECT_EQ(m.use(Slot::base_color).texture, m.use(Slot::emissive).texture);
-  const bake::Texture& plain = scene.textures[m.use(Slot::base_color).texture];
-  const bake::Texture& other = scene.textures[m.use(Slot::normal).texture];
+  const render::Texture& plain = scene.textures[m.use(Slot::base_color).texture];
+  const render::Texture& other = scene.textures[m.use(Slot::normal).texture];
   EXPECT_EQ(plain.pixels.data(), other.pixels.data());
   EXPECT_EQ(plain.width, 2U);
   EXPECT_EQ(plain.height, 1U);
@@ -234,18 +235,18 @@ TEST(SceneTextures, AnImageIsDecodedOnceForAllThatShowIt) {
   EXPECT_FALSE(plain.missing);
   ASSERT_EQ(plain.pixels.size(), 6U);
   EXPECT_EQ(plain.pixels[0], std::byte{0xff});
-  EXPECT_EQ(plain.wrap_s, bake::Wrap::repeat);
-  EXPECT_EQ(plain.filter, bake::Filter::linear);
-  EXPECT_EQ(other.wrap_s, bake::Wrap::clamp_to_edge);
-  EXPECT_EQ(other.wrap_t, bake::Wrap::mirrored_repeat);
-  EXPECT_EQ(other.filter, bake::Filter::nearest);
+  EXPECT_EQ(plain.wrap_s, render::Wrap::repeat);
+  EXPECT_EQ(plain.filter, render::Filter::linear);
+  EXPECT_EQ(other.wrap_s, render::Wrap::clamp_to_edge);
+  EXPECT_EQ(other.wrap_t, render::Wrap::mirrored_repeat);
+  EXPECT_EQ(other.filter, render::Filter::nearest);
 }
 
 TEST(SceneTextures, WhatCannotBeHadIsMarkedAndNamed) {
   const std::string material = R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})";
   const auto missing = [&](const std::string& images, const std::string& textures,
                            const std::string& why) {
-    const bake::Scene scene = drawn(material, images, {}, textures);
+    const render::Scene scene = drawn(material, images, {}, textures);
     ASSERT_THAT(scene.textures, SizeIs(1));
     EXPECT_TRUE(scene.textures[0].missing) << why;
     EXPECT_THAT(scene.notes,
@@ -262,7 +263,7 @@ TEST(SceneTextures, WhatCannotBeHadIsMarkedAndNamed) {
 TEST(SceneTextures, Ktx2IsDrawn) {
   std::ifstream file(GLTFX_SOURCE_DIR "/tests/codec/basis/etc1s-smoke-24x24-128.ktx2",
                      std::ios::binary);
-  const bake::Scene scene =
+  const render::Scene scene =
       drawn(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})",
             image("image/ktx2", std::string(std::istreambuf_iterator<char>(file), {})), {},
             R"({"extensions": {"KHR_texture_basisu": {"source": 0}}})");
@@ -274,7 +275,7 @@ TEST(SceneTextures, Ktx2IsDrawn) {
 }
 
 TEST(SceneTextures, AnotherFormatOfThePictureWillDo) {
-  const bake::Scene scene = drawn(
+  const render::Scene scene = drawn(
       R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})",
       image("image/png", kPng) + ", " +
           image("image/ktx2", std::string("\xabKTX 20\xbb\r\n\x1a\n", 12) + std::string(100, '\0')),
@@ -289,18 +290,19 @@ TEST(SceneTextures, PixelsBeyondMemoryAreNotDecoded) {
   std::string header = kPng;
   header[16 + 2] = '\x7f';  // a width of some thousands
   header[20 + 2] = '\x7f';
-  const bake::Scene scene = drawn(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})",
-                                  image("image/png", header), {}, {}, options);
+  const render::Scene scene =
+      drawn(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}})",
+            image("image/png", header), {}, {}, options);
   EXPECT_TRUE(scene.textures.at(0).missing);
   EXPECT_THAT(scene.notes, testing::Contains(HasSubstr("too much memory")));
 }
 
 TEST(TexCoords, AMeshHasThoseThatItsMaterialReads) {
-  const bake::Scene scene = drawn(
+  const render::Scene scene = drawn(
       R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 7}}, "emissiveTexture": {"index": 0, "texCoord": 4000000000},
  "occlusionTexture": {"index": 0, "texCoord": 3}})",
       image("image/png", kPng), R"(, "TEXCOORD_7": 2)");
-  const bake::SceneMaterial& m = scene.materials.at(0);
+  const render::SceneMaterial& m = scene.materials.at(0);
   ASSERT_THAT(scene.meshes.at(0).uvs, SizeIs(2));
   EXPECT_EQ(m.use(Slot::base_color).uv_set, 0U);
   EXPECT_EQ(m.use(Slot::emissive).uv_set, 1U);
@@ -310,7 +312,7 @@ TEST(TexCoords, AMeshHasThoseThatItsMaterialReads) {
 
 TEST(TexCoords, ATransformTurnsCounterClockwiseAsSeen) {
   const auto moved = [](const std::string& transform, float u, float v) {
-    const bake::Scene scene =
+    const render::Scene scene =
         drawn(R"({"emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform": )" +
                   transform + "}}}",
               image("image/png", kPng));
@@ -348,7 +350,7 @@ TEST(Tangents, AreMadeForNormalMapsAlone) {
 }
 
 TEST(Tangents, AreNotMadeForFlatTriangles) {
-  const bake::Scene scene = scene_of(
+  const render::Scene scene = scene_of(
       triangle(),
       test::one_mesh(R"("POSITION": 0, "TEXCOORD_0": 2)", R"(, "material": 0)") +
           R"(, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "materials": [{"normalTexture": {"index": 0}}],

@@ -17,10 +17,10 @@ using testing::IsEmpty;
 
 // What a file may include: headers of its own module, and of modules on layers below.
 const std::map<std::string, int, std::less<>> kLayers{
-    {"base", 0},     {"json", 1},    {"codec", 1},  {"image", 2},   {"container", 2},
-    {"schema", 2},   {"report", 2},  {"target", 2}, {"model", 3},   {"edit", 3},
-    {"validate", 4}, {"upgrade", 4}, {"bake", 4},   {"inspect", 4}, {"pipeline", 5},
-    {"interop", 5},  {"tools", 6},
+    {"base", 0},    {"json", 1},     {"codec", 1},   {"image", 2},    {"container", 2},
+    {"schema", 2},  {"report", 2},   {"target", 2},  {"model", 3},    {"edit", 3},
+    {"shader", 1},  {"render", 2},   {"preview", 3}, {"validate", 4}, {"upgrade", 4},
+    {"inspect", 4}, {"pipeline", 5}, {"interop", 5}, {"tools", 6},
 };
 
 // The module a public header belongs to.
@@ -42,7 +42,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/mapping.hpp", "container"},
     {"gltfx/bake.hpp", "report"},
     {"gltfx/vec3.hpp", "base"},
-    {"gltfx/material.hpp", "bake"},
+    {"gltfx/material.hpp", "shader"},
     {"gltfx/result_cache.hpp", "pipeline"},
     {"gltfx/inspect.hpp", "report"},
     {"gltfx/page.hpp", "report"},
@@ -50,20 +50,21 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
 };
 
 // Lower layers that a module must not reach for all the same.
-const std::vector<std::pair<std::string, std::string>> kNever{{"bake", "json"}, {"bake", "schema"}};
+const std::vector<std::pair<std::string, std::string>> kNever{
+    {"render", "json"}, {"preview", "json"}, {"preview", "schema"}};
 
 // Where a library's headers may be included: a start of the path. A header that is named may do so.
 const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdParty{
     {"simdjson.h", {"libgltfx/json/"}},
     {"nlohmann/", {"libgltfx/schema/", "libgltfx/report/"}},
-    {"tbb/", {"libgltfx/bake/bvh_build.cpp"}},
+    {"tbb/", {"libgltfx/render/bvh_build.cpp"}},
     {"xxhash.h", {"libgltfx/base/hash.cpp"}},
     {"fast_float/", {"libgltfx/base/number.cpp"}},
     {"emscripten.h", {"tools/gltfx_wasm/"}},
     {"sodium.h", {"libgltfx/pipeline/seal.cpp"}},
     {"meshoptimizer.h", {"libgltfx/model/"}},
-    {"embree", {"libgltfx/bake/embree.hpp"}},
-    {"stb/", {"libgltfx/pipeline/label_font.cpp"}},
+    {"embree", {"libgltfx/render/embree.hpp"}},
+    {"stb/", {"libgltfx/preview/label_font.cpp"}},
     {"CLI/", {"tools/gltfx/command_line"}},
     {"toml++/", {"tools/gltfx/config_file.cpp"}},
     {"fmt/", {"libgltfx/", "tools/gltfx/", "tools/gltfx_manual/"}},
@@ -196,9 +197,9 @@ TEST(Layers, AModuleOnTheSameLayerIsFound) {
               ElementsAre(HasSubstr("schema must not include container")));
 }
 
-TEST(Layers, BakingDoesNotReachForJson) {
-  EXPECT_THAT(check_layers({"libgltfx/bake/a.cpp", "#include \"json/parse.hpp\"\n"}),
-              ElementsAre(HasSubstr("bake must not include json")));
+TEST(Layers, RenderingDoesNotReachForJson) {
+  EXPECT_THAT(check_layers({"libgltfx/render/a.cpp", "#include \"json/parse.hpp\"\n"}),
+              ElementsAre(HasSubstr("render must not include json")));
 }
 
 TEST(Layers, AFileOrHeaderWithoutModuleIsFound) {

@@ -171,8 +171,7 @@ Problems check_directories(const Source& source) {
 // The library for WebAssembly is built every night only, with the libc++ of LLVM 14.
 Problems check_headers(const Source& source) {
   Problems problems;
-  const bool is_native = source.path.starts_with("libgltfx/bake/");
-  if (!source.path.starts_with("libgltfx/") || is_native) return problems;
+  if (!source.path.starts_with("libgltfx/")) return problems;
   for (const std::string_view name :
        {"execution", "memory_resource", "source_location", "stop_token"}) {
     find_all(source, "#include <" + std::string(name) + ">",

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The choice of a view for a scene without cameras.
+#pragma once
+
+#include <gltfx/vec3.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "render/scene.hpp"
+#include "render/view.hpp"
+
+namespace gltfx::preview {
+
+/// The sides of a triangle.
+struct Face {
+  bool mirrored = false;  ///< its corners are clockwise seen from the front
+  bool culled = false;    ///< invisible from behind
+};
+
+/// The subject of a picture: triangles of the scene without strays, and their bounding box.
+struct Subject {
+  std::vector<Float3> points;  ///< corners, three for each face
+  std::vector<Face> faces;
+  Vec3d least, greatest;
+  bool flat = false;  ///< all faces are parallel
+
+  /// Frees the triangles, but not the box, after framing.
+  void forget_faces();
+  Vec3d middle() const { return (least + greatest) * 0.5; }
+  /// Length of the box's diagonal in the scene's unit; above 0.
+  double size() const;
+};
+
+/// Which instances of a scene.
+enum class Which : std::uint8_t { all, framed };
+
+/// Nothing if no triangle is visible; alpha of the factors counts. For strays see
+/// framing_strays.hpp. Reads a bounded number of triangles.
+std::optional<Subject> find_subject(const render::Scene& scene, Which which = Which::all);
+
+/// The side that the camera is on, in degrees. Azimuth 0 is the front (+z), 90 is +x; elevation 90
+/// is above.
+struct Direction {
+  double azimuth = 0, elevation = 0;
+};
+
+/// Three quarters from the front and a little from above; more from above for a flat subject. From
+/// behind or below if the subject is visible from there only.
+Direction usual_direction(const Subject& subject);
+
+/// A camera on that side of the origin, upright.
+render::View view_from(const Direction& direction);
+
+/// The view that has the subject in its middle, as large as it goes with a margin. `aspect`: width
+/// by height.
+render::View frame(const Subject& subject, const Direction& direction, double aspect);
+
+/// The same with an orthographic camera, which stands before all of `scene`.
+render::View frame_orthographic(const Subject& subject, const Direction& direction, double aspect,
+                                const Subject& scene);
+
+}  // namespace gltfx::preview

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preview/framing_strays.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "base/packed.hpp"
+
+namespace gltfx::preview {
+namespace {
+
+constexpr double kStrayFactor = 3;  // core extents that a point may lie from the middle
+
+template <class Keep>
+void keep_faces(Subject& subject, const Keep& keep) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
+    if (!keep(i)) continue;
+    const auto first = subject.points.begin() + static_cast<std::ptrdiff_t>(3 * i);
+    std::copy(first, first + 3, subject.points.begin() + static_cast<std::ptrdiff_t>(3 * kept));
+    subject.faces[kept++] = subject.faces[i];
+  }
+  subject.faces.resize(kept);
+  subject.points.resize(3 * kept);
+}
+
+// The range of points of the subject along one axis.
+std::pair<double, double> limits_along(const std::vector<Float3>& points, std::size_t axis) {
+  std::vector<float> values;
+  values.reserve(points.size());
+  for (const Float3& p : points) values.push_back(p[axis]);
+  const auto at = [&values](std::size_t index) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(index);
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+  };
+  const double low = at(values.size() / 100);
+  const double high = at(values.size() - 1 - values.size() / 100);
+  return {low, high};
+}
+
+// A plane has no extent along one axis, so distances are relative to the longest one. Triangles are
+// removed as a whole: the edge of the picture would cut through the others.
+void drop_far_corners(Subject& subject) {
+  std::array<std::pair<double, double>, 3> core;
+  double longest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    core[axis] = limits_along(subject.points, axis);
+    longest = std::max(longest, core[axis].second - core[axis].first);
+  }
+  if (!(longest > 0)) return;
+  const auto strays = [&](const Float3& p) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double middle = (core[axis].first + core[axis].second) / 2;
+      if (std::fabs(static_cast<double>(p[axis]) - middle) > kStrayFactor * longest) return true;
+    }
+    return false;
+  };
+  keep_faces(subject, [&](std::size_t face) {
+    const auto first = subject.points.begin() + static_cast<std::ptrdiff_t>(3 * face);
+    return std::none_of(first, first + 3, strays);
+  });
+}
+
+struct Box {
+  Vec3d least = Vec3d(std::numeric_limits<double>::infinity());
+  Vec3d greatest = Vec3d(-std::numeric_limits<double>::infinity());
+
+  void add(const Vec3d& p) {
+    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+    greatest = {std::max(greatest.x, p.x), std::max(greatest.y, p.y), std::max(greatest.z, p.z)};
+  }
+  double size() const { return length(greatest - least); }
+  double distance(const Box& other) const {
+    const Vec3d gap = {std::max({0.0, other.least.x - greatest.x, least.x - other.greatest.x}),
+                       std::max({0.0, other.least.y - greatest.y, least.y - other.greatest.y}),
+                       std::max({0.0, other.least.z - greatest.z, least.z - other.greatest.z})};
+    return length(gap);
+  }
+};
+
+/// Connected components of the cells of a grid, by triangles and neighbours.
+class Cells {
+ public:
+  explicit Cells(const Subject& subject) : filled_(kCells, 0), above_(kCells) {
+    std::iota(above_.begin(), above_.end(), 0U);
+    Box box;
+    for (const Float3& p : subject.points) box.add(to_vec(p));
+    least_ = box.least;
+    const Vec3d extent = box.greatest - box.least;
+    width_ = std::max({extent.x, extent.y, extent.z, 1e-30}) / kAlong;
+    for (std::size_t i = 0; i < subject.points.size(); i += 3) {
+      const std::size_t first = cell_of(subject.points[i]);
+      filled_[first] = 1;
+      for (std::size_t k = 1; k < 3; ++k) {
+        const std::size_t other = cell_of(subject.points[i + k]);
+        filled_[other] = 1;
+        join(first, other);
+      }
+    }
+    join_neighbours();
+  }
+
+  /// The cell that represents the component of a cell.
+  std::size_t root_of(const Float3& point) { return root(cell_of(point)); }
+  static constexpr std::size_t kAlong = 32;
+  static constexpr std::size_t kCells = kAlong * kAlong * kAlong;
+
+ private:
+  std::size_t cell_of(const Float3& point) const {
+    const Vec3d p = (to_vec(point) - least_) / width_;
+    const auto along = [](double x) {
+      return static_cast<std::size_t>(std::clamp(x, 0.0, kAlong - 0.5));
+    };
+    return (along(p.z) * kAlong + along(p.y)) * kAlong + along(p.x);
+  }
+
+  std::size_t root(std::size_t cell) {
+    while (above_[cell] != cell) {
+      above_[cell] = above_[above_[cell]];
+      cell = above_[cell];
+    }
+    return cell;
+  }
+  void join(std::size_t a, std::size_t b) { above_[root(a)] = static_cast<std::uint32_t>(root(b)); }
+
+  void join_neighbours() {
+    for (std::size_t cell = 0; cell < kCells; ++cell) {
+      if (filled_[cell] == 0) continue;
+      const std::array<std::size_t, 3> at{cell % kAlong, cell / kAlong % kAlong,
+                                          cell / (kAlong * kAlong)};
+      const auto most = [&at](std::size_t axis) { return std::min(at[axis] + 2, kAlong); };
+      for (std::size_t z = at[2]; z < most(2); ++z) {
+        for (std::size_t y = at[1] - std::min<std::size_t>(at[1], 1); y < most(1); ++y) {
+          for (std::size_t x = at[0] - std::min<std::size_t>(at[0], 1); x < most(0); ++x) {
+            const std::size_t other = (z * kAlong + y) * kAlong + x;
+            if (filled_[other] != 0) join(cell, other);
+          }
+        }
+      }
+    }
+  }
+
+  std::vector<std::uint8_t> filled_;
+  std::vector<std::uint32_t> above_;
+  Vec3d least_;
+  double width_ = 1;
+};
+
+struct Island {
+  Box box;
+  double area = 0;
+};
+
+double area_of(const Subject& subject, std::size_t face) {
+  const Float3* corners = &subject.points[3 * face];
+  const Vec3d first = to_vec(corners[0]);
+  return length(cross(to_vec(corners[1]) - first, to_vec(corners[2]) - first)) / 2;
+}
+
+// By cells. Empty if there is one component.
+std::vector<std::pair<std::size_t, Island>> islands_of(const Subject& subject, Cells& cells) {
+  std::vector<Island> by_cell(Cells::kCells);
+  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
+    Island& island = by_cell[cells.root_of(subject.points[3 * i])];
+    island.area += area_of(subject, i);
+    for (std::size_t k = 0; k < 3; ++k) island.box.add(to_vec(subject.points[3 * i + k]));
+  }
+  std::vector<std::pair<std::size_t, Island>> islands;
+  for (std::size_t i = 0; i < by_cell.size(); ++i) {
+    if (by_cell[i].box.least.x <= by_cell[i].box.greatest.x) islands.emplace_back(i, by_cell[i]);
+  }
+  return islands;
+}
+
+// True if triangles were removed: the rest may have finer parts.
+bool drop_islands(Subject& subject) {
+  constexpr double kSmall = 1.0 / 8;
+  constexpr double kApart = 1.0 / 4;
+  constexpr double kLittle = 1.0 / 100;
+  Cells cells(subject);
+  const auto islands = islands_of(subject, cells);
+  const Island& main =
+      std::max_element(islands.begin(), islands.end(), [](const auto& a, const auto& b) {
+        return a.second.area < b.second.area;
+      })->second;
+  const double size = main.box.size();
+  std::vector<std::uint8_t> strays(Cells::kCells, 0);
+  double area = 0;
+  for (const auto& [cell, island] : islands) {
+    const bool small = island.box.size() < kSmall * size;
+    if (!small || island.box.distance(main.box) <= kApart * size) continue;
+    strays[cell] = 1;
+    area += island.area;
+  }
+  if (std::count(strays.begin(), strays.end(), 1) == 0 || area > kLittle * main.area) return false;
+  keep_faces(subject, [&](std::size_t face) {
+    return strays[cells.root_of(subject.points[3 * face])] == 0;
+  });
+  return true;
+}
+
+}  // namespace
+
+void drop_strays(Subject& subject) {
+  constexpr int kMostRounds = 8;
+  drop_far_corners(subject);
+  for (int i = 0; i < kMostRounds && drop_islands(subject); ++i) continue;
+}
+
+}  // namespace gltfx::preview

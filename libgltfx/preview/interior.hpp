@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Rooms, and where a camera stands in them.
+#pragma once
+
+#include <gltfx/vec3.hpp>
+
+#include <optional>
+
+#include "preview/framing.hpp"
+#include "render/bvh.hpp"
+#include "render/scene.hpp"
+#include "render/view.hpp"
+
+namespace gltfx::preview {
+
+/// Whether a camera around the scene sees a closed room from behind its walls: it is high enough to
+/// stand in, around many places in it are the fronts of surfaces, few of which are seen from
+/// outside, and what is seen from there is the backs of the walls, or plain walls that fill the box
+/// and hide several things. Traces some ten thousand rays where the size fits.
+/// Precondition: the subject has its triangles.
+bool is_closed_room(const render::Scene& scene, const Subject& subject, const render::Bvh& bvh);
+
+/// A place in the box of the subject, and the side of it that the camera is on.
+struct Standpoint {
+  Vec3d place;
+  Direction direction;
+};
+
+/// Where most is seen: at eye level where surfaces are all around, or anywhere in the box if there
+/// is no such place. Without a direction, a little from above in the best one.
+Standpoint find_standpoint(const render::Scene& scene, const Subject& subject,
+                           const render::Bvh& bvh, const std::optional<Direction>& direction,
+                           double aspect);
+
+/// A wide angle. `aspect`: width by height.
+render::View look_around(const Standpoint& from, double aspect);
+
+/// The distance up to which things in a room throw shadows, in the unit of the scene: a part of its
+/// least extent.
+double shadow_reach(const Subject& subject);
+
+}  // namespace gltfx::preview

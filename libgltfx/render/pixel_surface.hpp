@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The texture of a smooth surface within a pixel, sampled without rays.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "render/integrator.hpp"
+#include "render/ray.hpp"
+#include "render/scene.hpp"
+
+namespace gltfx::render {
+
+/// Where one smooth surface fills a pixel, its texture coordinates are an affine function of the
+/// point of the picture. A few rays tell which one.
+class PixelSurface {
+ public:
+  static constexpr std::uint32_t kRays = 8;
+
+  /// The scene must outlive it.
+  explicit PixelSurface(const Scene& scene) : scene_(scene) {}
+
+  /// A feature sample, by a ray through `point` of the picture. After more than kRays of them
+  /// there is nothing to find.
+  void add(const Float2& point, const std::optional<Hit>& hit, const PathSample& sample);
+  /// Finds the function by least squares. False where the rays met several bodies or none, where
+  /// the surface has more than two sets of texture coordinates or none, holes, emission, or colours
+  /// by vertex, and where coordinates differ from the function by a seventh of a pixel.
+  bool fit();
+
+  /// After fit(): a feature sample at a point of the picture.
+  PathSample at(const Float2& point) const;
+
+ private:
+  static constexpr std::size_t kMostSets = 2;
+  struct SeenPoint {
+    Float2 point;
+    Hit hit;
+  };
+  /// One texture coordinate by the point of the picture, relative to the middle.
+  struct Affine {
+    double middle = 0, along_x = 0, along_y = 0;
+  };
+  using Coordinates = std::array<Affine, 2>;  // u and v
+
+  bool fit(std::size_t set);
+  Vec3d from_middle(const Float2& point) const;
+  Float2 uv_at(std::size_t set, const Float2& point) const;
+
+  const Scene& scene_;
+  std::uint32_t count_ = 0;
+  bool missed_ = false;
+  std::array<SeenPoint, kRays> seen_;
+  // Means of kRays of them:
+  Vec3d middle_;  ///< of the points; z is 0
+  Vec3d normal_;
+  double depth_ = 0;
+  std::array<Coordinates, kMostSets> sets_{};
+};
+
+}  // namespace gltfx::render
