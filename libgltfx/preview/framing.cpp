@@ -16,8 +16,8 @@ namespace gltfx::preview {
 namespace {
 
 constexpr std::size_t kMostPoints = 200000;
-constexpr double kEnoughSeen = 0.01;  // of the area of all surfaces, projected
-constexpr double kYfov = 28 * std::numbers::pi / 180;
+constexpr double kEnoughSeen = 0.01;                   // of the area of all surfaces, projected
+constexpr double kYfov = 28 * std::numbers::pi / 180;  // of a 48 mm lens on 35 mm film
 constexpr double kMargin = 0.90;  // part of the picture that the subject may fill
 
 bool is_sane(const Vec3d& p) {

@@ -14,6 +14,8 @@
 namespace gltfx::preview {
 namespace {
 
+// Scenes that these numbers and those of drop_islands() tell apart are in
+// tests/preview/framing_test.cpp.
 constexpr double kStrayFactor = 3;  // core extents that a point may lie from the middle
 
 template <class Keep>

@@ -17,6 +17,8 @@
 namespace gltfx::preview {
 namespace {
 
+// Rooms, boxes, bottles, houses and vehicles that these numbers tell apart are in
+// tests/pipeline/interior_test.cpp.
 constexpr double kLeastWidth = 2;     // metres that a room extends
 constexpr double kLeastHeight = 1.8;  // metres
 constexpr int kPlaces = 7;            // along each side

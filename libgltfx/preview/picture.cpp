@@ -107,7 +107,7 @@ std::vector<float> luma_of(const Picture& picture) {
 double similarity_around(const std::vector<float>& a, const std::vector<float>& b,
                          std::size_t width, std::size_t height, std::size_t pixel) {
   constexpr std::size_t kReach = 5;
-  constexpr double kDeviation = 1.5;
+  constexpr double kDeviation = 1.5;  // this, kC1 and kC2: of the paper
   constexpr double kC1 = 0.01 * 255 * 0.01 * 255;
   constexpr double kC2 = 0.03 * 255 * 0.03 * 255;
   static constinit MadeOnce<std::array<double, kReach + 1>> made;

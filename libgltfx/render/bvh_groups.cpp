@@ -17,6 +17,7 @@
 namespace gltfx::render {
 namespace {
 
+// Measured with Embree 3.13.
 constexpr std::uint64_t kSceneBytes = 5000;  // of a shape that is shared
 constexpr std::uint64_t kInstanceBytes = 600;
 constexpr std::uint64_t kTriangleBytes = 160;

@@ -18,6 +18,8 @@ std::uint32_t direction_count(std::uint32_t samples) {
   return kForEachSample * std::bit_ceil(std::clamp(samples, 256U, 16384U));
 }
 
+// Real spherical harmonics, with the constants of R. Ramamoorthi and P. Hanrahan, An Efficient
+// Representation for Irradiance Environment Maps (2001).
 std::array<double, 9> harmonics_at(const Vec3d& d) {
   return {0.282095,
           0.488603 * d.x,

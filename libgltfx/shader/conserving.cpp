@@ -18,7 +18,8 @@ double f0_through(double reflectance, double f90, double cosine) {
   return (reflectance - f90 * w) / (1 - w);
 }
 
-// A little more than the tables can be wrong by.
+// More than the tables are wrong by where a layer reflects most. Plastics of F0 0.04 to 0.8 and of
+// any roughness then reflect 0.9996 of all light at most.
 double table_margin(double cosine) { return 3e-5 / (cosine + 0.001); }
 
 // Lights over a hemisphere, for a grazing view.

@@ -34,7 +34,7 @@ struct BaseInterface {
 
 // The base's IOR is (1 + r) / (1 - r), which is infinite or negative for a base that reflects all.
 BaseInterface base_interface(double film_ior, double base_f0, double cosine) {
-  const double r = std::sqrt(base_f0 + 0.0001);
+  const double r = std::sqrt(base_f0 + 0.0001);  // the guard of the text
   const double above = 1 + r;
   const double below = film_ior * (1 - r);
   const double shift = r != 1 && (r > 1 || above < below) ? pi : 0;
@@ -107,11 +107,12 @@ Fresnel metal_fresnel(const Material& m, ShaderMode mode) {
 }
 
 Rgb dispersed_ior(double ior, double dispersion) {
-  const double half_spread = (ior - 1) * 0.025 * dispersion;
+  const double half_spread = (ior - 1) * 0.025 * dispersion;  // 0.5 / 20, as in the text
   return {std::max(ior - half_spread, 1.0), ior, ior + half_spread};
 }
 
 double dispersed_ior(double ior, double dispersion, double wavelength) {
+  // Cauchy's equation with the lines of the text.
   const double spread = (ior - 1) * dispersion / 20;  // (n - 1) over the Abbe number
   return std::max(ior + spread * (523655 / square(wavelength) - 1.5168), 1.0);
 }
