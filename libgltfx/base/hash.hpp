@@ -18,6 +18,9 @@ struct Hash128 {
 /// The same on every machine.
 Hash128 hash_bytes(std::string_view bytes);
 
+/// The same on every machine, today and later: names of files are made of it.
+std::uint64_t content_hash(std::string_view bytes);
+
 /// Takes parts together so that no two lists of parts give the same bytes.
 class HashParts {
  public:

@@ -127,4 +127,9 @@ std::string encode_base64(std::string_view bytes) {
   return text;
 }
 
+std::string data_uri(std::string_view media_type, std::string_view bytes) {
+  std::string uri("data:");
+  return uri.append(media_type).append(";base64,").append(encode_base64(bytes));
+}
+
 }  // namespace gltfx::container

@@ -17,4 +17,7 @@ Result<std::string> decode_base64(std::string_view text);
 /// The text for bytes, padded.
 std::string encode_base64(std::string_view bytes);
 
+/// The URI that holds bytes of a media type.
+std::string data_uri(std::string_view media_type, std::string_view bytes);
+
 }  // namespace gltfx::container

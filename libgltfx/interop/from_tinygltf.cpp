@@ -3,17 +3,15 @@
 
 #include <filesystem>
 #include <new>
-#include <system_error>
 #include <utility>
 
-#include <fmt/format.h>
 #include <tiny_gltf.h>
 
-#include "base/replace_file.hpp"
 #include "base/text.hpp"
+#include "change/commit.hpp"
+#include "change/rewrite.hpp"
 #include "container/bytes.hpp"
 #include "container/container.hpp"
-#include "edit/rewrite.hpp"
 #include "interop/model_text.hpp"
 #include "interop/stored_bytes.hpp"
 #include "validate/validated_asset.hpp"
@@ -26,9 +24,6 @@ namespace fs = std::filesystem;
 bool is_glb(const std::string& name) {
   return ending_of(name) == ".glb" || ending_of(name) == ".vrm";
 }
-
-// A GLB with nothing but "{}": what a rewrite starts from.
-std::string empty_glb() { return std::string("glTF\2\0\0\0\x18\0\0\0\4\0\0\0JSON{}  ", 24); }
 
 /// One model on its way into bytes that are valid.
 class Serialization {
@@ -56,9 +51,7 @@ class Serialization {
     asset.bytes = interop::write_model(model_, stored.buffers(), stored.images(), notes_);
     asset.files = stored.take_files();
     if (!glb || !notes_.error().empty()) return;
-    const container::Container frame =
-        container::open_bytes(container::Bytes::from_string(empty_glb()));
-    auto whole = edit::rewrite_glb(frame, asset.bytes, {stored.take_bin(), {}});
+    auto whole = change::make_glb(asset.bytes, stored.take_bin());
     if (whole) {
       asset.bytes = container::join(*whole);
     } else {
@@ -86,19 +79,11 @@ class Serialization {
   interop::Notes notes_;
 };
 
-std::optional<Error> put(const fs::path& target, std::string_view bytes) {
-  std::error_code error;
-  if (target.has_parent_path()) fs::create_directories(target.parent_path(), error);
-  if (!error) return write_file(target, bytes);
-  return Error{fmt::format("cannot create the folder of {}: {}", quoted(target.native(), 200),
-                           error.message())};
-}
-
 void write_all(const MemoryAsset& asset, const std::string& path, TinygltfReport& report) {
   const fs::path folder = fs::path(path).parent_path();
   const auto write = [&](const fs::path& target, std::string_view bytes) {
     if (!report.done) return;
-    if (auto trouble = put(target, bytes)) {
+    if (auto trouble = change::write_new_asset_file(target, bytes)) {
       report.done = false;
       report.error = std::move(trouble->message);
       return;

@@ -21,10 +21,6 @@ std::string_view text_of(const std::vector<unsigned char>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-std::string data_uri(std::string_view media_type, std::string_view bytes) {
-  return fmt::format("data:{};base64,{}", media_type, container::encode_base64(bytes));
-}
-
 // "a/wood.jpg" as "a/wood.png": the ending tells readers what is in it.
 std::string with_ending(const std::string& uri, std::string_view media_type) {
   const std::string ending = media_type == "image/webp" ? ".webp" : ".png";
@@ -83,7 +79,7 @@ std::string StoredBytes::own_name(std::size_t index, std::string_view ending) co
 
 std::string StoredBytes::keep(std::string_view wanted, std::string_view media_type,
                               std::string_view bytes, const std::string& pointer) {
-  if (form_.embed || wanted.empty()) return data_uri(media_type, bytes);
+  if (form_.embed || wanted.empty()) return container::data_uri(media_type, bytes);
   const container::Uri uri = container::classify_uri(wanted);
   const bool inside = uri.kind == container::UriKind::relative_path && !uri.path.empty() &&
                       !uri.path.starts_with("..");
@@ -91,7 +87,7 @@ std::string StoredBytes::keep(std::string_view wanted, std::string_view media_ty
     if (uri.kind != container::UriKind::data) {
       notes_.changed(pointer + "/uri", "lies outside the asset's folder: the bytes are embedded");
     }
-    return data_uri(media_type, bytes);
+    return container::data_uri(media_type, bytes);
   }
   add_file(uri.path, bytes, pointer);
   return std::string(wanted);

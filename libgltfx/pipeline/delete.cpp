@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
-#include "edit/deletion.hpp"
-#include "edit/rewrite.hpp"
+#include "change/deletion.hpp"
+#include "change/rewrite.hpp"
 #include "json/lines.hpp"
 #include "model/fields.hpp"
 #include "pipeline/edit_asset.hpp"
@@ -54,7 +54,7 @@ Reason find_delete_obstacle(const OpenedAsset& asset) {
   if (asset.container().glb_version == 1U || model::is_gltf_1(asset.document())) {
     return "glTF 1.0 is not supported";
   }
-  if (auto why = edit::find_glb_obstacle(asset.container())) {
+  if (auto why = change::find_glb_obstacle(asset.container())) {
     return "it cannot be written anew: " + *why;
   }
   return find_ambiguous_text(asset.parsed());
@@ -75,27 +75,30 @@ class DeleteRun {
   void run() {
     const OpenedAsset& asset = before_.asset();
     if (auto why = find_delete_obstacle(asset)) return refuse(*std::move(why));
-    auto planned = edit::plan_deletion(asset.document(), *schemas_, options_.pointers,
-                                       {options_.cascade, &asset.container()});
+    auto planned = change::plan_deletion(asset.document(), *schemas_, options_.pointers,
+                                         {options_.cascade, &asset.container()});
     if (!planned) return refuse(planned.error().message);
     describe(*planned);
     if (!report_.obstacles.empty()) return refuse_for_obstacles();
-    report_.changes = !planned->edits.empty();
-    if (options_.diff) report_.diff = diff_of(asset, planned->edits);
+    report_.changes = !planned->change.edits.empty();
+    if (options_.diff) report_.diff = diff_of(asset, planned->change.edits);
     if (!report_.changes) {
       copy_unchanged(asset, state_, options_, report_);
       return;
     }
-    const SharedText text = share_text(json::apply_edits(*asset.container().json, planned->edits));
-    if (options_.in_place || !options_.output.empty()) return write(text, planned->bin);
-    auto changed = edit::rewritten(asset.container(), text, planned->bin, asset.name());
-    if (!changed) return refuse(changed.error().message);
-    if (auto why = find_error(*std::move(changed))) refuse(*std::move(why));
+    const auto draft = carry_out(
+        {before_, state_, options_, schemas_, folders_}, std::move(planned->change),
+        [this](const ValidatedAsset& after) { return find_error(after); }, report_);
+    if (!draft) forget_plan();
   }
 
  private:
   void refuse(std::string why) {
     note_failure(report_, EditProblem::refused, std::move(why));
+    forget_plan();
+  }
+
+  void forget_plan() {
     report_.deleted.clear();
     report_.new_warnings.clear();
   }
@@ -112,41 +115,28 @@ class DeleteRun {
                : "an object cannot be without what was to be deleted; --cascade deletes it, too");
   }
 
-  void describe(edit::Deletion& planned) {
-    for (edit::DeletedValue& value : planned.deleted) {
+  void describe(change::Deletion& planned) {
+    for (change::DeletedValue& value : planned.deleted) {
       report_.deleted.push_back({std::move(value.pointer), std::move(value.cause)});
     }
-    for (edit::DeletionObstacle& obstacle : planned.obstacles) {
+    for (change::DeletionObstacle& obstacle : planned.obstacles) {
       report_.obstacles.push_back(
           {std::move(obstacle.pointer), std::move(obstacle.target), obstacle.must_have});
     }
     report_.renumbered = planned.renumbered;
     report_.names_removed = std::move(planned.names);
     report_.doubtful = std::move(planned.doubtful);
-    for (const edit::ByteRange& range : planned.bin.cut) report_.bytes += range.end - range.begin;
+    for (const change::ByteRange& range : planned.change.bin.cut)
+      report_.bytes += range.end - range.begin;
     const auto& bin = before_.asset().container().bin;
-    if (planned.bin.drop && bin) report_.bytes = bin->length;
+    if (planned.change.bin.drop && bin) report_.bytes = bin->length;
   }
 
-  Reason find_error(container::Container changed) {
-    const OpenedAsset& old = before_.asset();
-    const ValidatedAsset after({old.name(), std::move(changed), old.resolver()},
-                               default_judgement(schemas_));
+  Reason find_error(const ValidatedAsset& after) {
     NewFindings found = new_findings(before_, after, schemas_);
     report_.new_warnings = std::move(found.warnings);
     if (found.error.empty()) return std::nullopt;
     return fmt::format("the new file would have the new error {}", found.error);
-  }
-
-  void write(const SharedText& text, const edit::BinChange& bin) {
-    const OpenedAsset& asset = before_.asset();
-    const auto pieces = edit::rewrite(asset.container(), text, bin);
-    if (!pieces) return refuse(pieces.error().message);
-    const bool done = write_edited(
-        asset, state_, {*pieces}, options_,
-        [this](container::Container on_disk) { return find_error(std::move(on_disk)); }, folders_,
-        report_);
-    if (!done) report_.deleted.clear();
   }
 
   const ValidatedAsset& before_;

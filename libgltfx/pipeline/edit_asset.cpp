@@ -9,7 +9,8 @@
 
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
-#include "edit/diff.hpp"
+#include "change/diff.hpp"
+#include "pipeline/new_findings.hpp"
 
 namespace gltfx {
 namespace {
@@ -57,16 +58,9 @@ void note_failure(EditOutcome& outcome, EditProblem problem, std::string error) 
   outcome.diff.clear();
 }
 
-edit::AssetWrite asset_write(const OpenedAsset& old, const FileState& state, edit::NewBytes bytes,
-                             const EditOptions& options, edit::WriteCheck check) {
-  return {{old.name(), state, old.container(),
-           [&old]() -> const json::Document& { return old.document(); }, old.resolver()},
-          {options.output, options.in_place, options.backup},
-          std::move(bytes),
-          std::move(check)};
-}
+bool writes(const EditOptions& options) { return options.in_place || !options.output.empty(); }
 
-bool note_written(const std::optional<edit::WriteFailure>& failure, const EditOptions& options,
+bool note_written(const std::optional<change::WriteFailure>& failure, const EditOptions& options,
                   EditOutcome& outcome) {
   if (failure) {
     note_failure(outcome, failure->refused ? EditProblem::refused : EditProblem::not_written,
@@ -78,18 +72,31 @@ bool note_written(const std::optional<edit::WriteFailure>& failure, const EditOp
   return true;
 }
 
-bool write_edited(const OpenedAsset& old, const FileState& state, edit::NewBytes bytes,
-                  const EditOptions& options, edit::WriteCheck check, FolderIndex& folders,
-                  EditOutcome& outcome) {
-  const edit::AssetWrite asset =
-      asset_write(old, state, std::move(bytes), options, std::move(check));
-  if (edit::is_in_place(asset.to, old.name())) {
-    if (auto why = find_reader(old.name(), folders)) {
-      note_failure(outcome, EditProblem::refused, *std::move(why));
-      return false;
-    }
+std::optional<validate::ValidatedAsset> carry_out(const EditedFile& file, change::Change change,
+                                                  const Proof& proof, EditOutcome& outcome,
+                                                  change::NewText now) {
+  const OpenedAsset& old = file.before.asset();
+  const auto refuse = [&outcome](std::string why) {
+    note_failure(outcome, EditProblem::refused, std::move(why));
+    return std::nullopt;
+  };
+  change::AssetWrite asset{old, file.state, file.options};
+  const bool written = writes(file.options);
+  if (written && change::is_in_place(file.options, old.name())) {
+    if (auto why = find_reader(old.name(), file.folders)) return refuse(*std::move(why));
   }
-  return note_written(edit::write_assets({asset}).front(), options, outcome);
+  auto draft = change::apply(old, change, std::move(now));
+  if (!draft) return refuse(draft.error().message);
+  std::optional<validate::ValidatedAsset> after(std::in_place, *std::move(draft),
+                                                default_judgement(file.schemas));
+  if (auto why = proof(*after)) return refuse(*std::move(why));
+  after->forget_large_document();
+  if (!written) return after;
+  asset.now = &after->asset().container();
+  asset.files = std::move(change.files);
+  asset.replaced = std::move(change.replaced);
+  if (!note_written(change::commit({asset}).front(), file.options, outcome)) after.reset();
+  return after;
 }
 
 std::optional<std::string> find_reader(const std::string& path, FolderIndex& folders) {
@@ -104,16 +111,15 @@ bool copy_unchanged(const OpenedAsset& old, const FileState& state, const EditOp
     if (options.in_place) remove_stale_files(old.name());
     return true;
   }
-  const auto failures =
-      edit::write_assets({asset_write(old, state, {{old.container().bytes}}, options, nullptr)});
+  const auto failures = change::commit({{old, state, options}});
   return note_written(failures.front(), options, outcome);
 }
 
 // No patch changes the JSON inside a binary file: there the diff is a comment of one.
 std::string diff_of(const OpenedAsset& asset, const std::vector<json::Edit>& edits) {
   const bool is_text = asset.container().format == container::Format::gltf;
-  return edit::unified_diff(*asset.container().json, edits, patch_path(asset.name()),
-                            is_text ? "" : "# ");
+  return change::unified_diff(*asset.container().json, edits, patch_path(asset.name()),
+                              is_text ? "" : "# ");
 }
 
 }  // namespace gltfx

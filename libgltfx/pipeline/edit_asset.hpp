@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What verbs that change an asset have in common, around edit::write_asset().
+/// What verbs that change an asset have in common: a change becomes a draft, which is proven and
+/// then written.
 #pragma once
 
 #include <gltfx/edited_file.hpp>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/file_state.hpp"
-#include "edit/write_asset.hpp"
+#include "change/apply.hpp"
+#include "change/commit.hpp"
 #include "json/edit.hpp"
 #include "model/opened_asset.hpp"
 #include "pipeline/named_files.hpp"
 #include "pipeline/open_asset.hpp"
+#include "schema/set.hpp"
+#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 
@@ -31,20 +36,32 @@ container::Container without_zero_padding(container::Container container);
 /// Says that nothing was done, and why.
 void note_failure(EditOutcome& outcome, EditProblem problem, std::string error);
 
-/// What edit::write_assets() is to write where the options say. `state` is that of the old file;
-/// `old` has to live as long.
-edit::AssetWrite asset_write(const model::OpenedAsset& old, const FileState& state,
-                             edit::NewBytes bytes, const EditOptions& options,
-                             edit::WriteCheck check);
+/// Whether something is to be written at all.
+bool writes(const EditOptions& options);
 
-/// Says in `outcome` what became of that. Whether all is written.
-bool note_written(const std::optional<edit::WriteFailure>& failure, const EditOptions& options,
+/// Says in `outcome` what became of an asset that was to be written. Whether all is written.
+bool note_written(const std::optional<change::WriteFailure>& failure, const EditOptions& options,
                   EditOutcome& outcome);
 
-/// Both, of one asset. Refused where an asset of `folders` reads the file that would be replaced.
-bool write_edited(const model::OpenedAsset& old, const FileState& state, edit::NewBytes bytes,
-                  const EditOptions& options, edit::WriteCheck check, FolderIndex& folders,
-                  EditOutcome& outcome);
+/// One asset that is to be changed. Refers to all it is made of.
+struct EditedFile {
+  const validate::ValidatedAsset& before;
+  const FileState& state;  ///< of the file, from before it was read
+  const EditOptions& options;
+  const std::shared_ptr<const schema::Set>& schemas;
+  FolderIndex& folders;
+};
+
+/// Why a draft, which was validated with default options, must not take the place of the old asset,
+/// or nothing.
+using Proof = std::function<std::optional<std::string>(const validate::ValidatedAsset& draft)>;
+
+/// Makes the draft of a change that is placed, has it proven, and writes it where the options say,
+/// if they do. The draft; nothing where it failed, as `outcome` says then. Refused where an asset
+/// of `folders` reads the file that would be replaced.
+std::optional<validate::ValidatedAsset> carry_out(const EditedFile& file, change::Change change,
+                                                  const Proof& proof, EditOutcome& outcome,
+                                                  change::NewText now = {});
 
 /// Why the asset at `path` must not be replaced by other bytes, or nothing: another one that lies
 /// beside it reads its bytes.

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "base/fork.hpp"
+#include "change/rewrite.hpp"
 #include "container/base64.hpp"
 #include "container/container.hpp"
-#include "edit/rewrite.hpp"
 #include "pipeline/fix_rounds.hpp"
 #include "pipeline/open_asset.hpp"
 #include "schema/compile.hpp"
@@ -111,7 +111,7 @@ std::string fix_example(const RuleDescription& rule, std::string_view example) {
       fix_in_rounds({std::move(asset), fix_judgement(schemas, {})}, options, schemas);
   const container::Container& after = fixed.after.asset().container();
   if (!fixed.changes) return std::string(after.bytes.text());
-  const auto pieces = edit::rewrite(after, after.json, {});
+  const auto pieces = change::rewrite(after);
   return pieces ? container::join(*pieces) : std::string();
 }
 

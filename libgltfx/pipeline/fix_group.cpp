@@ -19,7 +19,7 @@ namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
-using edit::ByteRange;
+using change::ByteRange;
 
 // Conflicts are resolved in that many steps; what is left then stays as it is altogether.
 constexpr unsigned kMostSteps = 8;
@@ -41,14 +41,14 @@ class KeptBytes {
   }
 
   // Why the asset at `path` may not change the file so. Another asset is named where there is one.
-  std::optional<std::string> find_reason(const edit::ReplacedFile& file,
+  std::optional<std::string> find_reason(const change::ReplacedFile& file,
                                          const std::string& path) const {
     const auto known = kept_.find(identity_of(file.state, file.path));
     if (known == kept_.end()) return std::nullopt;
-    const auto changed = edit::differences(file.before.text(), file.after.text());
+    const auto changed = change::differences(file.before.text(), file.after.text());
     const Kept* found = nullptr;
     for (const Kept& kept : known->second) {
-      if (edit::ranges_touching(changed, kept.ranges).empty()) continue;
+      if (change::ranges_touching(changed, kept.ranges).empty()) continue;
       if (found == nullptr || found->user == path) found = &kept;
     }
     if (found == nullptr) return std::nullopt;
@@ -91,7 +91,7 @@ class Group {
   }
 
   void plan(FixMember& member) const {
-    member.plan([this, &member](const edit::ReplacedFile& file) {
+    member.plan([this, &member](const change::ReplacedFile& file) {
       return kept_.find_reason(file, member.path());
     });
     if (members_.size() > 1 || !member.changed_files().empty()) member.find_uses();
@@ -134,7 +134,7 @@ class Group {
   // Puts the corrections of all together. False: some object to that, and what they object to is
   // kept from now on.
   bool merge(const FileIdentity& file, NewContent& content, bool by_bytes) {
-    std::vector<edit::FileUser> users;
+    std::vector<change::FileUser> users;
     std::vector<const FixMember*> readers;
     const auto add = [&](const FixMember& member, bool changes) {
       const auto use = member.uses().find(file);
@@ -143,12 +143,12 @@ class Group {
       const auto changed = member.changed_files();
       const auto own = changed.find(file);
       users.push_back({own == changed.end() ? content.before.text() : own->second->after.text(),
-                       is_known ? use->second.reads : edit::FileReads{true, {}}, changes});
+                       is_known ? use->second.reads : change::FileReads{true, {}}, changes});
       readers.push_back(&member);
     };
     for (const FixMember& member : members_) add(member, true);
     for (const FixMember& neighbour : neighbours_of(file, content)) add(neighbour, false);
-    edit::MergedFile merged = edit::merge_changes(content.before.text(), users);
+    change::MergedFile merged = change::merge_changes(content.before.text(), users);
     for (auto& conflict : merged.conflicts) {
       if (!by_bytes) conflict.ranges = {{0, UINT64_MAX}};
       kept_.add(file, *readers[conflict.user], std::move(conflict.ranges));
@@ -173,7 +173,7 @@ class Group {
       neighbour.find_uses();
       const auto use = neighbour.uses().find(file);
       if (use == neighbour.uses().end() || planned == kMostNeighbours) continue;
-      if (edit::ranges_read(use->second.reads, changed).empty()) continue;
+      if (change::ranges_read(use->second.reads, changed).empty()) continue;
       neighbour.plan(nullptr);
       neighbour.find_uses();
       ++planned;
@@ -187,7 +187,8 @@ class Group {
       const auto changed = member.changed_files();
       const auto own = changed.find(file);
       if (own == changed.end()) continue;
-      edit::add_ranges(ranges, edit::differences(content.before.text(), own->second->after.text()));
+      change::add_ranges(ranges,
+                         change::differences(content.before.text(), own->second->after.text()));
     }
     return ranges;
   }
@@ -199,12 +200,12 @@ class Group {
       if (const auto state = file_state(member.path())) known.insert(identity_of(*state, {}));
       const auto use = member.uses().find(file);
       if (use == member.uses().end() || !member.changes_files_in_place()) continue;
-      const fs::path folder = edit::target_folder(member.path(), {});
+      const fs::path folder = change::target_folder(member.path(), {});
       folders.insert(folder);
       std::error_code error;
       for (const std::string& path : use->second.paths) {
         const fs::path real = fs::canonical(folder / path, error);
-        if (!error) folders.insert(edit::target_folder(real, {}));
+        if (!error) folders.insert(change::target_folder(real, {}));
       }
     }
     std::vector<std::string> paths;
@@ -224,8 +225,8 @@ class Group {
       for (const FixMember& neighbour : neighbours_[file]) {
         const auto use = neighbour.uses().find(file);
         if (use == neighbour.uses().end()) continue;
-        auto changed = edit::ranges_read(
-            use->second.reads, edit::differences(content.before.text(), content.after.text()));
+        auto changed = change::ranges_read(
+            use->second.reads, change::differences(content.before.text(), content.after.text()));
         if (changed.empty() || !neighbour.is_worse_with(contents_)) continue;
         kept_.add(file, neighbour, std::move(changed));
         disputed.insert(file);
@@ -245,19 +246,19 @@ class Group {
   }
 
   void write() {
-    std::vector<edit::AssetWrite> together;
+    std::vector<change::AssetWrite> together;
     std::vector<FixMember*> writers;
     for (FixMember& member : members_) {
       auto asset = member.write(contents_);
       if (!asset) continue;
-      if (asset->bytes.replaced.empty()) {
-        member.note(edit::write_assets({*asset}).front());
+      if (asset->replaced.empty()) {
+        member.note(change::commit({*asset}).front());
       } else {
         together.push_back(*std::move(asset));
         writers.push_back(&member);
       }
     }
-    const auto failures = edit::write_assets(together);
+    const auto failures = change::commit(together);
     for (std::size_t i = 0; i < writers.size(); ++i) writers[i]->note(failures[i]);
   }
 

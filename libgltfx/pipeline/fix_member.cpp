@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "edit/companions.hpp"
-#include "edit/rewrite.hpp"
+#include "change/companions.hpp"
 #include "pipeline/open_asset.hpp"
 #include "validate/files_read.hpp"
 
@@ -13,32 +12,6 @@ namespace gltfx {
 namespace {
 
 using model::OpenedAsset;
-
-container::Bytes bin_of(const container::Container& container) {
-  const auto& bin = container.bin;
-  return bin ? container.bytes.part(bin->offset, bin->length) : container::Bytes();
-}
-
-std::set<Code> codes_of(const container::Container& container) {
-  std::set<Code> codes;
-  for (const auto* errors : {&container.errors, &container.late_errors}) {
-    for (const container::ContainerError& error : *errors) codes.insert(error.code);
-  }
-  return codes;
-}
-
-// What was judged in memory is what lies on the disk now.
-edit::WriteCheck check_of(const container::Container& judged) {
-  return [&judged](container::Container on_disk) -> std::optional<std::string> {
-    const std::set<Code> known = codes_of(judged), found = codes_of(on_disk);
-    const bool same = judged.json && on_disk.json &&
-                      edit::same_but_for_padding(*judged.json, *on_disk.json) &&
-                      container::same_bytes(bin_of(judged), bin_of(on_disk)) &&
-                      std::includes(known.begin(), known.end(), found.begin(), found.end());
-    if (same) return std::nullopt;
-    return "the file on the disk is not the one that was validated";
-  };
-}
 
 }  // namespace
 
@@ -83,7 +56,7 @@ void FixMember::plan(const FileGuard& guard) {
   if (const auto obstacle = find_obstacle(fixed_->after.asset())) {
     return fail(EditProblem::unreadable, obstacle->message);
   }
-  referred_ = edit::referred_paths(fixed_->after.asset().document());
+  referred_ = change::referred_paths(fixed_->after.asset().document());
   fixed_->after.forget_large_document();
   uses_.clear();
 }
@@ -105,8 +78,8 @@ void FixMember::use(const OpenedAsset& asset) {
   }
 }
 
-std::map<FileIdentity, const edit::ReplacedFile*> FixMember::changed_files() const {
-  std::map<FileIdentity, const edit::ReplacedFile*> files;
+std::map<FileIdentity, const change::ReplacedFile*> FixMember::changed_files() const {
+  std::map<FileIdentity, const change::ReplacedFile*> files;
   if (!is_sound() || !fixed_) return files;
   for (const auto& [path, file] : fixed_->files) {
     files.emplace(identity_of(file.state, path), &file);
@@ -114,9 +87,7 @@ std::map<FileIdentity, const edit::ReplacedFile*> FixMember::changed_files() con
   return files;
 }
 
-bool FixMember::is_in_place() const {
-  return edit::is_in_place({options_.output, options_.in_place, false}, report_.path);
-}
+bool FixMember::is_in_place() const { return change::is_in_place(options_, report_.path); }
 
 bool FixMember::changes_files_in_place() const { return options_.output.empty() || is_in_place(); }
 
@@ -124,8 +95,8 @@ bool FixMember::replaces_asset() const {
   return is_sound() && fixed_ && fixed_->changes && is_in_place();
 }
 
-std::vector<edit::ReplacedFile> FixMember::replaced_by(const NewContents& contents) const {
-  std::vector<edit::ReplacedFile> replaced;
+std::vector<change::ReplacedFile> FixMember::replaced_by(const NewContents& contents) const {
+  std::vector<change::ReplacedFile> replaced;
   for (const auto& [file, content] : contents) {
     const auto use = uses_.find(file);
     if (use == uses_.end()) continue;
@@ -136,36 +107,28 @@ std::vector<edit::ReplacedFile> FixMember::replaced_by(const NewContents& conten
   return replaced;
 }
 
-std::optional<edit::AssetWrite> FixMember::write(const NewContents& contents) {
+std::optional<change::AssetWrite> FixMember::write(const NewContents& contents) {
   if (!is_sound()) return std::nullopt;
   if (options_.diff) report_.diff = diff_of(old_->asset, fixed_->edits);
   report_.actions = fixed_->actions;
   report_.changes = fixed_->changes;
   for (const auto& [path, file] : fixed_->files) report_.changed_files.push_back(path);
-  const bool asked = options_.in_place || !options_.output.empty();
-  if (asked && !fixed_->changes && contents.empty()) {
+  if (!writes(options_)) return std::nullopt;
+  if (!fixed_->changes && contents.empty()) {
     if (!copy_unchanged(old_->asset, old_->state, options_, report_)) {
       fail(report_.problem, std::move(report_.error));
     }
     return std::nullopt;
   }
-  if (!asked || (options_.output.empty() && !fixed_->changes)) return std::nullopt;
-  const container::Container& container =
-      fixed_->changes ? fixed_->after.asset().container() : old_->asset.container();
-  edit::NewBytes bytes{{container.bytes}, {}, replaced_by(contents), referred_};
-  if (fixed_->changes) {
-    auto pieces = edit::rewrite(container, container.json, {});
-    if (!pieces) {
-      fail(EditProblem::refused, pieces.error().message);
-      return std::nullopt;
-    }
-    bytes.pieces = *std::move(pieces);
-  }
-  return asset_write(old_->asset, old_->state, std::move(bytes), options_,
-                     fixed_->changes ? check_of(container) : nullptr);
+  if (options_.output.empty() && !fixed_->changes) return std::nullopt;
+  change::AssetWrite asset{old_->asset, old_->state, options_};
+  if (fixed_->changes) asset.now = &fixed_->after.asset().container();
+  asset.replaced = replaced_by(contents);
+  asset.referred = referred_;
+  return asset;
 }
 
-void FixMember::note(const std::optional<edit::WriteFailure>& failure) {
+void FixMember::note(const std::optional<change::WriteFailure>& failure) {
   if (!note_written(failure, options_, report_)) fail(report_.problem, std::move(report_.error));
 }
 
@@ -178,7 +141,7 @@ void FixMember::fail(EditProblem problem, std::string why) {
 bool FixMember::is_worse_with(const NewContents& contents) const {
   OpenedAsset before = opened();
   container::Resolver resolver = before.resolver();
-  for (const edit::ReplacedFile& file : replaced_by(contents)) {
+  for (const change::ReplacedFile& file : replaced_by(contents)) {
     resolver.add(file.path, file.after, file.state);
   }
   const validate::ValidatedAsset now(std::move(before), judgement());

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/file_state.hpp"
-#include "edit/shared_bytes.hpp"
-#include "edit/write_asset.hpp"
+#include "change/commit.hpp"
+#include "change/shared_bytes.hpp"
 #include "pipeline/edit_asset.hpp"
 #include "pipeline/fix_rounds.hpp"
 #include "schema/set.hpp"
@@ -23,7 +23,7 @@ namespace gltfx {
 /// A file as an asset uses it.
 struct FileUse {
   std::set<std::string> paths;  ///< as container::Uri has them
-  edit::FileReads reads;        ///< before and after the fixes
+  change::FileReads reads;      ///< before and after the fixes
 };
 
 /// What is made of a file by all assets that share it.
@@ -51,15 +51,15 @@ class FixMember {
   bool replaces_asset() const;
   const std::map<FileIdentity, FileUse>& uses() const { return uses_; }
   /// The files that the fixes change, by a path of each.
-  std::map<FileIdentity, const edit::ReplacedFile*> changed_files() const;
+  std::map<FileIdentity, const change::ReplacedFile*> changed_files() const;
   const std::string& path() const { return report_.path; }
   /// Whether files change where they lie, or would if the run wrote something.
   bool changes_files_in_place() const;
 
   /// What is to be written; nothing where there is nothing to do. Refers to this.
-  std::optional<edit::AssetWrite> write(const NewContents& contents);
+  std::optional<change::AssetWrite> write(const NewContents& contents);
   /// What became of that.
-  void note(const std::optional<edit::WriteFailure>& failure);
+  void note(const std::optional<change::WriteFailure>& failure);
   void fail(EditProblem problem, std::string why);
 
   /// Whether the old asset would have a new finding with the new contents.
@@ -73,7 +73,7 @@ class FixMember {
   model::OpenedAsset opened() const;
   model::OpenedAsset take_opened();
   void use(const model::OpenedAsset& asset);
-  std::vector<edit::ReplacedFile> replaced_by(const NewContents& contents) const;
+  std::vector<change::ReplacedFile> replaced_by(const NewContents& contents) const;
 
   FixOptions options_;
   std::shared_ptr<const schema::Set> schemas_;

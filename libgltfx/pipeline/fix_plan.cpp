@@ -5,8 +5,6 @@
 #include <set>
 #include <utility>
 
-#include "edit/rewrite.hpp"
-
 namespace gltfx {
 namespace {
 
@@ -25,18 +23,6 @@ std::optional<FixStage> first_stage(const Sites& sites, const std::vector<bool>&
     if (stage >= from && (!first || stage < *first)) first = stage;
   }
   return first;
-}
-
-// What is written anew with other lengths is opened anew.
-Result<container::Container> changed_container(const OpenedAsset& asset,
-                                               const Fixing::Changes& changes,
-                                               const SharedText& text) {
-  const container::Container& old = asset.container();
-  if (!changes.container) return edit::rewritten(old, text, changes.buffers.bin, asset.name());
-  const auto pieces = edit::rewrite_sound(old, *text, changes.buffers.bin);
-  if (!pieces) return pieces.error();
-  return container::open_bytes(container::Bytes::from_string(container::join(*pieces)),
-                               asset.name());
 }
 
 /// Findings of an asset after a run, as they stand to those before it.
@@ -126,32 +112,17 @@ PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const sche
       planned.fixed[i] =
           entry.fix(fixing, sites[i].span) || (more && entry.unsafe(fixing, sites[i].span));
     }
-    auto changes = fixing.take();
-    if (changes) {
-      planned.changes = *std::move(changes);
+    auto change = fixing.take();
+    if (change) {
+      planned.change = *std::move(change);
     } else {
-      planned.obstacle = changes.error().message;
+      planned.obstacle = change.error().message;
     }
-    if (!changes || !planned.changes.empty()) return planned;
+    if (!change || !planned.change.empty()) return planned;
     stage = first_stage(sites, wanted, static_cast<FixStage>(static_cast<int>(*stage) + 1));
   }
   planned.fixed.assign(sites.size(), false);
   return planned;
-}
-
-Result<OpenedAsset> with_changes(const OpenedAsset& asset, const Fixing::Changes& changes) {
-  const container::Container& old = asset.container();
-  if (!old.json) return Error{"it has no JSON"};
-  const auto obstacle = edit::find_glb_obstacle(old);
-  if (obstacle) return Error{"it cannot be written anew: " + *obstacle};
-  const SharedText text = share_text(json::apply_edits(*old.json, changes.edits));
-  auto container = changed_container(asset, changes, text);
-  if (!container) return container.error();
-  container::Resolver resolver = asset.resolver();
-  for (const edit::ReplacedFile& file : changes.buffers.files) {
-    resolver.add(file.path, file.after, file.state);
-  }
-  return OpenedAsset(asset.name(), *std::move(container), std::move(resolver));
 }
 
 FindingsByCode findings_by_code(const FileReport& report) {

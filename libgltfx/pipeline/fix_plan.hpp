@@ -29,7 +29,7 @@ ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas,
 
 /// Changes of one asset by fixes, and which sites they are about, by position.
 struct PlannedFixes {
-  validate::Fixing::Changes changes;
+  change::Change change;
   std::vector<bool> fixed;
   std::string obstacle;  ///< why there are no changes; a sentence without stop, empty: none is due
 };
@@ -43,10 +43,6 @@ PlannedFixes plan_fixes(const model::OpenedAsset& asset, const validate::Sites& 
 
 /// Whether fixes of a rule may be unsafe.
 bool allows_unsafe(const FixOptions& options, Code code);
-
-/// The asset with the changes.
-Result<model::OpenedAsset> with_changes(const model::OpenedAsset& asset,
-                                        const validate::Fixing::Changes& changes);
 
 /// Number of findings by code.
 using FindingsByCode = std::map<std::string_view, std::uint64_t>;

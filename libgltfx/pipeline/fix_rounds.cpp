@@ -12,6 +12,7 @@
 #include "base/checked.hpp"
 #include "base/codes.hpp"
 #include "base/pages.hpp"
+#include "change/apply.hpp"
 #include "json/parse.hpp"
 #include "validate/collector.hpp"
 #include "validate/context.hpp"
@@ -197,7 +198,7 @@ class Rounds {
       wanted.push_back(dropped_[i] == 0 && is_asked_for(asset_.sites()[i]));
     }
     PlannedFixes planned = plan(wanted);
-    if (planned.changes.empty() && planned.obstacle.empty()) {
+    if (planned.change.empty() && planned.obstacle.empty()) {
       // What stood against a fix may be gone by another one.
       if (!std::exchange(retries_, false)) return false;
       dropped_.assign(dropped_.size(), 0);
@@ -232,9 +233,9 @@ class Rounds {
   }
 
   // Why one of the files is not to be changed so, or nothing.
-  std::optional<std::string> find_guarded(const std::vector<edit::ReplacedFile>& files) const {
+  std::optional<std::string> find_guarded(const std::vector<change::ReplacedFile>& files) const {
     if (!effort_.guard) return std::nullopt;
-    for (edit::ReplacedFile file : files) {
+    for (change::ReplacedFile file : files) {
       const auto known = changes_.files.find(file.path);
       if (known != changes_.files.end()) file.before = known->second.before;
       if (auto why = effort_.guard(file)) return why;
@@ -267,8 +268,8 @@ class Rounds {
   // What the changes make of the asset, or why it is not to be taken.
   Result<Trial> judge(PlannedFixes planned) {
     if (!planned.obstacle.empty()) return Error{planned.obstacle};
-    if (auto why = find_guarded(planned.changes.buffers.files)) return Error{*std::move(why)};
-    auto changed = with_changes(asset_.asset(), planned.changes);
+    if (auto why = find_guarded(planned.change.replaced)) return Error{*std::move(why)};
+    auto changed = change::apply(asset_.asset(), planned.change);
     if (!changed) return changed.error();
     const bool was_read = !asset_.asset().document().empty() && !names_the_same_files(planned);
     const Names names = declared(planned);
@@ -315,7 +316,7 @@ class Rounds {
         for (Positions& part : parts_of(group, asset_.sites())) groups.push_back(std::move(part));
       }
     }
-    if (best && !best->planned.changes.empty()) accept(*std::move(best));
+    if (best && !best->planned.change.empty()) accept(*std::move(best));
   }
 
   void drop(const Positions& group, const std::string& why) {
@@ -324,10 +325,10 @@ class Rounds {
   }
 
   void accept(Trial trial) {
-    move_dropped(trial.planned.changes.edits, trial.after.sites());
+    move_dropped(trial.planned.change.edits, trial.after.sites());
     if (first_.text)
-      changes_.edits = json::chain_edits(*first_.text, changes_.edits, trial.planned.changes.edits);
-    for (edit::ReplacedFile& file : trial.planned.changes.buffers.files) {
+      changes_.edits = json::chain_edits(*first_.text, changes_.edits, trial.planned.change.edits);
+    for (change::ReplacedFile& file : trial.planned.change.replaced) {
       const auto [known, is_new] = changes_.files.try_emplace(file.path, file);
       if (!is_new) known->second.after = file.after;
     }
@@ -369,7 +370,7 @@ class Rounds {
   // What all rounds so far come to.
   struct {
     std::vector<json::Edit> edits;
-    std::map<std::string, edit::ReplacedFile> files;
+    std::map<std::string, change::ReplacedFile> files;
     bool any = false;
   } changes_;
   // Sites, by position, that are left out: the number of the reason; 0 for others.

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "edit/new_file.hpp"
+#include "change/change.hpp"
 #include "json/edit.hpp"
 #include "pipeline/fix_plan.hpp"
 
@@ -22,15 +22,15 @@ namespace gltfx {
 struct FixedAsset {
   /// The asset after the last of them.
   validate::ValidatedAsset after;
-  std::vector<FixAction> actions;                   ///< as in FixReport
-  std::vector<json::Edit> edits;                    ///< of the old text
-  std::map<std::string, edit::ReplacedFile> files;  ///< by path
+  std::vector<FixAction> actions;                     ///< as in FixReport
+  std::vector<json::Edit> edits;                      ///< of the old text
+  std::map<std::string, change::ReplacedFile> files;  ///< by path
   bool changes = false;
 };
 
 /// Why a file may not be changed so, as half a sentence, or nothing. Its content `before` is that
 /// which the first round found.
-using FileGuard = std::function<std::optional<std::string>(const edit::ReplacedFile& file)>;
+using FileGuard = std::function<std::optional<std::string>(const change::ReplacedFile& file)>;
 
 /// What the rounds may cost, and what they may change.
 struct FixEffort {

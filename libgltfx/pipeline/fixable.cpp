@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "base/code.hpp"
-#include "edit/rewrite.hpp"
+#include "change/apply.hpp"
+#include "change/rewrite.hpp"
 #include "json/lines.hpp"
 #include "pipeline/fix_plan.hpp"
 #include "schema/compile.hpp"
@@ -34,7 +35,7 @@ std::vector<bool> find_planned(const ValidatedAsset& validated, const schema::Se
   const Sites& sites = validated.sites();
   std::vector<bool> planned(sites.size());
   if (asset.document().node_count() > kMostNodes) return planned;
-  if (!asset.container().json || edit::find_glb_obstacle(asset.container())) return planned;
+  if (!asset.container().json || change::find_glb_obstacle(asset.container())) return planned;
   std::map<validate::FixStage, validate::Fixing> stages;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (validate::description(sites[i].code).fix != Fix::safe) continue;
@@ -76,16 +77,16 @@ class Proposals {
       wanted[i] = wanted[i] && code_name(sites[i].code) == rule.code;
     }
     const auto planned = plan_fixes(asset, sites, *schemas_, wanted, kMostContent, {});
-    if (planned.changes.edits.empty()) return nullptr;
-    if (planned.changes.container || !planned.changes.buffers.files.empty()) return nullptr;
-    auto changed = with_changes(asset, planned.changes);
+    if (planned.change.edits.empty()) return nullptr;
+    if (planned.change.sound_chunks || !planned.change.replaced.empty()) return nullptr;
+    auto changed = change::apply(asset, planned.change);
     if (!changed) return nullptr;
     const ValidatedAsset after(*std::move(changed), judgement_);
     if (!worse_codes(before(), after.report()).empty()) return nullptr;
     ProposedFix fix;
     fix.description = rule.fix_does;
     const json::LineIndex lines(*asset.container().json);
-    for (const json::Edit& edit : planned.changes.edits) {
+    for (const json::Edit& edit : planned.change.edits) {
       fix.replacements.push_back({lines.locate(edit.span), edit.text});
     }
     return std::make_shared<const ProposedFix>(std::move(fix));

@@ -9,8 +9,8 @@
 #include "base/directory.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "change/companions.hpp"
 #include "container/container.hpp"
-#include "edit/companions.hpp"
 #include "json/parse.hpp"
 
 namespace gltfx {
@@ -53,7 +53,7 @@ NamedFiles named_by(const std::string& path, const AssetBounds& bounds, std::siz
   const json::Parsed parsed = json::parse(container->json);
   if (parsed.document.empty()) return named;
   const std::set<json::NodeId> buffers = buffer_uris(parsed.document);
-  for (const auto& [value, name] : edit::referred_files(parsed.document)) {
+  for (const auto& [value, name] : change::referred_files(parsed.document)) {
     const auto state = file_state(folder_of(path) / name);
     if (!state) continue;
     const FileIdentity referred = identity_of(*state, name);

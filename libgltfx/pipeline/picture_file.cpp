@@ -11,7 +11,7 @@
 
 #include "base/replace_file.hpp"
 #include "base/text.hpp"
-#include "edit/companions.hpp"
+#include "change/companions.hpp"
 
 namespace gltfx {
 namespace {
@@ -64,7 +64,7 @@ std::optional<Error> write_picture(const preview::Picture& picture, const std::s
   if (!encoded) return encoded.error();
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty()) {
-    if (auto trouble = edit::make_folder(folder)) return trouble;
+    if (auto trouble = change::make_folder(folder)) return trouble;
   }
   const auto* text = reinterpret_cast<const char*>(encoded->bytes.data());
   return write_file(path, {text, encoded->bytes.size()});

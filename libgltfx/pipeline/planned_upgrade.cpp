@@ -12,18 +12,18 @@
 #include <fmt/format.h>
 
 #include "base/pages.hpp"
-#include "edit/companions.hpp"
+#include "change/commit.hpp"
+#include "change/companions.hpp"
+#include "change/place.hpp"
+#include "change/prune.hpp"
+#include "change/rewrite.hpp"
 #include "edit/orphans.hpp"
-#include "edit/prune.hpp"
 #include "edit/references.hpp"
-#include "edit/rewrite.hpp"
-#include "edit/write_asset.hpp"
 #include "pipeline/edit_asset.hpp"
 #include "upgrade/ambiguity.hpp"
 #include "upgrade/asset_pictures.hpp"
 #include "upgrade/plan.hpp"
 #include "upgrade/render.hpp"
-#include "upgrade/settlement.hpp"
 
 namespace gltfx {
 namespace {
@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 using model::OpenedAsset;
 
 PlannedUpgrade without_plan(PlannedUpgrade planned, EditProblem problem, std::string error) {
-  return {failed(std::move(planned.report), problem, std::move(error)), {}, {}, {}, {}};
+  return {failed(std::move(planned.report), problem, std::move(error)), {}, {}};
 }
 
 bool is_lossless(const std::vector<UpgradeAction>& actions) {
@@ -50,33 +50,35 @@ bool is_free(const OpenedAsset& asset, const std::string& output, const std::str
           : here.error != container::ResolveError::not_found) {
     return false;
   }
-  const fs::path there = edit::target_folder(asset.name(), output) / path;
+  const fs::path there = change::target_folder(asset.name(), output) / path;
   std::error_code error;
   return !fs::exists(fs::symlink_status(there, error)) ||
-         edit::has_bytes(there,
-                         {std::as_bytes(std::span(content.data(), content.size())), nullptr});
+         change::has_bytes(there,
+                           {std::as_bytes(std::span(content.data(), content.size())), nullptr});
 }
 
 // Makes new images and finds a place for all that is added.
-Result<upgrade::Settlement> settle(const upgrade::Additions& additions, const OpenedAsset& asset,
-                                   const std::string& output, const upgrade::AssetBytes& bytes,
-                                   upgrade::Pictures& pictures) {
-  std::vector<std::shared_ptr<const std::string>> images;
-  for (const upgrade::ImageJob& job : additions.images()) {
+Result<change::Change> settle(upgrade::Plan& plan, const OpenedAsset& asset,
+                              const std::string& output, const model::AssetBytes& bytes,
+                              upgrade::Pictures& pictures) {
+  std::vector<change::Additions::Image>& images = plan.change.additions.images();
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const upgrade::ImageJob& job = plan.images[i];
     auto file = upgrade::render(job, pictures, upgrade::ImageCache::shared(), bytes.origin());
     if (!file) return file.error();
-    images.push_back(*std::move(file));
+    images[i].png = *std::move(file);
+    images[i].beside = bytes.image_file_uri(job.first_image());
   }
-  return upgrade::settle(additions, images, asset.container(), bytes,
-                         [&](const std::string& path, std::string_view content) {
-                           return is_free(asset, output, path, content);
-                         });
+  return change::place(std::move(plan.change), asset,
+                       [&](const std::string& path, std::string_view content) {
+                         return is_free(asset, output, path, content);
+                       });
 }
 
 std::vector<UpgradeOrphan> listed(const edit::Orphans& orphans, const OpenedAsset& asset) {
   std::vector<UpgradeOrphan> list;
   const model::Asset elements(asset.document());
-  upgrade::AssetBytes bytes(elements, asset.container(), asset.resolver());
+  model::AssetBytes bytes(elements, asset.container(), asset.resolver());
   for (const auto& [array, indices] : orphans) {
     for (const std::uint64_t index : indices) {
       UpgradeOrphan orphan{fmt::format("/{}/{}", array, index), 0, false};
@@ -101,11 +103,11 @@ struct Before {
 };
 
 Before look_at_old(const OpenedAsset& asset, const std::vector<std::uint64_t>& released,
-                   const schema::Set& schemas, const upgrade::AssetBytes& bytes) {
+                   const schema::Set& schemas, const model::AssetBytes& bytes) {
   const json::Document& document = asset.document();
   const edit::References references(document, schemas);
   Before before{edit::referred_elements(document, references, released), std::nullopt};
-  if (bytes.buffer_storage(0) == upgrade::Storage::bin_chunk) {
+  if (bytes.buffer_storage(0) == model::Storage::bin_chunk) {
     before.bin_size = asset.container().bin->length;
   }
   return before;
@@ -114,19 +116,18 @@ Before look_at_old(const OpenedAsset& asset, const std::vector<std::uint64_t>& r
 // What additions refer to is not missed: they stand behind everything that was there before. The
 // old and the new document are not looked at together.
 void look_for_orphans(const OpenedAsset& asset, Before before, const UpgradeOptions& options,
-                      const schema::Set& schemas, std::vector<json::Edit>& edits,
-                      PlannedUpgrade& planned) {
-  planned.parsed = json::parse(planned.text);
-  const json::Document& now = planned.parsed.document;
+                      const schema::Set& schemas, PlannedUpgrade& planned) {
+  planned.now.parsed = json::parse(planned.now.text);
+  const json::Document& now = planned.now.parsed.document;
   const edit::References after(now, schemas);
   const edit::Orphans orphans = edit::find_orphans(std::move(before.referred), now, after);
   if (std::all_of(orphans.begin(), orphans.end(),
                   [](const auto& of) { return of.second.empty(); })) {
     return;
   }
-  std::optional<Result<edit::Pruned>> pruned;
-  if (options.prune) pruned = edit::prune(now, after, orphans, before.bin_size);
-  if (asset.is_large()) planned.parsed = {};
+  std::optional<Result<change::Pruned>> pruned;
+  if (options.prune) pruned = change::prune(now, after, orphans, before.bin_size);
+  if (asset.is_large()) planned.now.parsed = {};
   UpgradeReport& report = planned.report;
   report.orphans = listed(orphans, asset);
   if (!pruned) return;
@@ -134,12 +135,12 @@ void look_for_orphans(const OpenedAsset& asset, Before before, const UpgradeOpti
     report.orphans_kept = pruned->error().message;
     return;
   }
+  std::vector<json::Edit>& edits = planned.change.edits;
   edits = json::chain_edits(*asset.container().json, edits, (*pruned)->edits);
-  planned.bin.cut = std::move((*pruned)->cut);
+  planned.change.bin.cut = std::move((*pruned)->cut);
   for (UpgradeOrphan& orphan : report.orphans) orphan.removed = true;
   report.names_removed = std::move((*pruned)->names);
-  planned.text = new_text(asset, edits);
-  planned.parsed = {};  // the text is another one by now
+  planned.now = {new_text(asset, edits), {}};
 }
 
 // Said with the plan: what is valid may still not be seen.
@@ -174,7 +175,7 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
                             const std::function<void()>& release) {
   const OpenedAsset& asset = validated.asset();
   const model::Asset elements(asset.document());
-  upgrade::AssetBytes bytes(elements, asset.container(), asset.resolver());
+  model::AssetBytes bytes(elements, asset.container(), asset.resolver());
   upgrade::AssetPictures pictures(bytes, upgrade::ImageCache::shared());
   upgrade::Plan plan = upgrade::make_plan(asset.document(), *schemas, options, &pictures, &bytes);
   PlannedUpgrade planned;
@@ -186,55 +187,35 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   const auto ambiguity = upgrade::find_ambiguity(asset.parsed(), plan);
   report.actions = std::move(plan.actions);
   note_targets(options.targets, report.actions);
-  std::vector<json::Edit> edits = std::move(plan.edits);
   if (report.due() == 0) return planned;
   const auto refuse = [&planned](std::string why) {
     return without_plan(std::move(planned), EditProblem::refused, std::move(why));
   };
   if (ambiguity) return refuse(*ambiguity);
-  const auto obstacle = edit::find_glb_obstacle(asset.container());
-  if (obstacle && !edits.empty()) return refuse("it cannot be written anew: " + *obstacle);
-  report.changes = !edits.empty() || !plan.additions.empty();
+  const auto obstacle = change::find_glb_obstacle(asset.container());
+  if (obstacle && !plan.change.edits.empty())
+    return refuse("it cannot be written anew: " + *obstacle);
+  report.changes = !plan.change.empty();
   if (options.strict && !is_lossless(report.actions)) {
     return refuse("not everything can be upgraded without loss (--strict)");
   }
-  if (!plan.additions.empty()) {
-    auto settled = settle(plan.additions, asset, options.output, bytes, pictures);
-    if (!settled) return refuse(settled.error().message);
-    edits = json::merge_edits(std::move(edits), std::move(settled->edits));
-    planned.bin.more = std::move(settled->bin);
-    planned.files = std::move(settled->files);
-    for (const edit::NewFile& file : planned.files) report.new_files.push_back(file.path);
-  }
+  auto placed = settle(plan, asset, options.output, bytes, pictures);
+  if (!placed) return refuse(placed.error().message);
+  planned.change = *std::move(placed);
+  for (const change::NewFile& file : planned.change.files) report.new_files.push_back(file.path);
   if (!report.changes) return planned;
-  planned.text = new_text(asset, edits);
+  planned.now.text = new_text(asset, planned.change.edits);
   std::optional<Before> before;
   if (elements.count(model::RootArray::textures) > 0) {
     before = look_at_old(asset, plan.released, *schemas, bytes);
   }
   release();
-  if (!options.prune && !options.diff) edits = {};
+  if (!options.prune && !options.diff) planned.change.edits = {};
   give_back_memory();
-  if (before) look_for_orphans(asset, *std::move(before), options, *schemas, edits, planned);
+  if (before) look_for_orphans(asset, *std::move(before), options, *schemas, planned);
   release();
-  if (options.diff) report.diff = diff_of(asset, edits);
+  if (options.diff) report.diff = diff_of(asset, planned.change.edits);
   return planned;
-}
-
-OpenedAsset upgraded(const OpenedAsset& before, PlannedUpgrade& plan,
-                     container::Container changed) {
-  container::Resolver resolver = before.resolver();
-  for (const edit::NewFile& file : plan.files) resolver.add(file.path, file.content());
-  if (!plan.text || !changed.json || !edit::same_but_for_padding(*changed.json, *plan.text)) {
-    return {before.name(), std::move(changed), std::move(resolver)};
-  }
-  // The same text is not to be held twice.
-  if (changed.bytes.text() == *plan.text) changed.bytes = container::Bytes::from_text(plan.text);
-  changed.json = std::exchange(plan.text, nullptr);
-  if (plan.parsed.document.empty()) {
-    return {before.name(), std::move(changed), std::move(resolver)};
-  }
-  return {before.name(), std::move(changed), std::move(resolver), std::move(plan.parsed)};
 }
 
 }  // namespace gltfx

@@ -8,8 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "base/pages.hpp"
 #include "codec/client.hpp"
 #include "container/base64.hpp"
@@ -60,7 +58,7 @@ PagePicture picture_of(const BakeReport& baked) {
   }
   const auto& file = std::get<codec::EncodedImage>(encoded);
   const std::string_view bytes(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
-  picture.uri = fmt::format("data:image/webp;base64,{}", container::encode_base64(bytes));
+  picture.uri = container::data_uri("image/webp", bytes);
   picture.size = pixels.width;
   return picture;
 }

@@ -14,7 +14,6 @@
 
 #include "base/file_state.hpp"
 #include "base/material_table.hpp"
-#include "edit/rewrite.hpp"
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/edit_asset.hpp"
 #include "pipeline/in_order.hpp"
@@ -127,24 +126,7 @@ ValidatedAsset validated(OpenedAsset asset, const SchemaSet& schemas) {
   return validated;
 }
 
-// A plan is judged as what is written is.
-Rehearsal try_out(const ValidatedAsset& before, PlannedUpgrade planned, const SchemaSet& schemas,
-                  const UpgradeOptions& options) {
-  UpgradeReport& report = planned.report;
-  const OpenedAsset& asset = before.asset();
-  auto changed = edit::rewritten(asset.container(), planned.text, planned.bin, asset.name());
-  if (!changed) {
-    return {failed(std::move(report), EditProblem::refused, changed.error().message), {}};
-  }
-  const Judge judge(before, schemas, options, report.actions);
-  ValidatedAsset after(upgraded(asset, planned, *std::move(changed)), default_judgement(schemas));
-  if (auto error = judge.find_error(after, report)) {
-    return {failed(std::move(report), EditProblem::refused, *std::move(error)), {}};
-  }
-  return {std::move(report), std::move(after)};
-}
-
-// What write_edited() says is all of it where it succeeds.
+// The report says all of it where it succeeds.
 UpgradeReport written(UpgradeReport report, bool succeeded) {
   if (succeeded) return report;
   const EditProblem problem = report.problem;
@@ -152,28 +134,23 @@ UpgradeReport written(UpgradeReport report, bool succeeded) {
   return failed(std::move(report), problem, std::move(error));
 }
 
+// Judged alike whether it is written or not.
+Rehearsal carry_out(const ValidatedAsset& before, const FileState& state, PlannedUpgrade planned,
+                    const SchemaSet& schemas, const UpgradeOptions& options, FolderIndex& folders) {
+  UpgradeReport& report = planned.report;
+  const Judge judge(before, schemas, options, report.actions);
+  auto after = carry_out(
+      {before, state, options, schemas, folders}, std::move(planned.change),
+      [&](const ValidatedAsset& draft) { return judge.find_error(draft, report); }, report,
+      std::move(planned.now));
+  const bool done = after.has_value();
+  return {written(std::move(report), done), std::move(after)};
+}
+
 UpgradeReport copy(const OpenedAsset& asset, const FileState& state, UpgradeReport report,
                    const UpgradeOptions& options) {
   const bool copied = copy_unchanged(asset, state, options, report);
   return written(std::move(report), copied);
-}
-
-UpgradeReport write(const ValidatedAsset& before, const FileState& state, PlannedUpgrade planned,
-                    const SchemaSet& schemas, const UpgradeOptions& options, FolderIndex& folders) {
-  const OpenedAsset& asset = before.asset();
-  const auto pieces = edit::rewrite(asset.container(), planned.text, planned.bin);
-  if (!pieces) {
-    return failed(std::move(planned.report), EditProblem::refused, pieces.error().message);
-  }
-  const Judge judge(before, schemas, options, planned.report.actions);
-  const auto check = [&](container::Container on_disk) {
-    const ValidatedAsset after(upgraded(asset, planned, std::move(on_disk)),
-                               default_judgement(schemas));
-    return judge.find_error(after, planned.report);
-  };
-  const bool done =
-      write_edited(asset, state, {*pieces, planned.files}, options, check, folders, planned.report);
-  return written(std::move(planned.report), done);
 }
 
 UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options,
@@ -195,10 +172,7 @@ UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& option
   if (!planned.report.changes) {
     return copy(before.asset(), state, std::move(planned.report), options);
   }
-  if (options.output.empty() && !options.in_place) {
-    return try_out(before, std::move(planned), schemas, options).report;
-  }
-  return write(before, state, std::move(planned), schemas, options, folders);
+  return carry_out(before, state, std::move(planned), schemas, options, folders).report;
 }
 
 }  // namespace
@@ -211,8 +185,8 @@ Rehearsal rehearse_upgrade(ValidatedAsset& asset, const UpgradeOptions& options)
     const auto forget = [&asset] { asset.forget_large_document(); };
     PlannedUpgrade planned = plan_upgrade(asset, options, schemas, forget);
     if (!planned.report.changes) return std::move(planned.report);
-    Rehearsal tried = try_out(asset, std::move(planned), schemas, options);
-    if (tried.after) tried.after->forget_large_document();
+    FolderIndex folders;
+    Rehearsal tried = carry_out(asset, {}, std::move(planned), schemas, options, folders);
     rehearsal.after = std::move(tried.after);
     return std::move(tried.report);
   });

@@ -21,6 +21,7 @@
 
 #include "base/build_id.hpp"
 #include "base/hash.hpp"
+#include "change/apply.hpp"
 #include "container/container.hpp"
 #include "container/memory_asset.hpp"
 #include "json/lines.hpp"
@@ -75,7 +76,7 @@ ProposedFix fix_of(const upgrade::Plan& plan, std::string_view text) {
   ProposedFix fix;
   fix.description = description_of(plan);
   const json::LineIndex lines(text);
-  for (const json::Edit& edit : plan.edits) {
+  for (const json::Edit& edit : plan.change.edits) {
     fix.replacements.push_back({lines.locate(edit.span), edit.text});
   }
   return fix;
@@ -98,13 +99,14 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
   const upgrade::Plan plan = upgrade::make_plan(asset.document(), *schemas, {});
   const auto finding = first_mended(validated.report(), asset.document(), plan);
-  if (!finding || plan.edits.empty()) return;
-  const std::string_view text = *asset.container().json;
-  container::Container fixed = container::open_bytes(
-      container::Bytes::from_string(json::apply_edits(text, plan.edits)), asset.name());
-  const validate::ValidatedAsset after({asset.name(), std::move(fixed), asset.resolver()},
-                                       default_judgement(schemas));
+  if (!finding || plan.change.edits.empty()) return;
+  change::Change change;
+  change.edits = plan.change.edits;
+  auto fixed = change::apply(asset, change);
+  if (!fixed) return;
+  const validate::ValidatedAsset after(*std::move(fixed), default_judgement(schemas));
   if (!new_findings(validated, after, schemas).error.empty()) return;
+  const std::string_view text = *asset.container().json;
   validated.propose(*finding, std::make_shared<const ProposedFix>(fix_of(plan, text)));
 }
 

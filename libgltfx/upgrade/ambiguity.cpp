@@ -81,9 +81,10 @@ class Touched {
   }
 
   bool is_edited(Span span) const {
-    return std::any_of(plan_.edits.begin(), plan_.edits.end(), [&](const json::Edit& edit) {
-      return edit.span.begin <= span.begin && span.begin < edit.span.end;
-    });
+    return std::any_of(plan_.change.edits.begin(), plan_.change.edits.end(),
+                       [&](const json::Edit& edit) {
+                         return edit.span.begin <= span.begin && span.begin < edit.span.end;
+                       });
   }
 
   // Readers disagree about which of two members of one name counts.
@@ -100,9 +101,10 @@ class Touched {
     for (json::NodeId id = 0; id < document_.node_count(); ++id) {
       if (document_.kind(id) != json::Kind::key || document_.span(id).begin != name.begin) continue;
       const Span value = document_.span(id + 1);
-      return std::any_of(plan_.edits.begin(), plan_.edits.end(), [&](const json::Edit& edit) {
-        return name.begin <= edit.span.begin && edit.span.begin <= value.end;
-      });
+      return std::any_of(plan_.change.edits.begin(), plan_.change.edits.end(),
+                         [&](const json::Edit& edit) {
+                           return name.begin <= edit.span.begin && edit.span.begin <= value.end;
+                         });
     }
     return false;
   }
@@ -137,7 +139,7 @@ std::optional<UpgradeAction> find_old_format(const json::Document& document,
 }
 
 std::optional<std::string> find_ambiguity(const json::Parsed& parsed, const Plan& plan) {
-  if (plan.edits.empty() || parsed.ok()) return std::nullopt;
+  if (plan.change.edits.empty() || parsed.ok()) return std::nullopt;
   if (parsed.unrecorded_errors > 0) {
     return fmt::format("its JSON has {} errors; fix them first",
                        parsed.errors.size() + parsed.unrecorded_errors);

@@ -2,7 +2,6 @@
 #include "upgrade/animated_copy.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <optional>
 #include <utility>
 
@@ -10,6 +9,7 @@
 
 #include "base/json_pointer.hpp"
 #include "json/writer.hpp"
+#include "model/accessor_writer.hpp"
 
 namespace gltfx::upgrade {
 namespace {
@@ -46,11 +46,6 @@ std::string with_scalars(const json::Document& document, json::NodeId value,
 /// The values of an accessor cut to `take` components, as bytes, in their own type or as floats.
 std::string cut(const model::AccessorData& data, std::uint64_t take, const Rgb& tint) {
   std::string bytes;
-  const auto append = [&](auto number) {
-    std::array<char, sizeof number> raw{};
-    std::memcpy(raw.data(), &number, sizeof number);
-    bytes.append(raw.data(), raw.size());
-  };
   model::with_component_type(data.format().component, [&](auto type) {
     using T = decltype(type);
     data.visit<T>([&](const T* values, std::size_t elements, std::uint64_t) {
@@ -58,11 +53,12 @@ std::string cut(const model::AccessorData& data, std::uint64_t take, const Rgb& 
         const std::size_t component = i % data.components();
         if (component >= take) continue;
         if (tint == kUntouched) {
-          append(values[i]);
+          model::append_number(bytes, values[i]);
         } else if constexpr (std::is_floating_point_v<T>) {
-          append(static_cast<float>(values[i] * tint[component]));
+          model::append_number(bytes, static_cast<float>(values[i] * tint[component]));
         } else {
-          append(static_cast<float>(model::normalize(values[i]) * tint[component]));
+          model::append_number(bytes,
+                               static_cast<float>(model::normalize(values[i]) * tint[component]));
         }
       }
     });
@@ -81,7 +77,7 @@ std::uint64_t cut_accessor(Context& context, const Follower& follower, const Rgb
   const model::ComponentType type =
       own_type ? data->format().component : model::ComponentType::float32;
   const bool normalized = own_type && data->format().normalized;
-  const std::uint64_t index = context.plan.additions.add_accessor(
+  const std::uint64_t index = context.plan.change.additions.add_accessor(
       {fmt::format(R"({{"componentType":{},{}"count":{},"type":"VEC{}"}})",
                    static_cast<unsigned>(type), normalized ? R"("normalized":true,)" : "",
                    data->count(), follower.take),

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/hash.hpp"
 #include "upgrade/image_cache.hpp"
 
 namespace gltfx::upgrade {

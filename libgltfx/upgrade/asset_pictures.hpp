@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "upgrade/asset_bytes.hpp"
+#include "model/asset_bytes.hpp"
 #include "upgrade/image_cache.hpp"
 #include "upgrade/pictures.hpp"
 
@@ -15,7 +15,7 @@ namespace gltfx::upgrade {
 /// run meanwhile.
 class AssetPictures : public Pictures {
  public:
-  AssetPictures(AssetBytes& bytes, ImageCache& cache) : bytes_(bytes), cache_(cache) {}
+  AssetPictures(model::AssetBytes& bytes, ImageCache& cache) : bytes_(bytes), cache_(cache) {}
 
   const Picture& picture(std::uint64_t image) override;
   std::shared_ptr<const codec::Image> pixels(std::uint64_t image) override;
@@ -27,7 +27,7 @@ class AssetPictures : public Pictures {
   std::string failure() const { return failure_.empty() ? bytes_.trouble() : failure_; }
 
  private:
-  AssetBytes& bytes_;
+  model::AssetBytes& bytes_;
   ImageCache& cache_;
   std::string failure_;
   std::unordered_map<std::uint64_t, Picture> pictures_;

@@ -2,6 +2,7 @@
 #include "upgrade/context.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -15,7 +16,7 @@ namespace {
 std::string edited(const Context& context, json::NodeId value) {
   const Span whole = context.document.span(value);
   std::vector<json::Edit> inside;
-  for (const json::Edit& edit : context.plan.edits) {
+  for (const json::Edit& edit : context.plan.change.edits) {
     if (edit.span.begin < whole.begin || edit.span.end > whole.end) continue;
     inside.push_back({{edit.span.begin - whole.begin, edit.span.end - whole.begin}, edit.text});
   }
@@ -42,7 +43,8 @@ std::string with_member(const std::string& text, const std::vector<std::string>&
 }  // namespace
 
 std::uint64_t split_material(Context& context, MaterialSplit split) {
-  const std::uint64_t index = context.plan.additions.old_count("materials") + context.splits.size();
+  const std::uint64_t index =
+      context.plan.change.additions.old_count("materials") + context.splits.size();
   for (const json::NodeId user : split.users) {
     context.editor.replace_scalar(user, std::to_string(index));
   }
@@ -52,9 +54,29 @@ std::uint64_t split_material(Context& context, MaterialSplit split) {
 
 void settle_splits(Context& context) {
   for (const MaterialSplit& split : context.splits) {
-    context.plan.additions.add_element(
+    context.plan.change.additions.add_element(
         "materials", with_member(edited(context, split.material), split.member, split.json));
   }
+}
+
+std::uint64_t Context::add_texture(const ImageJob& job, std::optional<std::uint64_t> sampler) {
+  change::Additions& additions = plan.change.additions;
+  std::string what = "image";
+  for (const ChannelSource& channel : job.channels) {
+    const std::string from = channel.image ? std::to_string(*channel.image) : std::string();
+    fmt::format_to(std::back_inserter(what), " {}.{}*{}+{}", from, channel.channel, channel.scale,
+                   channel.offset);
+  }
+  const auto [image, is_new] = new_textures.emplace(what, 0);
+  if (is_new) {
+    image->second = additions.add_image({});
+    plan.images.push_back(job);
+  }
+  const std::string by = sampler ? fmt::format(R"("sampler":{},)", *sampler) : std::string();
+  const std::string json = fmt::format(R"({{{}"source":{}}})", by, image->second);
+  const auto [texture, is_new_texture] = new_textures.emplace(json, 0);
+  if (is_new_texture) texture->second = additions.add_element("textures", json);
+  return texture->second;
 }
 
 const std::vector<MaterialUse>& Context::uses_of(std::uint64_t material) {

@@ -68,7 +68,7 @@ struct MemberSource {
 /// State of one plan. Keeps references to all it is made of.
 struct Context {
   Context(const json::Document& read, const schema::Set& known, const UpgradeOptions& wanted,
-          Pictures* of_document, AssetBytes* bytes)
+          Pictures* of_document, model::AssetBytes* bytes)
       : document(read),
         asset(read),
         set(known),
@@ -79,7 +79,7 @@ struct Context {
         symbols(read, known),
         holds(read, known, symbols),
         editor(read) {
-    plan.additions = Additions(read);
+    plan.change.additions = change::Additions(read);
   }
 
   const json::Document& document;
@@ -110,6 +110,7 @@ struct Context {
   std::unordered_map<json::NodeId, std::uint64_t> sizes;  ///< of arrays that somebody asked for
   std::optional<MaterialUses> uses;                       ///< once somebody asked
   std::vector<MaterialSplit> splits;
+  std::map<std::string, std::uint64_t> new_textures;  ///< images and textures by what they are
   // What animated copies have got: accessors by what they are cut from, samplers by the old one and
   // the new accessor, and how many samplers a list has got.
   std::map<std::string, std::uint64_t> cut_accessors;
@@ -128,6 +129,8 @@ struct Context {
   std::string_view interned(std::string_view name) { return *names.emplace(name).first; }
   /// Number of elements of an array, which is counted once.
   std::uint64_t size_of(json::NodeId array);
+  /// A texture of a new image; equal ones are one. Gives its index in the root's textures.
+  std::uint64_t add_texture(const ImageJob& job, std::optional<std::uint64_t> sampler);
   /// Number of textures in the document.
   std::uint64_t texture_count() const { return asset.count(model::RootArray::textures); }
   /// Who uses a material.

@@ -46,7 +46,7 @@ class SpecularGlossiness : public Conversion {
   void apply(const ConversionContext& bench) override {
     bench.drop("glossinessFactor");
     if (!job_) return;
-    const std::uint64_t texture = bench.context.plan.additions.add_texture(*job_, sampler_);
+    const std::uint64_t texture = bench.context.add_texture(*job_, sampler_);
     bench.placements.put(kRoughnessTexture, texture_info(bench, texture));
   }
 

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/fork.hpp"
+#include "base/hash.hpp"
 #include "base/text.hpp"
 #include "image/header.hpp"
 #include "image/ktx2.hpp"
@@ -104,24 +105,6 @@ std::uint64_t weight(const Recipe& recipe, const std::string& file) {
 }
 
 }  // namespace
-
-// FNV-1a on words of eight bytes, the last one filled up with zeros, with the halves mixed after
-// each; the length counts, too.
-std::uint64_t content_hash(std::string_view bytes) {
-  constexpr std::uint64_t kPrime = 0x100000001B3;
-  std::uint64_t hash = 0xCBF29CE484222325 ^ bytes.size();
-  while (!bytes.empty()) {
-    const std::size_t size = std::min<std::size_t>(8, bytes.size());
-    std::uint64_t word = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      word |= std::uint64_t{static_cast<unsigned char>(bytes[i])} << (8 * i);
-    }
-    hash = (hash ^ word) * kPrime;
-    hash ^= hash >> 32U;
-    bytes.remove_prefix(size);
-  }
-  return hash * kPrime ^ hash >> 29U;
-}
 
 std::shared_ptr<const Decoded> ImageCache::known(const Origin& origin, std::uint64_t hash,
                                                  std::string_view bytes) {

@@ -16,9 +16,6 @@
 
 namespace gltfx::upgrade {
 
-/// The same on every machine, today and later: names of files are made of it.
-std::uint64_t content_hash(std::string_view bytes);
-
 /// A picture, and its pixels behind `picture.image`.
 struct Decoded {
   Picture picture;

@@ -10,7 +10,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "edit/removal.hpp"
+#include "change/removal.hpp"
 #include "json/parse.hpp"
 #include "schema/phrases.hpp"
 #include "upgrade/object_plan.hpp"
@@ -131,7 +131,7 @@ schema::TypeId ObjectPlan::own_type() const {
 
 // What the object holds that is not its own extension's.
 std::vector<std::string> ObjectPlan::foreign() const {
-  return edit::foreign_content(document_, context_.set, carrier_.object, own_type());
+  return change::foreign_content(document_, context_.set, carrier_.object, own_type());
 }
 
 void ObjectPlan::judge_removal(const std::string& why) {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "edit/removal.hpp"
+#include "change/removal.hpp"
 #include "json/parse.hpp"
 #include "upgrade/generation.hpp"
 
@@ -128,7 +128,7 @@ ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
 // Of an object whose values become part of another.
 void ObjectPlan::note_lost_members() {
   const std::vector<std::string> others =
-      edit::foreign_members(document_, context_.set, carrier_.object, own_type());
+      change::foreign_members(document_, context_.set, carrier_.object, own_type());
   if (!others.empty()) lose(fmt::format("this also removes {}", join_and(others)));
 }
 
@@ -136,7 +136,7 @@ void ObjectPlan::note_overwritten() {
   for (std::size_t i = 0; i < placements_.overwritten().size(); ++i) {
     const std::string note = fmt::format("{} is overwritten", placements_.overwritten()[i]);
     const std::vector<std::string> others =
-        edit::foreign_below(document_, context_.set, placements_.taken_out()[i]);
+        change::foreign_below(document_, context_.set, placements_.taken_out()[i]);
     if (others.empty()) {
       action_.notes.push_back(note);
     } else {

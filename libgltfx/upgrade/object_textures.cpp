@@ -11,7 +11,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "edit/removal.hpp"
+#include "change/removal.hpp"
 #include "json/document.hpp"
 #include "model/asset.hpp"
 #include "model/fields.hpp"
@@ -162,7 +162,7 @@ bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& t
   });
   if (factors == found_.end() || is_pointed_at({"extensions", extension_.name, factor}) ||
       is_pointed_at({"extensions", extension_.name, step.from}) ||
-      !edit::foreign_below(document_, context_.set, texture.value).empty()) {
+      !change::foreign_below(document_, context_.set, texture.value).empty()) {
     return false;
   }
   texture.gone = true;
@@ -236,7 +236,7 @@ void ObjectPlan::release(const Found& found) {
 }
 
 std::string ObjectPlan::new_texture(const Found& found) {
-  return std::to_string(context_.plan.additions.add_texture(*found.image, found.sampler));
+  return std::to_string(context_.add_texture(*found.image, found.sampler));
 }
 
 void ObjectPlan::show_copy(const Found& found) {

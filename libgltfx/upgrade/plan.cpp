@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 
 #include "base/json_pointer.hpp"
-#include "edit/name_list.hpp"
-#include "edit/removal.hpp"
+#include "change/name_list.hpp"
+#include "change/removal.hpp"
 #include "json/writer.hpp"
 #include "model/asset.hpp"
 #include "upgrade/ambiguity.hpp"
@@ -61,7 +61,7 @@ class ExtensionPlan {
     return any;
   }
 
-  void finish(edit::NameList& used, edit::NameList& required) {
+  void finish(change::NameList& used, change::NameList& required) {
     if (carriers_.empty()) drop_unused_name(used, required);
     if (converted_ + removed_ == 0) return;
     settle_names(used, required);
@@ -188,14 +188,14 @@ class ExtensionPlan {
 
   // A name in a list that no object goes with. Where the upgrade is only offered, a name may stay
   // unless it is one of the past.
-  void drop_unused_name(edit::NameList& used, edit::NameList& required) {
+  void drop_unused_name(change::NameList& used, change::NameList& required) {
     using schema::Status;
     const Status status = extension_.status;
     const bool past = status == Status::legacy || status == Status::archived;
     const bool wanted =
         choice_.selection == Selection::yes || (choice_.selection == Selection::offered && past);
     if (!wanted || extension_.attachment_points.empty() || count_occurrences() > 0) return;
-    for (edit::NameList* list : {&used, &required}) {
+    for (change::NameList* list : {&used, &required}) {
       for (std::string& place : list->places(extension_.name)) {
         UpgradeAction action;
         action.pointer = std::move(place);
@@ -209,12 +209,12 @@ class ExtensionPlan {
     }
   }
 
-  void settle_names(edit::NameList& used, edit::NameList& required) {
+  void settle_names(change::NameList& used, change::NameList& required) {
     const std::string& from = extension_.name;
     const std::string& to = choice_.to;
     left_ = count_occurrences() - converted_ - removed_;
     const bool was_required = required.has(from);
-    for (edit::NameList* list : {&used, &required}) {
+    for (change::NameList* list : {&used, &required}) {
       if (left_ == 0 && converted_ > 0) list->replace(from, to);
       if (left_ == 0 && converted_ == 0) list->remove(from);
     }
@@ -296,10 +296,10 @@ void settle_dropped(Context& context) {
 
 // Extensions whose last object went with something that was taken out.
 void settle_taken_out(Context& context, const std::deque<ExtensionPlan>& plans,
-                      edit::NameList& used, edit::NameList& required) {
+                      change::NameList& used, change::NameList& required) {
   std::vector<json::NodeId> values;
   for (const auto& [value, object] : context.taken_out) values.push_back(value);
-  const auto gone = edit::extensions_taken_out(context.document, std::move(values));
+  const auto gone = change::extensions_taken_out(context.document, std::move(values));
   std::set<std::string> listed = used.remove_all(gone);
   listed.merge(required.remove_all(gone));
   if (listed.empty()) return;
@@ -316,8 +316,9 @@ void settle_taken_out(Context& context, const std::deque<ExtensionPlan>& plans,
 // Extensions that may stand in the document, those first on whose results others build: what puts
 // values into its carrier before what copies them from there.
 std::vector<const schema::Extension*> legacy_of(const json::Document& document,
-                                                const schema::Set& set, const edit::NameList& used,
-                                                const edit::NameList& required) {
+                                                const schema::Set& set,
+                                                const change::NameList& used,
+                                                const change::NameList& required) {
   std::vector<const schema::Extension*> legacy;
   for (const schema::Extension& extension : set.extensions()) {
     const std::string& name = extension.name;
@@ -342,20 +343,20 @@ std::vector<const schema::Extension*> legacy_of(const json::Document& document,
 }  // namespace
 
 bool names_legacy(const json::Document& document, const schema::Set& set) {
-  const edit::NameList used(document, "extensionsUsed");
-  const edit::NameList required(document, "extensionsRequired");
+  const change::NameList used(document, "extensionsUsed");
+  const change::NameList required(document, "extensionsRequired");
   return model::is_gltf_1(document) || !legacy_of(document, set, used, required).empty();
 }
 
 Plan make_plan(const json::Document& document, const schema::Set& set,
-               const UpgradeOptions& options, Pictures* pictures, AssetBytes* bytes) {
+               const UpgradeOptions& options, Pictures* pictures, model::AssetBytes* bytes) {
   if (auto action = find_old_format(document, options)) {
     Plan plan;
     plan.actions.push_back(*std::move(action));
     return plan;
   }
-  edit::NameList used(document, "extensionsUsed");
-  edit::NameList required(document, "extensionsRequired");
+  change::NameList used(document, "extensionsUsed");
+  change::NameList required(document, "extensionsRequired");
   const std::vector<const schema::Extension*> legacy = legacy_of(document, set, used, required);
   if (legacy.empty()) return {};
   Context context(document, set, options, pictures, bytes);
@@ -371,7 +372,7 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
   std::for_each(plans.rbegin(), plans.rend(), [](ExtensionPlan& plan) { plan.add_dropped(); });
   used.apply(context.editor);
   required.apply(context.editor);
-  context.plan.edits = context.editor.take();
+  context.plan.change.edits = context.editor.take();
   settle_splits(context);
   return std::move(context.plan);
 }

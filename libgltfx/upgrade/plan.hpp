@@ -8,11 +8,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "change/change.hpp"
 #include "json/document.hpp"
-#include "json/edit.hpp"
+#include "model/asset_bytes.hpp"
 #include "schema/set.hpp"
-#include "upgrade/additions.hpp"
-#include "upgrade/asset_bytes.hpp"
+#include "upgrade/image_job.hpp"
 #include "upgrade/pictures.hpp"
 
 namespace gltfx::upgrade {
@@ -20,11 +20,11 @@ namespace gltfx::upgrade {
 /// Pure data; nothing was changed yet.
 struct Plan {
   std::vector<UpgradeAction> actions;  ///< by extension, then in the order of the document
-  std::vector<json::Edit> edits;       ///< of the actions that are done; for json::apply_edits()
   /// Textures that some slot showed and shows no more, also by an index that no schema knows as
   /// one.
   std::vector<std::uint64_t> released;
-  Additions additions;  ///< that they refer to; settle() makes further edits of it
+  change::Change change;         ///< of the actions that are done; change::place() is to follow
+  std::vector<ImageJob> images;  ///< what is to be made for its new images, by position
 };
 
 /// Whether a plan for the document would hold anything, or look for it: it names an extension that
@@ -38,6 +38,6 @@ bool names_legacy(const json::Document& document, const schema::Set& set);
 /// its buffers; without them vertex colours and keyframes cannot be looked at.
 Plan make_plan(const json::Document& document, const schema::Set& set,
                const UpgradeOptions& options, Pictures* pictures = nullptr,
-               AssetBytes* bytes = nullptr);
+               model::AssetBytes* bytes = nullptr);
 
 }  // namespace gltfx::upgrade

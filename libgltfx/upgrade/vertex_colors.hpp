@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "model/accessor_data.hpp"
-#include "upgrade/asset_bytes.hpp"
+#include "model/asset_bytes.hpp"
 
 namespace gltfx::upgrade {
 
@@ -19,7 +19,8 @@ namespace gltfx::upgrade {
 class AccessorValues {
  public:
   /// Null bytes: nothing can be read.
-  AccessorValues(const model::Asset& asset, AssetBytes* bytes) : asset_(asset), bytes_(bytes) {}
+  AccessorValues(const model::Asset& asset, model::AssetBytes* bytes)
+      : asset_(asset), bytes_(bytes) {}
 
   /// The elements as they lie in a buffer; nothing where they do not all lie there, or an extension
   /// says that they are to be decoded first.
@@ -30,7 +31,7 @@ class AccessorValues {
   void read_all();
 
   const model::Asset& asset_;
-  AssetBytes* bytes_;
+  model::AssetBytes* bytes_;
   std::optional<model::Views> views_;  ///< nothing until somebody asked
   model::ResourceData resources_;
 };

@@ -8,7 +8,7 @@
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
-#include "edit/companions.hpp"
+#include "change/companions.hpp"
 #include "edit/references.hpp"
 #include "model/fields.hpp"
 #include "validate/fix_users.hpp"
@@ -16,7 +16,7 @@
 namespace gltfx::validate {
 namespace {
 
-using edit::ByteRead;
+using change::ByteRead;
 using model::RootArray;
 
 // Elements of the accessor, or the whole view where these cannot be told.
@@ -44,7 +44,7 @@ void FilesRead::find_files(Fixing& fixing) {
     if (buffer != json::kNoNode) buffers.emplace(fixing.document().find(buffer, "uri"), index);
     ++index;
   }
-  for (const auto& [value, path] : edit::referred_files(fixing.document())) {
+  for (const auto& [value, path] : change::referred_files(fixing.document())) {
     const container::Resolved file = fixing.opened().resolver().open(path);
     if (file.error != container::ResolveError::none) continue;
     FileRead& read = files_[identity_of(file.state, path)];
@@ -72,7 +72,7 @@ void FilesRead::find_reads(Fixing& fixing) {
   for (std::uint32_t i = 0; i < views.buffer_views.size(); ++i) {
     const model::BufferView& view = views.buffer_views[i];
     if (!view.buffer) continue;
-    edit::FileReads& reads = reads_[*view.buffer];
+    change::FileReads& reads = reads_[*view.buffer];
     --mentions[*view.buffer];
     const bool whole = users.has_others(i) || !users.sparse_parts_in(i).empty() ||
                        users.uses_of_view(i).contains(model::ViewUse::image);
@@ -91,8 +91,8 @@ void FilesRead::find_reads(Fixing& fixing) {
   }
 }
 
-edit::FileReads FilesRead::reads_of(const FileRead& file) const {
-  edit::FileReads reads;
+change::FileReads FilesRead::reads_of(const FileRead& file) const {
+  change::FileReads reads;
   reads.all = file.otherwise;
   for (const std::uint32_t buffer : file.buffers) reads.add(reads_[buffer]);
   return reads;
@@ -100,7 +100,7 @@ edit::FileReads FilesRead::reads_of(const FileRead& file) const {
 
 namespace {
 
-std::optional<Error> unite(Fixing& fixing, const FileRead& file, edit::BufferContents& contents) {
+std::optional<Error> unite(Fixing& fixing, const FileRead& file, change::BufferContents& contents) {
   const auto changed = std::find_if(file.buffers.begin(), file.buffers.end(),
                                     [&](std::uint32_t i) { return contents.contains(i); });
   if (changed == file.buffers.end()) return std::nullopt;
@@ -112,13 +112,13 @@ std::optional<Error> unite(Fixing& fixing, const FileRead& file, edit::BufferCon
   const auto& resources = fixing.resources().buffers;
   const std::string_view before = resources[*changed]->text();
   const FilesRead& read = fixing.table<FilesRead>();
-  std::vector<edit::FileUser> users;
+  std::vector<change::FileUser> users;
   for (const std::uint32_t buffer : file.buffers) {
     const auto content = contents.find(buffer);
     users.push_back({content == contents.end() ? before : std::string_view(content->second),
                      read.reads_of(buffer)});
   }
-  edit::MergedFile merged = edit::merge_changes(before, users);
+  change::MergedFile merged = change::merge_changes(before, users);
   if (!merged.conflicts.empty()) {
     return Error{fmt::format("buffer {} reads the same bytes of {} as something else",
                              file.buffers[merged.conflicts.front().user], name)};
@@ -130,7 +130,7 @@ std::optional<Error> unite(Fixing& fixing, const FileRead& file, edit::BufferCon
 
 }  // namespace
 
-std::optional<Error> unite_buffers(Fixing& fixing, edit::BufferContents& contents) {
+std::optional<Error> unite_buffers(Fixing& fixing, change::BufferContents& contents) {
   if (contents.empty()) return std::nullopt;
   for (const auto& [identity, file] : fixing.table<FilesRead>().files()) {
     if (auto error = unite(fixing, file, contents)) return error;
@@ -138,10 +138,10 @@ std::optional<Error> unite_buffers(Fixing& fixing, edit::BufferContents& content
   return std::nullopt;
 }
 
-void add_other_names(Fixing& fixing, std::vector<edit::ReplacedFile>& files) {
+void add_other_names(Fixing& fixing, std::vector<change::ReplacedFile>& files) {
   const std::size_t count = files.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const edit::ReplacedFile file = files[i];
+    const change::ReplacedFile file = files[i];
     const auto& known = fixing.table<FilesRead>().files();
     const auto found = known.find(identity_of(file.state, file.path));
     if (found == known.end()) continue;

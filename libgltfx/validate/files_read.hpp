@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/file_state.hpp"
-#include "edit/buffer_changes.hpp"
-#include "edit/shared_bytes.hpp"
+#include "change/change.hpp"
+#include "change/shared_bytes.hpp"
 #include "validate/fix.hpp"
 
 namespace gltfx::validate {
@@ -31,23 +31,23 @@ class FilesRead {
 
   const std::map<FileIdentity, FileRead>& files() const { return files_; }
   /// What is read of the buffer with this index.
-  const edit::FileReads& reads_of(std::uint32_t buffer) const { return reads_[buffer]; }
+  const change::FileReads& reads_of(std::uint32_t buffer) const { return reads_[buffer]; }
   /// What is read of a file by all that names it.
-  edit::FileReads reads_of(const FileRead& file) const;
+  change::FileReads reads_of(const FileRead& file) const;
 
  private:
   void find_files(Fixing& fixing);
   void find_reads(Fixing& fixing);
 
   std::map<FileIdentity, FileRead> files_;
-  std::vector<edit::FileReads> reads_;
+  std::vector<change::FileReads> reads_;
 };
 
 /// Buffers that are one file get one content, under the index of one of them. The Error says why
 /// not: something else reads bytes that would change.
-std::optional<Error> unite_buffers(Fixing& fixing, edit::BufferContents& contents);
+std::optional<Error> unite_buffers(Fixing& fixing, change::BufferContents& contents);
 
 /// Adds the other names of the files that are changed already.
-void add_other_names(Fixing& fixing, std::vector<edit::ReplacedFile>& files);
+void add_other_names(Fixing& fixing, std::vector<change::ReplacedFile>& files);
 
 }  // namespace gltfx::validate

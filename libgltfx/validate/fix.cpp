@@ -5,7 +5,8 @@
 #include <utility>
 
 #include "base/fork.hpp"
-#include "edit/deletion.hpp"
+#include "change/deletion.hpp"
+#include "change/place.hpp"
 #include "json/parse.hpp"
 #include "validate/context.hpp"
 #include "validate/files_read.hpp"
@@ -188,33 +189,29 @@ std::string without_repeats(const json::Document& document, json::NodeId numbers
   return text + "]";
 }
 
-Result<Fixing::Changes> Fixing::take_deletion() {
+Result<change::Change> Fixing::take_deletion() {
   const std::vector<std::string> pointers(deleted_.begin(), deleted_.end());
-  auto deletion = edit::plan_deletion(document_, schemas_, pointers, {true, &opened_.container()});
+  auto deletion =
+      change::plan_deletion(document_, schemas_, pointers, {true, &opened_.container()});
   if (!deletion) return deletion.error();
-  Changes changes;
-  changes.edits = std::move(deletion->edits);
-  changes.buffers.bin = std::move(deletion->bin);
-  return changes;
+  return std::move(deletion->change);
 }
 
-Result<Fixing::Changes> Fixing::take() {
+Result<change::Change> Fixing::take() {
   if (!deleted_.empty()) return take_deletion();
-  Changes changes;
   std::erase_if(contents_.changed, [&](const auto& content) {
     return content.second == resources().buffers[content.first]->text();
   });
   if (auto error = unite_buffers(*this, contents_.changed)) return *std::move(error);
-  auto buffers = edit::change_buffers(document_, opened_.container(), opened_.resolver(),
-                                      std::move(contents_.changed), editor_);
-  if (!buffers) return buffers.error();
-  if (!buffers->files.empty()) add_other_names(*this, buffers->files);
-  changes.buffers = *std::move(buffers);
   names_.used.apply(editor_);
   names_.required.apply(editor_);
-  changes.edits = editor_.take();
-  changes.container = rewrites_container_;
-  return changes;
+  change::Change change;
+  change.edits = editor_.take();
+  change.sound_chunks = rewrites_container_;
+  change.contents = std::move(contents_.changed);
+  auto placed = change::place(std::move(change), opened_, nullptr);
+  if (placed && !placed->replaced.empty()) add_other_names(*this, placed->replaced);
+  return placed;
 }
 
 }  // namespace gltfx::validate

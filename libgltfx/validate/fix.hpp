@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/span.hpp"
-#include "edit/buffer_changes.hpp"
-#include "edit/name_list.hpp"
+#include "change/change.hpp"
+#include "change/name_list.hpp"
 #include "json/edit.hpp"
 #include "model/asset.hpp"
 #include "model/opened_asset.hpp"
@@ -71,8 +71,8 @@ class Fixing {
   /// Puts text in the place of a stretch of the text.
   void replace_text(Span span, std::string text) { editor_.replace_text(span, std::move(text)); }
   json::Editor& editor() { return editor_; }
-  edit::NameList& extensions_used() { return names_.used; }
-  edit::NameList& extensions_required() { return names_.required; }
+  change::NameList& extensions_used() { return names_.used; }
+  change::NameList& extensions_required() { return names_.required; }
   /// What a buffer holds from now on, to be changed in place; null where its bytes are missing
   /// or too many.
   std::string* content(std::uint32_t buffer);
@@ -81,21 +81,12 @@ class Fixing {
   /// The container is to be written anew, with right lengths and padding.
   void rewrite_container() { rewrites_container_ = true; }
 
-  /// What all fixes come to.
-  struct Changes {
-    std::vector<json::Edit> edits;  ///< of the text, as json::Editor::take() gives them
-    edit::ChangedBuffers buffers;
-    bool container = false;
-    bool empty() const {
-      return edits.empty() && buffers.bin.empty() && buffers.files.empty() && !container;
-    }
-  };
-  /// An Error says why not.
-  Result<Changes> take();
+  /// What all fixes come to, placed. An Error says why not.
+  Result<change::Change> take();
 
  private:
   void find_parents();
-  Result<Changes> take_deletion();
+  Result<change::Change> take_deletion();
 
   const model::OpenedAsset& opened_;
   const json::Document& document_;
@@ -103,10 +94,10 @@ class Fixing {
   model::Asset elements_;
   json::Editor editor_;
   struct {
-    edit::NameList used, required;
+    change::NameList used, required;
   } names_;
   struct {
-    edit::BufferContents changed;
+    change::BufferContents changed;
     std::uint64_t bytes_left;  ///< for more of them
   } contents_;
   std::vector<json::NodeId> parents_;  ///< empty until somebody asks

@@ -12,8 +12,8 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "change/companions.hpp"
 #include "container/near_files.hpp"
-#include "edit/companions.hpp"
 #include "image/header.hpp"
 #include "json/writer.hpp"
 #include "model/fields.hpp"
@@ -92,7 +92,7 @@ bool is_wanted_image(const Fixing& fixing, const Reference& reference,
 
 /// Paths that the document names, whether they lead to a file or not.
 struct Named {
-  explicit Named(const Fixing& fixing) : paths(edit::referred_paths(fixing.document())) {}
+  explicit Named(const Fixing& fixing) : paths(change::referred_paths(fixing.document())) {}
   std::set<std::string> paths;
 };
 

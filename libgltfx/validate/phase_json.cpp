@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "base/legacy_encoding.hpp"
 #include "base/text.hpp"
 #include "json/equal.hpp"
+#include "json/legacy_encoding.hpp"
 #include "json/parse.hpp"
 #include "validate/context.hpp"
 #include "validate/fix.hpp"
@@ -130,10 +130,10 @@ std::string help_for(const json::ParseError& error, std::string_view text,
 
 // Bytes of strings that another encoding reads: which string it is, and what it says.
 std::optional<Finding> explain_encoding(std::string_view text) {
-  const auto legacy = read_legacy_text(text);
+  const auto legacy = json::read_legacy_text(text);
   if (!legacy || legacy->parts.empty()) return std::nullopt;
   const Span first = legacy->parts.front().span;
-  const json::Parsed read = json::parse(share_text(legacy->convert(text)));
+  const json::Parsed read = json::parse(share_text(json::apply_edits(text, legacy->parts)));
   if (read.document.empty()) return std::nullopt;
   // Nothing before the first stretch has moved.
   const json::Document& document = read.document;
@@ -264,9 +264,9 @@ bool remove_equal_repeat(Fixing& fixing, Span place) {
 }
 
 bool convert_to_utf8(Fixing& fixing, Span) {
-  const auto legacy = read_legacy_text(*fixing.opened().container().json);
+  const auto legacy = json::read_legacy_text(*fixing.opened().container().json);
   if (!legacy) return false;
-  for (const LegacyText::Part& part : legacy->parts) fixing.replace_text(part.span, part.utf8);
+  for (const json::Edit& part : legacy->parts) fixing.replace_text(part.span, part.text);
   return !legacy->parts.empty();
 }
 

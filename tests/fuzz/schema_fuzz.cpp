@@ -97,7 +97,7 @@ void plan_upgrades(const json::Document& document, const schema::Set& set) {
     options.unsafe = true;
     options.to = {to};
     const upgrade::Plan plan = upgrade::make_plan(document, set, options);
-    require(json::parse(json::apply_edits(document.text(), plan.edits)).ok());
+    require(json::parse(json::apply_edits(document.text(), plan.change.edits)).ok());
   }
 }
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "edit/diff.hpp"
+#include "change/diff.hpp"
 #include "json/parse.hpp"
 #include "schema/compile.hpp"
 #include "upgrade/choice.hpp"
@@ -41,13 +41,13 @@ void check(std::string_view text, const UpgradeOptions& options) {
   if (!old.ok()) return;
   const schema::Set& set = *schema::builtin_set();
   const upgrade::Plan plan = upgrade::make_plan(old.document, set, options);
-  check_edits(text, plan.edits);
-  require(plan.edits.empty() == edit::unified_diff(text, plan.edits, "x").empty());
-  const std::string fresh = json::apply_edits(text, plan.edits);
+  check_edits(text, plan.change.edits);
+  require(plan.change.edits.empty() == change::unified_diff(text, plan.change.edits, "x").empty());
+  const std::string fresh = json::apply_edits(text, plan.change.edits);
   const json::Parsed parsed = json::parse(std::string_view(fresh));
   require(parsed.ok());
   const upgrade::Plan again = upgrade::make_plan(parsed.document, set, options);
-  require(again.edits.empty());
+  require(again.change.edits.empty());
   require(static_cast<std::ptrdiff_t>(again.actions.size()) == count_left(plan));
 }
 

@@ -156,7 +156,7 @@ inline std::vector<double> numbers_of(const std::string& text, std::size_t acces
   const model::Asset asset(parsed.document);
   const auto container = container::open_bytes(container::Bytes::from_string(text));
   const container::Resolver resolver(".", ".");
-  upgrade::AssetBytes bytes(asset, container, resolver);
+  model::AssetBytes bytes(asset, container, resolver);
   upgrade::AccessorValues values(asset, &bytes);
   const auto data = values.open(accessor);
   std::vector<double> numbers;

@@ -22,9 +22,9 @@ Outcome upgrade_of(const std::string& text) {
   EXPECT_FALSE(parsed.document.empty()) << text;
   EXPECT_FALSE(parsed.ok()) << text;
   const Plan plan = make_plan(parsed.document, *schema::builtin_set(), {});
-  EXPECT_FALSE(plan.edits.empty()) << text;
+  EXPECT_FALSE(plan.change.edits.empty()) << text;
   if (auto problem = find_ambiguity(parsed, plan)) return {{}, *std::move(problem)};
-  return {json::apply_edits(text, plan.edits), {}};
+  return {json::apply_edits(text, plan.change.edits), {}};
 }
 
 // As tests/upgrade/support.hpp has it, on one line of its own.

@@ -233,7 +233,7 @@ TEST(Plan, OfRandomMaterialsIsSoundAndSettledAfterOneRun) {
       ASSERT_EQ(left, !action.done) << text << '\n' << action.pointer;
     }
     const Upgraded twice = upgraded(once.text);
-    ASSERT_THAT(twice.plan.edits, IsEmpty()) << text << '\n' << once.text;
+    ASSERT_THAT(twice.plan.change.edits, IsEmpty()) << text << '\n' << once.text;
     ASSERT_THAT(twice.plan.actions, testing::SizeIs(static_cast<std::size_t>(std::count_if(
                                         once.plan.actions.begin(), once.plan.actions.end(),
                                         [](const auto& a) { return !a.done; }))));

@@ -27,7 +27,7 @@ UpgradeOptions unsafe() {
 TEST(Plan, WithoutLegacyObjectsThereIsNothingToDo) {
   const Upgraded result = upgraded(R"({"asset":{"version":"2.0"},"materials":[{}]})");
   EXPECT_THAT(result.plan.actions, IsEmpty());
-  EXPECT_THAT(result.plan.edits, IsEmpty());
+  EXPECT_THAT(result.plan.change.edits, IsEmpty());
 }
 
 TEST(Plan, TheFirstGenerationTakesItsTintFromTheBaseColour) {
@@ -82,7 +82,7 @@ TEST(Plan, AFactorMapOfTheFirstGenerationNeedsANewImage) {
   EXPECT_EQ(result.text, text);
   EXPECT_EQ(result.only().fate, UpgradeFate::needs_image);
   EXPECT_FALSE(result.only().done);
-  EXPECT_TRUE(result.plan.additions.empty());
+  EXPECT_TRUE(result.plan.change.additions.empty());
   EXPECT_THAT(result.only().notes,
               Contains("texture 1 has its data in r, but diffuseTransmissionTexture reads a; "
                        "the pixels of its image are not available"));

@@ -127,7 +127,7 @@ void expect_settled(const std::string& text, const UpgradeOptions& options) {
     ASSERT_EQ(left, !action.done) << text << '\n' << action.pointer;
   }
   const Upgraded twice = upgraded(once.text, options);
-  ASSERT_TRUE(twice.plan.edits.empty()) << text << '\n' << once.text << '\n' << twice.text;
+  ASSERT_TRUE(twice.plan.change.edits.empty()) << text << '\n' << once.text << '\n' << twice.text;
   ASSERT_EQ(twice.plan.actions.size(), static_cast<std::size_t>(std::count_if(
                                            once.plan.actions.begin(), once.plan.actions.end(),
                                            [](const auto& action) { return !action.done; })))

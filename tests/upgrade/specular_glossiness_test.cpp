@@ -210,20 +210,20 @@ TEST(SpecularGlossiness, GlossinessInAlphaBecomesRoughnessInGreen) {
             R"({"index":1,"texCoord":1,"extras":{"index":1}}},"KHR_materials_ior":{"ior":0}},)"
             R"("pbrMetallicRoughness":{"metallicFactor":0,"metallicRoughnessTexture":)"
             R"({"index":2,"texCoord":1,"extras":{"index":1}},"roughnessFactor":1}})");
-  const Additions& made = result.plan.additions;
-  ASSERT_EQ(made.textures().size(), 1U);
-  EXPECT_EQ(made.textures()[0].sampler, 0U);
+  const change::Additions& made = result.plan.change.additions;
+  EXPECT_EQ(made.elements().at("textures"),
+            std::vector<std::string>{R"({"sampler":0,"source":1})"});
   ASSERT_EQ(made.images().size(), 1U);
   const ImageJob wanted{{ChannelSource::constant(1), ChannelSource::of(0, 3, -0.5, 1),
                          ChannelSource::constant(0), ChannelSource::constant(1)}};
-  EXPECT_EQ(made.images()[0], wanted);
+  EXPECT_EQ(result.plan.images.at(0), wanted);
 }
 
 TEST(SpecularGlossiness, OneGlossinessForAllTexelsIsAFactor) {
   const auto material = [](const std::string& legacy, std::uint32_t alpha) {
     OneImage image(alpha, alpha);
     const Upgraded result = upgraded(textured(legacy), {}, &image);
-    EXPECT_TRUE(result.plan.additions.empty());
+    EXPECT_TRUE(result.plan.change.additions.empty());
     return result.json()["materials"][0]["pbrMetallicRoughness"].dump();
   };
   EXPECT_EQ(material(R"(,"glossinessFactor":0.5)", 255),
@@ -258,7 +258,7 @@ TEST(SpecularGlossiness, AnAnimatedTransformWouldDriveTwoTextures) {
   OneImage varied(0, 255);
   const Upgraded left = upgraded(text, {}, &varied);
   EXPECT_EQ(left.only().fate, UpgradeFate::impossible);
-  EXPECT_TRUE(left.plan.additions.empty());
+  EXPECT_TRUE(left.plan.change.additions.empty());
   OneImage even(255, 255);
   EXPECT_EQ(upgraded(text, {}, &even).json()["animations"][0]["p"],
             "/materials/0/extensions/KHR_materials_specular/specularColorTexture/extensions/"

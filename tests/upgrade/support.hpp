@@ -34,7 +34,7 @@ inline Upgraded upgraded(const std::string& text, const UpgradeOptions& options 
   EXPECT_TRUE(parsed.ok()) << text;
   Upgraded result;
   result.plan = make_plan(parsed.document, *schema::builtin_set(), options, pictures);
-  result.text = json::apply_edits(text, result.plan.edits);
+  result.text = json::apply_edits(text, result.plan.change.edits);
   return result;
 }
 

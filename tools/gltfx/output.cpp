@@ -13,8 +13,8 @@
 
 #include "base/file_state.hpp"
 #include "base/text.hpp"
+#include "change/companions.hpp"
 #include "commands.hpp"
-#include "edit/companions.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -53,7 +53,7 @@ void Output::open(bool folders) {
   const fs::path folder = fs::path(path_).parent_path();
   if (!exists && !folder.empty()) {
     std::error_code error;
-    if (folders) note(edit::make_folder(folder));
+    if (folders) note(change::make_folder(folder));
     if (problem_.empty() && !fs::is_directory(folder, error)) {
       problem_ = fmt::format("cannot write {}: there is no folder {}", quoted(path_, 200),
                              quoted(folder.native(), 200));

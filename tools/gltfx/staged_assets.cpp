@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "change/companions.hpp"
 #include "container/container.hpp"
-#include "edit/companions.hpp"
 #include "folder_walk.hpp"
 #include "json/parse.hpp"
 
@@ -97,7 +97,7 @@ void StagedAssets::note(const RepositoryName& asset, std::string&& bytes) {
   if (!opened.json) return;
   const json::Parsed parsed = json::parse(opened.json);
   if (parsed.document.empty()) return;
-  for (const std::string& path : edit::referred_paths(parsed.document)) {
+  for (const std::string& path : change::referred_paths(parsed.document)) {
     const fs::path whole = (fs::path(folder_of(asset)) / path).lexically_normal();
     if (*whole.begin() != "..") references.insert(whole.native());
   }

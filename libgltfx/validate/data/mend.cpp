@@ -95,14 +95,14 @@ bool all_count(std::uint64_t) { return true; }
 
 bool make_unit_vectors(Fixing& fixing, Span place) {
   const Use use = use_at(fixing, place);
-  auto elements = Elements::open(fixing, use.accessor, use.name);
+  auto elements = open_elements(fixing, use.accessor, use.name);
   if (!elements || !elements->is_float() || elements->components() < 3) return false;
   return make_unit(fixing, use.accessor, *elements, 3, all_count);
 }
 
 bool make_signs(Fixing& fixing, Span place) {
   const Use use = use_at(fixing, place);
-  auto elements = Elements::open(fixing, use.accessor, use.name);
+  auto elements = open_elements(fixing, use.accessor, use.name);
   if (!elements || !elements->is_float() || elements->components() != 4) return false;
   Changes changes;
   for (std::uint64_t i = 0; i < elements->count(); ++i) {
@@ -115,7 +115,7 @@ bool make_signs(Fixing& fixing, Span place) {
 
 bool make_unit_rotations(Fixing& fixing, Span place) {
   const Use use = use_at(fixing, place);
-  auto elements = Elements::open(fixing, use.accessor, use.name);
+  auto elements = open_elements(fixing, use.accessor, use.name);
   if (!elements || !elements->is_float() || elements->components() != 4) return false;
   return make_unit(fixing, use.accessor, *elements, 4, all_count);
 }
@@ -127,7 +127,7 @@ bool make_unit_keyframes(Fixing& fixing, Span place) {
       if (!channel.sampler || fixing.document().find(channel.object, "sampler") != value) continue;
       const model::AnimationSampler& sampler = animation.samplers[*channel.sampler];
       if (!sampler.output) return false;
-      auto elements = Elements::open(fixing, *sampler.output, "output");
+      auto elements = open_elements(fixing, *sampler.output, "output");
       if (!elements || !elements->is_float() || elements->components() != 4) return false;
       const bool cubic = sampler.interpolation == model::Interpolation::cubic_spline;
       return make_unit(fixing, *sampler.output, *elements, 4,
@@ -140,7 +140,7 @@ bool make_unit_keyframes(Fixing& fixing, Span place) {
 bool clamp(Fixing& fixing, Span place) {
   constexpr double kNearly = 1.0 / 512;
   const Use use = use_at(fixing, place);
-  auto elements = Elements::open(fixing, use.accessor, use.name);
+  auto elements = open_elements(fixing, use.accessor, use.name);
   if (!elements || !elements->is_float()) return false;
   Changes changes;
   for (std::uint64_t i = 0; i < elements->count(); ++i) {
@@ -162,7 +162,7 @@ bool normalize_weights(Fixing& fixing, Span place) {
   if (use.name != "WEIGHTS_0" || fixing.document().find(attributes, "WEIGHTS_1") != json::kNoNode) {
     return false;
   }
-  auto elements = Elements::open(fixing, use.accessor, use.name);
+  auto elements = open_elements(fixing, use.accessor, use.name);
   if (!elements || !elements->is_float() || elements->components() != 4) return false;
   Changes changes;
   for (std::uint64_t i = 0; i < elements->count(); ++i) {
@@ -202,7 +202,7 @@ bool clear_unweighted_joints(Fixing& fixing, Span place) {
   const auto data =
       model::AccessorData::open(fixing.elements(), fixing.views(), fixing.resources(),
                                 fixing.views().accessors[*weights], model::Malformed::unusable);
-  auto elements = Elements::open(fixing, use.accessor, use.name);
+  auto elements = open_elements(fixing, use.accessor, use.name);
   if (!data || !elements || elements->is_float() || elements->components() != 4 ||
       data->components() != 4 || data->count() != elements->count()) {
     return false;

@@ -73,7 +73,7 @@ bool ReadBudget::take(std::uint64_t count, unsigned components) {
   return true;
 }
 
-std::optional<Elements> Elements::open(Fixing& fixing, std::uint32_t index, std::string_view role) {
+std::optional<Elements> open_elements(Fixing& fixing, std::uint32_t index, std::string_view role) {
   if (index >= fixing.views().accessors.size()) return std::nullopt;
   const Accessor& accessor = fixing.views().accessors[index];
   const bool plain = accessor.buffer_view && accessor.sparse == json::kNoNode &&
@@ -104,39 +104,7 @@ std::optional<Elements> Elements::open(Fixing& fixing, std::uint32_t index, std:
       fixing.is_claimed(accessor.node)) {
     return std::nullopt;
   }
-  Elements elements;
-  elements.content_ = content;
-  elements.begin_ = *begin;
-  elements.stride_ = extent->stride;
-  elements.count_ = *accessor.count;
-  elements.components_ = model::component_count(accessor.format.type);
-  elements.component_size_ = model::component_size(accessor.format.component);
-  elements.format_ = accessor.format;
-  return elements;
-}
-
-double Elements::get(std::uint64_t element, unsigned component) const {
-  return model::with_component_type(format_.component, [&](auto value) {
-    std::memcpy(&value, content_->data() + at(element, component), sizeof(value));
-    return static_cast<double>(value);
-  });
-}
-
-void Elements::set(std::uint64_t element, unsigned component, double number) {
-  model::with_component_type(format_.component, [&](auto value) {
-    using T = decltype(value);
-    value =
-        std::is_floating_point_v<T> ? static_cast<T>(number) : static_cast<T>(std::llround(number));
-    std::memcpy(content_->data() + at(element, component), &value, sizeof(value));
-  });
-}
-
-std::string Elements::bytes(std::uint64_t element) const {
-  return content_->substr(at(element, 0), std::size_t{components_} * component_size_);
-}
-
-void Elements::set_bytes(std::uint64_t element, std::string_view bytes) {
-  std::memcpy(content_->data() + at(element, 0), bytes.data(), bytes.size());
+  return Elements(*content, accessor.format, *accessor.count, *begin, extent->stride);
 }
 
 void follow_with_bounds(Fixing& fixing, std::uint32_t index, const Elements& elements) {

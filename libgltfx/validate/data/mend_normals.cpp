@@ -195,7 +195,7 @@ std::optional<std::uint32_t> normals_at(Fixing& fixing, Span place) {
 }
 
 bool fill(Fixing& fixing, std::uint32_t accessor, bool beside_others) {
-  auto normals = Elements::open(fixing, accessor, "NORMAL");
+  auto normals = open_elements(fixing, accessor, "NORMAL");
   const bool readable = normals && normals->components() == 3 &&
                         (normals->is_float() || normals->format().normalized);
   const auto faces = readable ? Faces::around(fixing, accessor, normals->count()) : std::nullopt;

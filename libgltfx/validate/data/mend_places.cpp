@@ -68,7 +68,7 @@ bool fill_unused_vertices(Fixing& fixing, Span place) {
   if (index >= fixing.views().accessors.size()) return false;
   const auto& roles = fixing.table<Users>().roles_of(index);
   if (roles.size() != 1 || roles.begin()->starts_with("target ")) return false;
-  auto elements = Elements::open(fixing, index, *roles.begin());
+  auto elements = open_elements(fixing, index, *roles.begin());
   if (!elements || !elements->is_float()) return false;
   const auto drawn = drawn_vertices(fixing, index, elements->count());
   if (drawn.empty()) return false;

@@ -229,7 +229,7 @@ bool forget(Fixing& fixing, Span place) {
 
 bool require(Fixing& fixing, Span place) {
   const std::string name = name_at(fixing, place);
-  edit::NameList& list = fixing.extensions_required();
+  change::NameList& list = fixing.extensions_required();
   if (name.empty() || list.has(name) || !list.can_change()) return false;
   list.add(name);
   return true;

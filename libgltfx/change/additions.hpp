@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a change puts behind the elements of the document's root arrays. Indices are known at once,
+/// bytes and their places only when all is placed (`change/place.hpp`).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "json/document.hpp"
+
+namespace gltfx::change {
+
+/// Keeps no reference to the document it was made for.
+class Additions {
+ public:
+  struct Image {
+    std::shared_ptr<const std::string> png;  ///< the file; may be set until it is placed
+    /// URI of a file whose folder and name a new file gets; empty: there is none.
+    std::string beside = {};
+    /// An element of the root's images that it takes the place of; none: it is a new one.
+    std::optional<std::uint64_t> place = std::nullopt;
+  };
+  struct Accessor {
+    std::string members;  ///< JSON object with all members but `bufferView` and `byteOffset`
+    std::string bytes;    ///< of its elements, packed
+  };
+
+  Additions() = default;
+  explicit Additions(const json::Document& document);
+
+  /// Give the index in the root array of that name. The bytes of an accessor lie in a buffer view
+  /// of their own; `array` is none of images, accessors, bufferViews and buffers.
+  std::uint64_t add_image(Image image);
+  std::uint64_t add_accessor(Accessor accessor);
+  std::uint64_t add_element(const std::string& array, std::string json);
+
+  bool empty() const { return images_.empty() && accessors_.empty() && elements_.empty(); }
+  std::vector<Image>& images() { return images_; }
+  const std::vector<Image>& images() const { return images_; }
+  const std::vector<Accessor>& accessors() const { return accessors_; }
+  const std::map<std::string, std::vector<std::string>>& elements() const { return elements_; }
+  /// Elements that a root array had before.
+  std::uint64_t old_count(const std::string& array) const;
+
+ private:
+  std::map<std::string, std::uint64_t> counts_;
+  std::vector<Image> images_;
+  std::vector<Accessor> accessors_;
+  std::map<std::string, std::vector<std::string>> elements_;  ///< by array
+};
+
+}  // namespace gltfx::change

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The last step of each verb that changes assets: new bytes take the place of old ones.
+#pragma once
+
+#include <gltfx/edited_file.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/file_state.hpp"
+#include "base/result.hpp"
+#include "change/change.hpp"
+#include "container/container.hpp"
+#include "model/opened_asset.hpp"
+
+namespace gltfx::change {
+
+/// The folder that the asset at `path` is written to.
+std::filesystem::path target_folder(const std::string& path, const std::string& output);
+
+/// Whether the asset at `path` is what is replaced, also where it is named as output.
+bool is_in_place(const EditOptions& options, const std::string& path);
+
+/// Why new bytes were not written. `refused`: they cannot be a file.
+struct WriteFailure {
+  bool refused = false;
+  std::string error;
+};
+
+/// One asset of those that are written together. Refers to the old asset and the new container.
+struct AssetWrite {
+  const model::OpenedAsset& old;
+  const FileState& state;      ///< of the old file, from before it was read
+  const EditOptions& options;  ///< where it goes
+  /// Of the draft, which was proven; null: the file is copied as it is.
+  const container::Container* now = nullptr;
+  std::vector<NewFile> files = {};          ///< that it refers to
+  std::vector<ReplacedFile> replaced = {};  ///< that it refers to, with other bytes than before
+  std::set<std::string> referred = {};      ///< paths that the old asset may not refer to
+};
+
+/// Writes assets to their destinations, files before the assets that refer to them: a run that ends
+/// between two files leaves old assets with new files. What is to be replaced in place is replaced
+/// once, whatever refers to it, and only when all of it can be; `replaced` is the same then for all
+/// that refer to a file. A file is not replaced in the folder of an old asset unless the asset is,
+/// which refers to it, too. By position: nothing when all is durable, else why it is not; then the
+/// old bytes are there still.
+std::vector<std::optional<WriteFailure>> commit(const std::vector<AssetWrite>& assets);
+
+/// Writes a file of an asset that was made from nothing, whatever is there; makes its folder.
+std::optional<Error> write_new_asset_file(const std::filesystem::path& target,
+                                          std::string_view bytes);
+
+}  // namespace gltfx::change

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Files that an asset refers to, where the asset is written to another folder.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "base/result.hpp"
+#include "container/resolver.hpp"
+#include "json/document.hpp"
+
+namespace gltfx::change {
+
+/// The files that a document refers to, relative to its folder, as container::Uri::path has them:
+/// members called "uri", wherever extensions put them, with backslashes turned into slashes. Extras
+/// are left out.
+std::set<std::string> referred_paths(const json::Document& document);
+
+/// The same by the value that names them.
+std::map<json::NodeId, std::string> referred_files(const json::Document& document);
+
+/// Makes a folder and those above it, as far as they are not there.
+std::optional<Error> make_folder(const std::filesystem::path& folder);
+
+/// Whether a regular file is there and holds these bytes.
+bool has_bytes(const std::filesystem::path& file, const container::Bytes& bytes);
+
+/// Creates a file, whole and durable, unless it is there with the same bytes, which another run may
+/// be writing now. One with other bytes is not overwritten.
+std::optional<Error> put_file(const std::filesystem::path& target, const container::Bytes& bytes);
+
+/// Copies files below `folder`, under the names by which a document refers to them. One that is
+/// there with the same bytes stays; one with other bytes is not overwritten. References to files
+/// that do not exist are passed over: they lead nowhere before and after.
+std::optional<Error> copy_companions(const std::set<std::string>& paths,
+                                     const container::Resolver& resolver,
+                                     const std::filesystem::path& folder);
+
+}  // namespace gltfx::change

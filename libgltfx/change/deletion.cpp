@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "change/deletion.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/json_pointer.hpp"
+#include "base/text.hpp"
+#include "change/bin_cut.hpp"
+#include "change/name_list.hpp"
+#include "change/removal.hpp"
+#include "change/removals.hpp"
+#include "edit/extras.hpp"
+#include "edit/graph.hpp"
+#include "json/writer.hpp"
+
+namespace gltfx::change {
+namespace {
+
+using Reason = std::optional<std::string>;
+
+class DeletionPlanner {
+ public:
+  DeletionPlanner(const json::Document& document, const schema::Set& set,
+                  const DeletionOptions& options)
+      : tree_(document),
+        graph_(tree_, set),
+        removals_(graph_, options.cascade),
+        editor_(document),
+        container_(options.container) {}
+
+  Result<Deletion> run(std::span<const std::string> pointers) {
+    std::vector<edit::Place> places;
+    for (const std::string& pointer : pointers) {
+      const edit::Place place = tree_.find(pointer);
+      if (place.node == json::kNoNode) return Error{gltfx::quoted(pointer) + " leads nowhere"};
+      places.push_back(place);
+    }
+    if (auto why = removals_.remove(places)) return Error{*std::move(why)};
+    removed_ = removals_.outermost();
+    for (const Removed& removed : removed_) nodes_.push_back(removed.place.node);
+    std::sort(nodes_.begin(), nodes_.end());
+    list_deleted();
+    for (const Obstacle& obstacle : removals_.obstacles()) {
+      deletion_.obstacles.push_back(
+          {tree_.pointer(obstacle.at), tree_.pointer(obstacle.target), obstacle.owner});
+    }
+    if (!deletion_.obstacles.empty()) return std::move(deletion_);
+    collect_shifts();
+    if (auto why = find_doubt()) return Error{*std::move(why)};
+    take_out();
+    renumber();
+    if (auto why = settle_bin()) return Error{*std::move(why)};
+    if (auto why = remove_names()) return Error{*std::move(why)};
+    note_doubtful();
+    deletion_.change.edits = editor_.take();
+    return std::move(deletion_);
+  }
+
+ private:
+  const json::Document& document() const { return tree_.document(); }
+
+  void list_deleted() {
+    for (const Removed& removed : removed_) {
+      const bool asked = removed.cause.node == json::kNoNode;
+      deletion_.deleted.push_back(
+          {tree_.pointer(removed.place), asked ? std::string() : tree_.pointer(removed.cause)});
+    }
+  }
+
+  void collect_shifts() {
+    for (const Removed& removed : removed_) {
+      if (removed.place.element || tree_.is_member(removed.place.node)) continue;
+      shifts_[tree_.parent(removed.place.node)].push_back(tree_.position(removed.place.node));
+    }
+    for (auto& [list, positions] : shifts_) std::sort(positions.begin(), positions.end());
+  }
+
+  // Where the element at that index of a list is now.
+  std::uint64_t shifted(json::NodeId list, std::uint64_t index) const {
+    const auto found = shifts_.find(list);
+    if (found == shifts_.end()) return index;
+    const auto& gone = found->second;
+    if (index >= tree_.size(list)) return index;  // it leads nowhere, also without its neighbours
+    const auto behind = std::lower_bound(gone.begin(), gone.end(), index);
+    return index - static_cast<std::uint64_t>(behind - gone.begin());
+  }
+
+  bool loses_something(json::NodeId value) const {
+    const auto first = std::upper_bound(nodes_.begin(), nodes_.end(), value);
+    return first != nodes_.end() && *first < document().next(value);
+  }
+
+  // Why what refers to something may not be what the graph says, or nothing.
+  Reason find_doubt() const {
+    for (const json::NodeId object : graph_.unknown_extensions()) {
+      if (!removals_.is_gone(object)) return unknown(tree_.name(object));
+    }
+    for (const edit::PointerText& pointer : graph_.pointers()) {
+      const bool varies = pointer.varying != json::kNoNode && !removals_.is_gone(pointer.at);
+      if (!varies || !loses_something(pointer.varying)) continue;
+      return fmt::format("the target of the pointer at {} is set at run time",
+                         printable(tree_.pointer(pointer.at)));
+    }
+    for (const edit::IndexUse& use : graph_.indices()) {
+      const bool ambiguous = use.ambiguous != json::kNoNode && !removals_.is_gone(use.at);
+      if (!ambiguous || !loses_something(use.ambiguous)) continue;
+      return fmt::format("what {} refers to is ambiguous", printable(tree_.pointer(use.at)));
+    }
+    for (const edit::DefaultUse& use : graph_.defaults()) {
+      if (removals_.is_gone(use.owner)) continue;
+      const json::NodeId list = tree_.parent(use.target);
+      const std::uint64_t index = tree_.position(use.target);
+      const bool stays = !removals_.is_gone(use.target) && shifted(list, index) == index;
+      if (stays) continue;
+      return fmt::format("{} refers to {} by its default", printable(tree_.pointer(use.owner)),
+                         printable(tree_.pointer(use.target)));
+    }
+    return std::nullopt;
+  }
+
+  static std::string unknown(std::string_view extension) {
+    return fmt::format("{} is unknown there and may contain indices", gltfx::quoted(extension));
+  }
+
+  void take_out() {
+    for (const Removed& removed : removed_) {
+      const json::NodeId node = removed.place.node;
+      if (removed.place.element) {
+        editor_.remove_number(node, static_cast<std::uint32_t>(*removed.place.element));
+      } else {
+        editor_.remove(tree_.parent(node), tree_.is_member(node) ? node - 1 : node);
+      }
+    }
+  }
+
+  void renumber() {
+    for (const edit::IndexUse& use : graph_.indices()) {
+      if (use.list == json::kNoNode || removals_.is_gone(use.at)) continue;
+      const std::uint64_t now = shifted(use.list, use.index);
+      if (now == use.index) continue;
+      editor_.replace_text(use.span, std::to_string(now));
+      ++deletion_.renumbered;
+    }
+    for (const edit::PointerText& pointer : graph_.pointers()) {
+      if (!removals_.is_gone(pointer.at)) renumber(pointer);
+    }
+  }
+
+  void renumber(const edit::PointerText& pointer) {
+    std::string text;
+    bool changed = false;
+    json::NodeId holder = document().root();
+    for (std::size_t i = 0; i < pointer.steps.size(); ++i) {
+      const bool known = i < pointer.way.size();
+      const bool element = known && !tree_.is_member(pointer.way[i]);
+      const std::uint64_t index = element ? tree_.position(pointer.way[i]) : 0;
+      const std::uint64_t now = element ? shifted(holder, index) : 0;
+      changed = changed || now != index;
+      append_pointer_step(text, element ? std::to_string(now) : pointer.steps[i]);
+      if (known) holder = pointer.way[i];
+    }
+    if (!changed) return;
+    std::string json;
+    json::append_string(json, text);
+    editor_.replace_scalar(pointer.at, std::move(json));
+    ++deletion_.renumbered;
+  }
+
+  // The first buffer of a GLB is its BIN chunk where it has no URI (glTF 2.0 section 4.4.3.3).
+  Reason settle_bin() {
+    if (container_ == nullptr || !container_->bin) return std::nullopt;
+    const json::NodeId buffers = tree_.member(document().root(), "buffers");
+    const json::NodeId first = buffers == json::kNoNode ? buffers : tree_.element(buffers, 0);
+    if (first == json::kNoNode) return std::nullopt;
+    const bool of_bin = tree_.member(first, "uri") == json::kNoNode;
+    if (removals_.is_gone(first)) {
+      deletion_.change.bin.drop = of_bin;
+      return of_bin || !heir_has_no_uri(buffers)
+                 ? std::nullopt
+                 : Reason("another buffer would become that of the BIN chunk");
+    }
+    if (of_bin) cut_views(buffers);
+    return std::nullopt;
+  }
+
+  bool heir_has_no_uri(json::NodeId buffers) const {
+    for (std::uint64_t i = 0; i < tree_.size(buffers); ++i) {
+      const json::NodeId buffer = tree_.element(buffers, i);
+      if (!removals_.is_gone(buffer)) return tree_.member(buffer, "uri") == json::kNoNode;
+    }
+    return false;
+  }
+
+  void cut_views(json::NodeId buffers) {
+    const json::NodeId views = tree_.member(document().root(), "bufferViews");
+    const auto found = shifts_.find(views);
+    std::set<std::uint64_t> gone;
+    if (found != shifts_.end()) gone.insert(found->second.begin(), found->second.end());
+    if (views != json::kNoNode && removals_.is_gone(views)) {
+      for (std::uint64_t i = 0; i < tree_.size(views); ++i) gone.insert(i);
+    }
+    const auto to_bin = std::count_if(
+        graph_.indices().begin(), graph_.indices().end(),
+        [&](const edit::IndexUse& use) { return use.list == buffers && use.index == 0; });
+    deletion_.change.bin.cut = cut_bin(document(), gone, static_cast<std::uint64_t>(to_bin),
+                                       container_->bin->length, editor_);
+  }
+
+  // Names of extensions that are gone. An unknown one that stays may have a say in anything.
+  Reason remove_names() {
+    std::vector<json::NodeId> values;
+    for (const Removed& removed : removed_) {
+      if (!removed.place.element) values.push_back(removed.place.node);
+    }
+    const auto names = extensions_taken_out(document(), values);
+    std::set<std::string> gone;
+    for (const char* member : {"extensionsUsed", "extensionsRequired"}) {
+      const json::NodeId node = tree_.member(document().root(), member);
+      if (node == json::kNoNode || loses_something(node) || removals_.is_gone(node)) continue;
+      NameList list(document(), member);
+      gone.merge(list.remove_all(names));
+      for (std::uint64_t i = 0; i < tree_.size(node); ++i) {
+        const json::NodeId each = tree_.element(node, i);
+        if (each == json::kNoNode || !document().is_string(each)) continue;
+        const std::string name = document().string(each);
+        const bool known = graph_.set().find_extension(name) != schema::kNone;
+        if (!known && names.count(name) == 0) return unknown(name);
+      }
+      list.apply(editor_);
+    }
+    deletion_.names.assign(gone.begin(), gone.end());
+    return std::nullopt;
+  }
+
+  void note_doubtful() {
+    for (const json::NodeId value : edit::likely_indices(
+             document(), {"accessor", "animation", "buffer", "camera", "image", "index", "indices",
+                          "joint", "light", "material", "mesh", "node", "primitive", "sampler",
+                          "scene", "skin", "texture", "variant"})) {
+      if (!removals_.is_gone(value)) deletion_.doubtful.push_back(tree_.pointer(value));
+    }
+  }
+
+  const edit::Tree tree_;
+  const edit::Graph graph_;
+  Removals removals_;
+  json::Editor editor_;
+  const container::Container* container_;
+  std::vector<Removed> removed_;
+  std::vector<json::NodeId> nodes_;                                      ///< of removed_, sorted
+  std::unordered_map<json::NodeId, std::vector<std::uint64_t>> shifts_;  ///< positions, by list
+  Deletion deletion_;
+};
+
+}  // namespace
+
+Result<Deletion> plan_deletion(const json::Document& document, const schema::Set& set,
+                               std::span<const std::string> pointers,
+                               const DeletionOptions& options) {
+  return DeletionPlanner(document, set, options).run(pointers);
+}
+
+}  // namespace gltfx::change

@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "change/place.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/hash.hpp"
+#include "container/base64.hpp"
+#include "container/uri.hpp"
+#include "json/writer.hpp"
+#include "model/asset_bytes.hpp"
+#include "model/fields.hpp"
+
+namespace gltfx::change {
+namespace {
+
+using container::Bytes;
+using model::RootArray;
+using model::Storage;
+using File = std::shared_ptr<const std::string>;
+using Trouble = std::optional<Error>;
+
+std::uint64_t aligned(std::uint64_t size) { return (size + 3) / 4 * 4; }
+
+// A URI with another name behind its last '/': the old stem, a mark, and an ending.
+std::string renamed(std::string_view uri, std::string_view mark, std::string_view ending) {
+  const std::size_t name = uri.rfind('/') == std::string_view::npos ? 0 : uri.rfind('/') + 1;
+  const std::size_t dot = uri.find_last_of('.');
+  const bool has_ending = dot != std::string_view::npos && dot > name;
+  return fmt::format("{}-{}{}", uri.substr(0, has_ending ? dot : uri.size()), mark, ending);
+}
+
+Error missing() { return {"the bytes of a buffer are missing"}; }
+
+/// One change of one asset.
+class Placement {
+ public:
+  Placement(Change& change, const model::OpenedAsset& asset, const IsFree& is_free)
+      : change_(change),
+        asset_(asset),
+        elements_(asset.document()),
+        bytes_(elements_, asset.container(), asset.resolver()),
+        is_free_(is_free),
+        editor_(asset.document()) {}
+
+  Trouble run() {
+    for (auto& [buffer, content] : change_.contents) {
+      if (auto trouble = put_content(buffer, std::move(content))) return trouble;
+    }
+    if (!change_.additions.empty()) {
+      if (auto trouble = put_additions()) return trouble;
+    }
+    auto edits = editor_.take();
+    if (!edits.empty()) {
+      change_.edits = json::merge_edits(std::move(change_.edits), std::move(edits));
+    }
+    change_.additions = {};
+    change_.contents = {};
+    return std::nullopt;
+  }
+
+ private:
+  const json::Document& document() const { return asset_.document(); }
+  const container::Container& container() const { return asset_.container(); }
+
+  Trouble put_additions() {
+    const Additions& additions = change_.additions;
+    find_bin();
+    for (const Additions::Image& image : additions.images()) {
+      if (!add_image(image)) return no_name();
+    }
+    if (!additions.accessors().empty() && !add_accessors()) return no_name();
+    for (const auto& [array, elements] : additions.elements()) {
+      for (const std::string& json : elements) append(array, json);
+    }
+    if (!change_.bin.more.empty()) set_length_of_bin();
+    return put_arrays() ? Trouble() : Error{"a root array has the wrong type"};
+  }
+
+  static Error no_name() { return {"all names for a new file are taken"}; }
+
+  // Gives the index.
+  std::uint64_t append(const std::string& array, std::string json) {
+    arrays_[array].push_back(std::move(json));
+    return change_.additions.old_count(array) + arrays_[array].size() - 1;
+  }
+
+  // Bytes of the BIN chunk that buffer 0 is, or a new buffer 0 may be; nothing: it is something
+  // else, or this is no GLB.
+  void find_bin() {
+    if (container().format != container::Format::glb) return;
+    const std::uint64_t length = container().bin ? container().bin->length : 0;
+    if (change_.additions.old_count("buffers") == 0) {
+      bin_begin_ = length;
+    } else if (bytes_.buffer_storage(0) == Storage::bin_chunk) {
+      const json::NodeId buffer = elements_.elements(RootArray::buffers)[0];
+      const auto declared = model::unsigned_member(document(), buffer, "byteLength");
+      if (declared && *declared <= length) bin_begin_ = length;
+    }
+  }
+
+  // Gives the offset in the BIN chunk.
+  std::uint64_t append_bytes(std::string_view bytes) {
+    std::string& bin = change_.bin.more;
+    const std::uint64_t offset = aligned(*bin_begin_ + bin.size());
+    bin.resize(offset - *bin_begin_);
+    bin += bytes;
+    return offset;
+  }
+
+  std::uint64_t add_view(std::uint64_t buffer, std::uint64_t offset, std::uint64_t length) {
+    return append("bufferViews", fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{}}})",
+                                             buffer, offset, length));
+  }
+
+  bool add_image(const Additions::Image& image) {
+    std::string json;
+    if (bin_begin_) {
+      const std::uint64_t view = add_view(0, append_bytes(*image.png), image.png->size());
+      json = fmt::format(R"({{"bufferView":{},"mimeType":"image/png"}})", view);
+    } else {
+      const std::string uri = new_uri(image.beside, ".png", "image/png", image.png);
+      if (uri.empty()) return false;
+      json = R"({"uri":)";
+      json::append_string(json, uri);
+      json += '}';
+    }
+    if (image.place) {
+      const json::NodeId list = document().find(document().root(), "images");
+      editor_.replace(list, elements_.elements(RootArray::images)[*image.place], json);
+    } else {
+      append("images", std::move(json));
+    }
+    return true;
+  }
+
+  // That of a new file, or a data URI where there is none to stand beside; empty: there is no name.
+  std::string new_uri(const std::string& beside, std::string_view ending, std::string_view type,
+                      const File& file) {
+    const bool is_file = container().format == container::Format::gltf && !beside.empty();
+    return is_file ? add_file(beside, ending, file) : container::data_uri(type, *file);
+  }
+
+  // Whether another new file has the name.
+  bool is_taken(const std::string& path, std::string_view bytes) const {
+    return std::any_of(change_.files.begin(), change_.files.end(), [&](const NewFile& file) {
+      return file.path == path && *file.bytes != bytes;
+    });
+  }
+
+  // The URI of a new file named after an old one; empty when all names are taken.
+  std::string add_file(std::string_view old, std::string_view ending, const File& file) {
+    const std::string hash = fmt::format("{:016x}", content_hash(*file));
+    for (unsigned attempt = 0; attempt < 100; ++attempt) {
+      std::string mark = attempt == 0 ? hash.substr(0, 8) : hash;
+      if (attempt > 1) fmt::format_to(std::back_inserter(mark), "-{}", attempt);
+      std::string uri = renamed(old, mark, ending);
+      std::string path = container::classify_uri(uri).path;
+      if (path.empty() || is_taken(path, *file) || !is_free_(path, *file)) continue;
+      change_.files.push_back({std::move(path), file});
+      return uri;
+    }
+    return {};
+  }
+
+  // Without a BIN chunk all of them share a new buffer.
+  bool add_accessors() {
+    std::string own;
+    const std::uint64_t buffer = bin_begin_ ? 0 : change_.additions.old_count("buffers");
+    for (const Additions::Accessor& accessor : change_.additions.accessors()) {
+      std::uint64_t offset = aligned(own.size());
+      if (bin_begin_) {
+        offset = append_bytes(accessor.bytes);
+      } else {
+        own.resize(offset);
+        own += accessor.bytes;
+      }
+      const std::uint64_t view = add_view(buffer, offset, accessor.bytes.size());
+      append("accessors", fmt::format(R"({{"bufferView":{},{})", view, accessor.members.substr(1)));
+    }
+    return bin_begin_ || add_buffer(std::make_shared<const std::string>(std::move(own)));
+  }
+
+  // Beside the first buffer that is a file.
+  bool add_buffer(const File& file) {
+    std::string beside;
+    for (std::uint64_t i = 0; i < elements_.count(RootArray::buffers) && beside.empty(); ++i) {
+      if (bytes_.buffer_storage(i) != Storage::file) continue;
+      beside = model::string_member(document(), elements_.elements(RootArray::buffers)[i], "uri");
+    }
+    const std::string uri = new_uri(beside, ".bin", "application/octet-stream", file);
+    std::string json = fmt::format(R"({{"byteLength":{},"uri":)", file->size());
+    json::append_string(json, uri);
+    append("buffers", json.append(1, '}'));
+    return !uri.empty();
+  }
+
+  void set_length_of_bin() {
+    const std::string length = std::to_string(*bin_begin_ + change_.bin.more.size());
+    if (change_.additions.old_count("buffers") == 0) {
+      append("buffers", fmt::format(R"({{"byteLength":{}}})", length));
+      return;
+    }
+    const json::NodeId buffer = elements_.elements(RootArray::buffers)[0];
+    editor_.replace_scalar(document().find(buffer, "byteLength"), length);
+  }
+
+  bool put_arrays() {
+    for (const auto& [array, elements] : arrays_) {
+      const json::NodeId list = document().find(document().root(), array);
+      if (list == json::kNoNode) {
+        editor_.append_member(document().root(), array,
+                              fmt::format("[{}]", fmt::join(elements, ",")));
+        continue;
+      }
+      if (document().kind(list) != json::Kind::array) return false;
+      for (const std::string& json : elements) editor_.append_element(list, json);
+    }
+    return true;
+  }
+
+  Trouble put_content(std::uint32_t buffer, std::string content) {
+    switch (bytes_.buffer_storage(buffer)) {
+      case Storage::bin_chunk:
+        return put_in_chunk(std::move(content));
+      case Storage::data_uri:
+        return put_in_data_uri(uri_of(buffer), content);
+      case Storage::file:
+        return put_in_file(document().string(uri_of(buffer)), std::move(content));
+      default:
+        return missing();
+    }
+  }
+
+  json::NodeId uri_of(std::uint32_t buffer) const {
+    return document().find(elements_.elements(RootArray::buffers)[buffer], "uri");
+  }
+
+  Trouble put_in_chunk(std::string content) {
+    const std::uint64_t length = container().bin->length;
+    if (content.size() < length) return missing();
+    change_.bin.more = content.substr(length);
+    content.resize(length);
+    change_.bin.patches = {{0, std::move(content)}};
+    return std::nullopt;
+  }
+
+  Trouble put_in_data_uri(json::NodeId value, std::string_view content) {
+    const std::string text = document().string(value);
+    const auto uri = container::split_data_uri(text);
+    if (!uri) return uri.error();
+    std::string next = text.substr(0, text.find(','));
+    if (!uri->base64) next += ";base64";
+    next.append(1, ',').append(container::encode_base64(content));
+    std::string json;
+    json::append_string(json, next);
+    editor_.replace_scalar(value, std::move(json));
+    return std::nullopt;
+  }
+
+  Trouble put_in_file(const std::string& text, std::string content) {
+    const container::Uri uri = container::classify_uri(text);
+    container::Resolved file = asset_.resolver().open(uri);
+    if (file.error != container::ResolveError::none || content.size() < file.bytes.size()) {
+      return missing();
+    }
+    for (const ReplacedFile& other : change_.replaced) {
+      if (other.path == uri.path) return Error{"two buffers are one file"};
+    }
+    change_.replaced.push_back(
+        {uri.path, file.state, std::move(file.bytes), Bytes::from_string(std::move(content))});
+    return std::nullopt;
+  }
+
+  Change& change_;
+  const model::OpenedAsset& asset_;
+  const model::Asset elements_;
+  const model::AssetBytes bytes_;
+  const IsFree& is_free_;
+  json::Editor editor_;
+  std::optional<std::uint64_t> bin_begin_;  ///< where new bytes of the BIN chunk begin
+  std::map<std::string, std::vector<std::string>> arrays_;
+};
+
+}  // namespace
+
+Result<Change> place(Change change, const model::OpenedAsset& asset, const IsFree& is_free) {
+  if (change.additions.empty() && change.contents.empty()) return change;
+  if (auto trouble = Placement(change, asset, is_free).run()) return *std::move(trouble);
+  return change;
+}
+
+}  // namespace gltfx::change
