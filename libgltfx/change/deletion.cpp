@@ -10,15 +10,13 @@
 
 #include <fmt/format.h>
 
-#include "base/json_pointer.hpp"
 #include "base/text.hpp"
 #include "change/bin_cut.hpp"
 #include "change/name_list.hpp"
 #include "change/removal.hpp"
 #include "change/removals.hpp"
-#include "edit/extras.hpp"
-#include "edit/graph.hpp"
-#include "json/writer.hpp"
+#include "graph/extras.hpp"
+#include "graph/renumber.hpp"
 
 namespace gltfx::change {
 namespace {
@@ -29,16 +27,16 @@ class DeletionPlanner {
  public:
   DeletionPlanner(const json::Document& document, const schema::Set& set,
                   const DeletionOptions& options)
-      : tree_(document),
-        graph_(tree_, set),
+      : graph_(document, set),
+        tree_(graph_.tree()),
         removals_(graph_, options.cascade),
         editor_(document),
         container_(options.container) {}
 
   Result<Deletion> run(std::span<const std::string> pointers) {
-    std::vector<edit::Place> places;
+    std::vector<Place> places;
     for (const std::string& pointer : pointers) {
-      const edit::Place place = tree_.find(pointer);
+      const Place place = tree_.find(pointer);
       if (place.node == json::kNoNode) return Error{gltfx::quoted(pointer) + " leads nowhere"};
       places.push_back(place);
     }
@@ -87,7 +85,6 @@ class DeletionPlanner {
     const auto found = shifts_.find(list);
     if (found == shifts_.end()) return index;
     const auto& gone = found->second;
-    if (index >= tree_.size(list)) return index;  // it leads nowhere, also without its neighbours
     const auto behind = std::lower_bound(gone.begin(), gone.end(), index);
     return index - static_cast<std::uint64_t>(behind - gone.begin());
   }
@@ -102,24 +99,24 @@ class DeletionPlanner {
     for (const json::NodeId object : graph_.unknown_extensions()) {
       if (!removals_.is_gone(object)) return unknown(tree_.name(object));
     }
-    for (const edit::PointerText& pointer : graph_.pointers()) {
+    for (const graph::PointerText& pointer : graph_.pointers()) {
       const bool varies = pointer.varying != json::kNoNode && !removals_.is_gone(pointer.at);
       if (!varies || !loses_something(pointer.varying)) continue;
       return fmt::format("the target of the pointer at {} is set at run time",
                          printable(tree_.pointer(pointer.at)));
     }
-    for (const edit::IndexUse& use : graph_.indices()) {
+    for (const graph::IndexUse& use : graph_.indices()) {
       const bool ambiguous = use.ambiguous != json::kNoNode && !removals_.is_gone(use.at);
       if (!ambiguous || !loses_something(use.ambiguous)) continue;
       return fmt::format("what {} refers to is ambiguous", printable(tree_.pointer(use.at)));
     }
-    for (const edit::DefaultUse& use : graph_.defaults()) {
-      if (removals_.is_gone(use.owner)) continue;
-      const json::NodeId list = tree_.parent(use.target);
+    for (const graph::Use& use : graph_.uses()) {
+      if (use.kind != graph::UseKind::implied || removals_.is_gone(use.at)) continue;
       const std::uint64_t index = tree_.position(use.target);
-      const bool stays = !removals_.is_gone(use.target) && shifted(list, index) == index;
+      const bool stays =
+          !removals_.is_gone(use.target) && shifted(tree_.parent(use.target), index) == index;
       if (stays) continue;
-      return fmt::format("{} refers to {} by its default", printable(tree_.pointer(use.owner)),
+      return fmt::format("{} refers to {} by its default", printable(tree_.pointer(use.at)),
                          printable(tree_.pointer(use.target)));
     }
     return std::nullopt;
@@ -141,36 +138,12 @@ class DeletionPlanner {
   }
 
   void renumber() {
-    for (const edit::IndexUse& use : graph_.indices()) {
-      if (use.list == json::kNoNode || removals_.is_gone(use.at)) continue;
-      const std::uint64_t now = shifted(use.list, use.index);
-      if (now == use.index) continue;
-      editor_.replace_text(use.span, std::to_string(now));
-      ++deletion_.renumbered;
-    }
-    for (const edit::PointerText& pointer : graph_.pointers()) {
-      if (!removals_.is_gone(pointer.at)) renumber(pointer);
-    }
-  }
-
-  void renumber(const edit::PointerText& pointer) {
-    std::string text;
-    bool changed = false;
-    json::NodeId holder = document().root();
-    for (std::size_t i = 0; i < pointer.steps.size(); ++i) {
-      const bool known = i < pointer.way.size();
-      const bool element = known && !tree_.is_member(pointer.way[i]);
-      const std::uint64_t index = element ? tree_.position(pointer.way[i]) : 0;
-      const std::uint64_t now = element ? shifted(holder, index) : 0;
-      changed = changed || now != index;
-      append_pointer_step(text, element ? std::to_string(now) : pointer.steps[i]);
-      if (known) holder = pointer.way[i];
-    }
-    if (!changed) return;
-    std::string json;
-    json::append_string(json, text);
-    editor_.replace_scalar(pointer.at, std::move(json));
-    ++deletion_.renumbered;
+    auto edits = graph::renumber(
+        graph_,
+        [this](json::NodeId list, std::uint64_t position) { return shifted(list, position); },
+        [this](Place at) { return removals_.is_gone(at); });
+    for (json::Edit& edit : edits) editor_.replace_text(edit.span, std::move(edit.text));
+    deletion_.renumbered = edits.size();
   }
 
   // The first buffer of a GLB is its BIN chunk where it has no URI (glTF 2.0 section 4.4.3.3).
@@ -208,7 +181,7 @@ class DeletionPlanner {
     }
     const auto to_bin = std::count_if(
         graph_.indices().begin(), graph_.indices().end(),
-        [&](const edit::IndexUse& use) { return use.list == buffers && use.index == 0; });
+        [&](const graph::IndexUse& use) { return use.list == buffers && use.index == 0; });
     deletion_.change.bin.cut = cut_bin(document(), gone, static_cast<std::uint64_t>(to_bin),
                                        container_->bin->length, editor_);
   }
@@ -240,7 +213,7 @@ class DeletionPlanner {
   }
 
   void note_doubtful() {
-    for (const json::NodeId value : edit::likely_indices(
+    for (const json::NodeId value : graph::likely_indices(
              document(), {"accessor", "animation", "buffer", "camera", "image", "index", "indices",
                           "joint", "light", "material", "mesh", "node", "primitive", "sampler",
                           "scene", "skin", "texture", "variant"})) {
@@ -248,8 +221,8 @@ class DeletionPlanner {
     }
   }
 
-  const edit::Tree tree_;
-  const edit::Graph graph_;
+  const Graph graph_;
+  const Tree& tree_;
   Removals removals_;
   json::Editor editor_;
   const container::Container* container_;

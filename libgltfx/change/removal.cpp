@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "base/text.hpp"
+#include "graph/extensions.hpp"
 
 namespace gltfx::change {
 namespace {
@@ -21,22 +22,6 @@ bool holds_something(const json::Document& document, json::NodeId value) {
   return !document.is_object(value) || document.object_size(value) > 0;
 }
 
-// Objects of extensions in the nodes [begin, end), but for those in extras.
-template <class Visit>
-void each_extension(const json::Document& document, json::NodeId begin, json::NodeId end,
-                    const Visit& visit) {
-  const json::KeyId extras = document.key_id(kExtras);
-  const json::KeyId extensions = document.key_id(kExtensions);
-  for (json::NodeId id = begin; id < end;) {
-    const json::Node& node = document.node(id);
-    const bool key = node.kind == json::Kind::key;
-    if (key && node.next == extensions && document.is_object(id + 1)) {
-      for (const auto member : document.members(id + 1)) visit(member);
-    }
-    id = key && node.next == extras ? document.next(id + 1) : id + 1;
-  }
-}
-
 // Extras, and extensions that nobody knows, in the values of an object's own members.
 void look_below(const json::Document& document, const schema::Set& set, json::NodeId value,
                 std::vector<std::string>& found) {
@@ -47,7 +32,7 @@ void look_below(const json::Document& document, const schema::Set& set, json::No
     const bool is_extras = node.kind == json::Kind::key && node.next == extras;
     if (is_extras && holds_something(document, id + 1)) add(found, std::string(kExtras));
   }
-  each_extension(document, value, end, [&](const auto& member) {
+  graph::each_extension(document, value, end, [&](const auto& member) {
     const std::string_view name = document.key(member.key_id);
     if (set.find_extension(name) == schema::kNone) add(found, quoted(name));
   });
@@ -103,17 +88,16 @@ std::map<std::string, json::NodeId> extensions_taken_out(const json::Document& d
   std::map<std::string, json::NodeId> found;
   for (const json::NodeId value : outermost) {
     const bool member = value > 0 && document.kind(value - 1) == json::Kind::key;
-    each_extension(document, member ? value - 1 : value, document.next(value),
-                   [&](const auto& object) { found.emplace(document.key(object.key_id), value); });
+    graph::each_extension(
+        document, member ? value - 1 : value, document.next(value),
+        [&](const auto& object) { found.emplace(document.key(object.key_id), value); });
   }
   if (found.empty()) return found;
-  each_extension(
-      document, 0, static_cast<json::NodeId>(document.node_count()), [&](const auto& member) {
-        const auto after = std::upper_bound(outermost.begin(), outermost.end(), member.value);
-        const bool out =
-            after != outermost.begin() && member.value < document.next(*std::prev(after));
-        if (!out) found.erase(std::string(document.key(member.key_id)));
-      });
+  graph::each_extension(document, [&](const auto& member) {
+    const auto after = std::upper_bound(outermost.begin(), outermost.end(), member.value);
+    const bool out = after != outermost.begin() && member.value < document.next(*std::prev(after));
+    if (!out) found.erase(std::string(document.key(member.key_id)));
+  });
   return found;
 }
 

@@ -26,18 +26,18 @@ std::vector<std::string_view> required_names(const schema::Set& set, schema::Sha
 
 }  // namespace
 
-bool Removals::is_gone(edit::Place place) const {
+bool Removals::is_gone(Place place) const {
   if (gone_[place.node] || !place.element) return gone_[place.node];
   const auto found = gone_numbers_.find(place.node);
   return found != gone_numbers_.end() && found->second.count(*place.element) != 0;
 }
 
-json::NodeId Removals::container(edit::Place place) const {
+json::NodeId Removals::container(Place place) const {
   return place.element ? place.node : graph_.tree().parent(place.node);
 }
 
-std::optional<std::string> Removals::remove(std::span<const edit::Place> places) {
-  for (const edit::Place& place : places) waiting_.push_back({place, {}, true});
+std::optional<std::string> Removals::remove(std::span<const Place> places) {
+  for (const Place& place : places) waiting_.push_back({place, {}, true});
   for (std::size_t next = 0; next < waiting_.size(); ++next) {
     if (auto why = settle(waiting_[next])) return why;
   }
@@ -45,21 +45,13 @@ std::optional<std::string> Removals::remove(std::span<const edit::Place> places)
   return std::nullopt;
 }
 
-bool Removals::is_list_of_indices(json::NodeId array) const {
-  const schema::ShapeId id = graph_.shape(array);
-  if (id == schema::kNone) return false;
-  const schema::Shape& shape = graph_.set().shape(id);
-  if (shape.may_refer) return true;
-  return shape.items != schema::kNone && graph_.set().shape(shape.items).ref.has_value();
-}
-
 // Why an element must stay where it is.
-std::optional<std::string> Removals::find_position_obstacle(edit::Place place) const {
+std::optional<std::string> Removals::find_position_obstacle(Place place) const {
   const json::NodeId array = container(place);
-  const edit::Tree& tree = graph_.tree();
+  const Tree& tree = graph_.tree();
   if (!tree.document().is_array(array)) return std::nullopt;
   const std::string name = printable(tree.pointer(place));
-  if (place.element && !is_list_of_indices(array)) {
+  if (place.element && !graph_.is_list_of_references(array)) {
     return fmt::format("{} is a number and no reference", name);
   }
   const schema::ShapeId shape = graph_.shape(array);
@@ -69,8 +61,8 @@ std::optional<std::string> Removals::find_position_obstacle(edit::Place place) c
 }
 
 // Whether what holds the value has too little left without it.
-bool Removals::empties(edit::Place place) const {
-  const edit::Tree& tree = graph_.tree();
+bool Removals::empties(Place place) const {
+  const Tree& tree = graph_.tree();
   const json::NodeId holder = container(place);
   const auto lost = lost_.find(holder);
   const std::uint64_t gone = 1 + (lost == lost_.end() ? 0 : lost->second);
@@ -129,12 +121,12 @@ bool Removals::falls(json::NodeId object, const Step& step) const {
 }
 
 std::optional<std::string> Removals::settle(Step step) {
-  const edit::Tree& tree = graph_.tree();
+  const Tree& tree = graph_.tree();
   while (!is_gone(step.place)) {
     const json::NodeId holder = container(step.place);
     if (holder == json::kNoNode) return "the document itself must stay";
     if (auto why = find_position_obstacle(step.place)) return why;
-    const edit::Place whole{holder, std::nullopt};
+    const Place whole{holder, std::nullopt};
     const bool array = tree.document().is_array(holder);
     const bool needed = !array && falls(holder, step);
     if (needed && holder == tree.document().root()) {
@@ -157,7 +149,7 @@ std::optional<std::string> Removals::settle(Step step) {
 }
 
 // Members that must not be there without this one.
-void Removals::drop_dependents(json::NodeId object, edit::Place place) {
+void Removals::drop_dependents(json::NodeId object, Place place) {
   const schema::TypeId type = graph_.type(object);
   if (type == schema::kNone) return;
   const std::string_view name = graph_.tree().name(place.node);
@@ -169,7 +161,7 @@ void Removals::drop_dependents(json::NodeId object, edit::Place place) {
   }
 }
 
-void Removals::need(edit::Place at, edit::Place target, bool owner) {
+void Removals::need(Place at, Place target, bool owner) {
   if (cascade_) {
     waiting_.push_back({at, target, false});
   } else {
@@ -193,9 +185,10 @@ void Removals::take_out(const Step& step) {
       continue;
     }
     gone_[id] = true;
-    graph_.each_user(id, [&](edit::Place user) {
-      if (!is_gone(user)) need(user, {id, std::nullopt}, false);
-    });
+    for (const graph::Use& use : graph_.users(id)) {
+      const bool stands = use.kind != graph::UseKind::implied && !is_gone(use.at);
+      if (stands) need(use.at, {id, std::nullopt}, false);
+    }
     ++id;
   }
 }

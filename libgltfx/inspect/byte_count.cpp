@@ -16,6 +16,25 @@ namespace {
 
 using model::RootArray;
 
+/// What bytes are for, and of which mesh, image, animation or skin they are part.
+struct Owner {
+  ByteUse use = ByteUse::other;
+  std::uint32_t index = 0;
+};
+
+// The owner of what an element of a root array refers to.
+Owner owner_of(const graph::Tree& tree, json::NodeId element) {
+  constexpr std::pair<std::string_view, ByteUse> kOwners[] = {{"meshes", ByteUse::meshes},
+                                                              {"images", ByteUse::images},
+                                                              {"animations", ByteUse::animations},
+                                                              {"skins", ByteUse::skins}};
+  if (element == json::kNoNode) return {};
+  for (const auto& [array, use] : kOwners) {
+    if (tree.name(tree.parent(element)) == array) return {use, tree.position(element)};
+  }
+  return {};
+}
+
 constexpr std::uint64_t kPadding = 15;  // bytes between two objects that nobody calls unused
 
 /// Bytes that stand in a row: a file, a chunk, what a data URI stands for.
@@ -32,13 +51,13 @@ class Counter {
  public:
   Counter(const container::Container& container, container::OpenedFiles& files,
           const model::Asset& asset, const model::Views& views,
-          const model::ResourceData& resources, const Uses& uses)
+          const model::ResourceData& resources, const graph::Graph& graph)
       : container_(container),
         files_(files),
         asset_(asset),
         views_(views),
         resources_(resources),
-        uses_(uses) {
+        graph_(graph) {
     count_.meshes.resize(asset.count(RootArray::meshes));
     count_.images.resize(asset.count(RootArray::images));
     count_.animations.resize(asset.count(RootArray::animations));
@@ -49,7 +68,9 @@ class Counter {
     take_container();
     place_buffers();
     place_images();
-    for (const ViewUse& use : uses_.views) place(use);
+    for (const graph::IndexUse& use : graph_.indices()) {
+      if (use.array == "/bufferViews") place(use);
+    }
     for (Store& store : stores_) settle(store);
     return std::move(count_);
   }
@@ -128,15 +149,31 @@ class Counter {
     }
   }
 
-  void place(const ViewUse& use) {
-    const model::BufferView& view = views_.buffer_views[use.view];
-    Owner owner = use.owner;
+  // The owner of an accessor: of those that refer to it the first in the order of ByteUse.
+  std::optional<Owner> owner_of_accessor(json::NodeId accessor) const {
+    std::optional<Owner> owner;
+    for (const graph::Use& use : graph_.users(accessor)) {
+      if (use.kind != graph::UseKind::index) continue;
+      const Owner user = owner_of(graph_.tree(), graph_.tree().root_element(use.at.node));
+      if (!owner || user.use < owner->use) owner = user;
+    }
+    return owner;
+  }
+
+  // What refers to a buffer view takes bytes; an accessor does for those that refer to it.
+  void place(const graph::IndexUse& use) {
+    const auto index = asset_.index(static_cast<double>(use.index), RootArray::buffer_views);
+    if (!index) return;
+    const graph::Tree& tree = graph_.tree();
+    const model::BufferView& view = views_.buffer_views[*index];
+    const json::NodeId user = tree.root_element(use.at.node);
+    Owner owner = owner_of(tree, user);
     std::uint64_t begin = 0, length = view.byte_length.value_or(0);
-    if (use.accessor) {
-      const auto& user = uses_.accessors[*use.accessor];
-      if (!user) return;
-      owner = *user;
-      narrow(views_.accessors[*use.accessor], use.view, begin, length);
+    if (user != json::kNoNode && tree.name(tree.parent(user)) == "accessors") {
+      const auto behind = owner_of_accessor(user);
+      if (!behind) return;
+      owner = *behind;
+      narrow(views_.accessors[tree.position(user)], *index, begin, length);
     }
     if (const auto stream = model::read_meshopt_view(asset_, view.node)) {
       put(stream->buffer, stream->byte_offset, stream->byte_length, owner);
@@ -200,7 +237,7 @@ class Counter {
   const model::Asset& asset_;
   const model::Views& views_;
   const model::ResourceData& resources_;
-  const Uses& uses_;
+  const graph::Graph& graph_;
   ByteCount count_;
   std::vector<Store> stores_;
   std::vector<std::optional<std::size_t>> buffers_;            // stores, by index of the buffer
@@ -212,8 +249,8 @@ class Counter {
 
 ByteCount count_bytes(const container::Container& container, container::OpenedFiles& files,
                       const model::Asset& asset, const model::Views& views,
-                      const model::ResourceData& resources, const Uses& uses) {
-  return Counter(container, files, asset, views, resources, uses).run();
+                      const model::ResourceData& resources, const graph::Graph& graph) {
+  return Counter(container, files, asset, views, resources, graph).run();
 }
 
 }  // namespace gltfx::inspect

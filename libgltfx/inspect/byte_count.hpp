@@ -9,7 +9,8 @@
 
 #include "container/container.hpp"
 #include "container/opened_files.hpp"
-#include "inspect/uses.hpp"
+#include "graph/graph.hpp"
+#include "model/asset.hpp"
 #include "model/resource_data.hpp"
 #include "model/views.hpp"
 
@@ -25,6 +26,6 @@ struct ByteCount {
 /// Files that are not there, and references that lead nowhere, count nothing. Takes time n log n.
 ByteCount count_bytes(const container::Container& container, container::OpenedFiles& files,
                       const model::Asset& asset, const model::Views& views,
-                      const model::ResourceData& resources, const Uses& uses);
+                      const model::ResourceData& resources, const graph::Graph& graph);
 
 }  // namespace gltfx::inspect

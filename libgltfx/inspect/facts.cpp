@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/checked.hpp"
+#include "graph/graph.hpp"
 #include "inspect/byte_count.hpp"
 #include "inspect/image_facts.hpp"
 #include "inspect/metadata_facts.hpp"
-#include "inspect/uses.hpp"
 #include "model/camera.hpp"
 #include "model/fields.hpp"
 #include "model/format_set.hpp"
@@ -32,7 +32,7 @@ struct Source {
   const model::Asset asset;
   const model::Views& views;
   const schema::Set& schemas;
-  const Uses uses;
+  const graph::Graph graph;
   container::OpenedFiles files;
   const model::LoadedResources loaded;
   const ByteCount bytes;
@@ -41,10 +41,10 @@ struct Source {
       : asset(opened.document()),
         views(opened.views()),
         schemas(known),
-        uses(find_uses(asset, known)),
+        graph(asset.document(), known, true),
         files(opened.resolver()),
         loaded(model::load_resources(opened.container(), files, asset, views, jobs)),
-        bytes(count_bytes(opened.container(), files, asset, views, loaded.data, uses)) {}
+        bytes(count_bytes(opened.container(), files, asset, views, loaded.data, graph)) {}
 
   const json::Document& document() const { return asset.document(); }
 };
@@ -80,7 +80,7 @@ std::optional<std::uint64_t> accessors_for(const Source& source,
 
 std::vector<ExtensionFacts> extensions_of(const Source& source) {
   std::map<std::string, ExtensionFacts> by_name;
-  const schema::CheckResult& checked = source.uses.checked;
+  const schema::CheckResult& checked = source.graph.checked();
   for (const std::string& name : checked.extensions_used) by_name[name].used = true;
   for (const std::string& name : checked.extensions_required) by_name[name].required = true;
   for (const std::string& name : checked.extensions_seen) by_name[name].seen = true;
@@ -183,7 +183,7 @@ std::vector<MaterialFacts> materials_of(const Source& source) {
 // Slots say by their pointers which material they belong to.
 void count_slots(const Source& source, std::vector<MaterialFacts>& materials) {
   constexpr std::string_view kStart = "/materials/";
-  for (const schema::SlotUse& use : source.uses.checked.slots) {
+  for (const schema::SlotUse& use : source.graph.checked().slots) {
     if (!std::string_view(use.pointer).starts_with(kStart)) continue;
     std::uint64_t index = 0;
     for (std::size_t i = kStart.size(); i < use.pointer.size() && use.pointer[i] != '/'; ++i) {
@@ -274,7 +274,8 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   MeshReader(source).read(facts);
   facts.materials = materials_of(source);
   count_slots(source, facts.materials);
-  facts.images = image_facts(source.asset, source.loaded.data, source.uses, facts.problems);
+  facts.images =
+      image_facts(source.asset, source.loaded.data, source.graph.checked().slots, facts.problems);
   for (std::size_t i = 0; i < facts.images.size(); ++i) {
     facts.images[i].bytes = source.bytes.images[i];
   }

@@ -148,9 +148,10 @@ class Reader {
 }  // namespace
 
 std::vector<ImageFacts> image_facts(const model::Asset& asset, const model::ResourceData& resources,
-                                    const Uses& uses, std::vector<std::string>& problems) {
+                                    const std::vector<schema::SlotUse>& slots,
+                                    std::vector<std::string>& problems) {
   Reader reader(asset, resources, problems);
-  for (const schema::SlotUse& use : uses.checked.slots) reader.take(use);
+  for (const schema::SlotUse& use : slots) reader.take(use);
   return reader.finish();
 }
 

@@ -7,13 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "inspect/uses.hpp"
+#include "model/asset.hpp"
 #include "model/resource_data.hpp"
+#include "schema/check.hpp"
 
 namespace gltfx::inspect {
 
 /// By index, all but `bytes`. Adds to `problems` a sentence for each whose header cannot be read.
 std::vector<ImageFacts> image_facts(const model::Asset& asset, const model::ResourceData& resources,
-                                    const Uses& uses, std::vector<std::string>& problems);
+                                    const std::vector<schema::SlotUse>& slots,
+                                    std::vector<std::string>& problems);
 
 }  // namespace gltfx::inspect

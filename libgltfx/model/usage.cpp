@@ -39,17 +39,12 @@ class UsageReader {
   const json::Document& document() const { return asset_.document(); }
 
   void note_view(std::optional<std::uint32_t> view, ViewUse kind, json::NodeId place) {
-    if (!view) return;
-    auto& first = usage_.views_[*view];
-    if (first.kind == ViewUse::none) first = {kind, place};
-    first.used = true;
+    if (view) usage_.views_[*view].note(kind, place);
   }
 
   void note(std::optional<std::uint32_t> accessor, AccessorUse kind, json::NodeId place) {
     if (!accessor) return;
-    auto& first = usage_.accessors_[*accessor];
-    if (first.kind == AccessorUse::none) first = {kind, place};
-    first.used = true;
+    usage_.accessors_[*accessor].note(kind, place);
     note_view(accessors_[*accessor].buffer_view, view_use(kind), place);
   }
 

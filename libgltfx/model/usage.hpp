@@ -28,12 +28,19 @@ std::string_view use_text(ViewUse use);
 /// What the view behind an accessor that is used like this holds.
 ViewUse view_use(AccessorUse use);
 
-/// The first use of an accessor or buffer view.
+/// The uses of an accessor or buffer view by indices, and the first one.
 template <typename Kind>
-struct FirstUse {
+struct Uses {
   Kind kind = Kind::none;
   json::NodeId place = json::kNoNode;  ///< the index that uses it; kNoNode: a view's own `target`
-  bool used = false;                   ///< by an index, whatever for
+  std::uint8_t kinds = 0;              ///< a bit each: of all uses by indices
+  bool used() const { return kinds != 0; }
+  bool has(Kind wanted) const { return (kinds >> static_cast<unsigned>(wanted) & 1U) != 0; }
+  bool has_only(Kind wanted) const { return kinds == 1U << static_cast<unsigned>(wanted); }
+  void note(Kind other, json::NodeId at) {
+    if (kind == Kind::none) kind = other, place = at;
+    kinds = static_cast<std::uint8_t>(kinds | 1U << static_cast<unsigned>(other));
+  }
 };
 
 /// First uses by index, as core members make them, in the order images, sparse accessors come
@@ -44,13 +51,13 @@ class Usage {
   Usage(const Asset& asset, const std::vector<Accessor>& accessors,
         const std::vector<BufferView>& views, const std::vector<Mesh>& meshes);
 
-  const FirstUse<AccessorUse>& accessor(std::uint32_t index) const { return accessors_[index]; }
-  const FirstUse<ViewUse>& view(std::uint32_t index) const { return views_[index]; }
+  const Uses<AccessorUse>& accessor(std::uint32_t index) const { return accessors_[index]; }
+  const Uses<ViewUse>& view(std::uint32_t index) const { return views_[index]; }
 
  private:
   friend class UsageReader;
-  std::vector<FirstUse<AccessorUse>> accessors_;
-  std::vector<FirstUse<ViewUse>> views_;
+  std::vector<Uses<AccessorUse>> accessors_;
+  std::vector<Uses<ViewUse>> views_;
 };
 
 }  // namespace gltfx::model

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <set>
 #include <span>
 #include <string_view>
 #include <system_error>
@@ -12,13 +14,14 @@
 #include <fmt/format.h>
 
 #include "base/pages.hpp"
+#include "base/text.hpp"
 #include "change/commit.hpp"
 #include "change/companions.hpp"
+#include "change/deletion.hpp"
 #include "change/place.hpp"
-#include "change/prune.hpp"
 #include "change/rewrite.hpp"
-#include "edit/orphans.hpp"
-#include "edit/references.hpp"
+#include "graph/extras.hpp"
+#include "graph/orphans.hpp"
 #include "pipeline/edit_asset.hpp"
 #include "upgrade/ambiguity.hpp"
 #include "upgrade/asset_pictures.hpp"
@@ -75,7 +78,55 @@ Result<change::Change> settle(upgrade::Plan& plan, const OpenedAsset& asset,
                        });
 }
 
-std::vector<UpgradeOrphan> listed(const edit::Orphans& orphans, const OpenedAsset& asset) {
+/// Indices by root array, of what only textures lead to and of textures.
+using Elements = std::map<std::string, std::set<std::uint64_t>>;
+
+json::NodeId find_list(const graph::Tree& tree, const std::string& array) {
+  const json::NodeId list = tree.member(tree.document().root(), array);
+  return list != json::kNoNode && tree.document().is_array(list) ? list : json::kNoNode;
+}
+
+// What may become an orphan: elements that something refers to, and textures that were released,
+// whatever refers to them.
+Elements referred_elements(const json::Document& document,
+                           const std::vector<std::uint64_t>& released, const schema::Set& schemas) {
+  const graph::Graph graph(document, schemas);
+  const graph::Tree& tree = graph.tree();
+  const graph::Orphans orphans(graph);
+  Elements referred;
+  referred["textures"].insert(released.begin(), released.end());
+  for (const char* array : {"textures", "images", "bufferViews"}) {
+    const json::NodeId list = find_list(tree, array);
+    const std::uint64_t size = list == json::kNoNode ? 0 : tree.size(list);
+    for (std::uint64_t i = 0; i < size; ++i) {
+      const json::NodeId element = tree.element(list, i);
+      if (orphans.is_used(element)) referred[array].insert(i);
+    }
+  }
+  return referred;
+}
+
+// Those of them to which nothing refers but others.
+Elements find_orphans(const Elements& referred, const json::Document& now,
+                      const schema::Set& schemas) {
+  const graph::Graph graph(now, schemas);
+  const graph::Tree& tree = graph.tree();
+  std::vector<json::NodeId> candidates;
+  for (const auto& [array, indices] : referred) {
+    const json::NodeId list = find_list(tree, array);
+    if (list == json::kNoNode) continue;
+    for (const std::uint64_t index : indices) candidates.push_back(tree.element(list, index));
+  }
+  std::erase(candidates, json::kNoNode);
+  std::sort(candidates.begin(), candidates.end());
+  Elements orphans;
+  for (const json::NodeId orphan : graph::find_orphans(graph, candidates)) {
+    orphans[std::string(tree.name(tree.parent(orphan)))].insert(tree.position(orphan));
+  }
+  return orphans;
+}
+
+std::vector<UpgradeOrphan> listed(const Elements& orphans, const OpenedAsset& asset) {
   std::vector<UpgradeOrphan> list;
   const model::Asset elements(asset.document());
   model::AssetBytes bytes(elements, asset.container(), asset.resolver());
@@ -96,37 +147,36 @@ SharedText new_text(const OpenedAsset& asset, const std::vector<json::Edit>& edi
   return share_text(json::apply_edits(*asset.container().json, edits));
 }
 
-/// What the old document says of orphans.
-struct Before {
-  edit::Orphans referred;
-  std::optional<std::uint64_t> bin_size;  ///< where buffer 0 is the BIN chunk of a GLB
-};
-
-Before look_at_old(const OpenedAsset& asset, const std::vector<std::uint64_t>& released,
-                   const schema::Set& schemas, const model::AssetBytes& bytes) {
-  const json::Document& document = asset.document();
-  const edit::References references(document, schemas);
-  Before before{edit::referred_elements(document, references, released), std::nullopt};
-  if (bytes.buffer_storage(0) == model::Storage::bin_chunk) {
-    before.bin_size = asset.container().bin->length;
+// An Error says why the orphans stay.
+Result<change::Deletion> plan_pruning(const json::Document& document, const Elements& orphans,
+                                    const container::Container& container,
+                                    const schema::Set& schemas) {
+  for (const json::NodeId value :
+       graph::likely_indices(document, {"texture", "image", "bufferview"})) {
+    if (!document.is_number(value)) continue;
+    return Error{fmt::format("{} may be an index", printable(document.pointer_of(value)))};
   }
-  return before;
+  std::vector<std::string> pointers;
+  for (const auto& [array, indices] : orphans) {
+    for (const std::uint64_t i : indices) pointers.push_back(fmt::format("/{}/{}", array, i));
+  }
+  auto deletion = change::plan_deletion(document, schemas, pointers, {false, &container});
+  if (!deletion || deletion->obstacles.empty()) return deletion;
+  return Error{fmt::format("{} refers to {}", printable(deletion->obstacles.front().pointer),
+                           printable(deletion->obstacles.front().target))};
 }
 
 // What additions refer to is not missed: they stand behind everything that was there before. The
 // old and the new document are not looked at together.
-void look_for_orphans(const OpenedAsset& asset, Before before, const UpgradeOptions& options,
-                      const schema::Set& schemas, PlannedUpgrade& planned) {
-  planned.now.parsed = json::parse(planned.now.text);
-  const json::Document& now = planned.now.parsed.document;
-  const edit::References after(now, schemas);
-  const edit::Orphans orphans = edit::find_orphans(std::move(before.referred), now, after);
-  if (std::all_of(orphans.begin(), orphans.end(),
-                  [](const auto& of) { return of.second.empty(); })) {
-    return;
-  }
-  std::optional<Result<change::Pruned>> pruned;
-  if (options.prune) pruned = change::prune(now, after, orphans, before.bin_size);
+void look_for_orphans(const OpenedAsset& asset, const Elements& referred,
+                      const UpgradeOptions& options, const schema::Set& schemas,
+                      std::vector<json::Edit>& edits, PlannedUpgrade& planned) {
+  planned.parsed = json::parse(planned.text);
+  const json::Document& now = planned.parsed.document;
+  const Elements orphans = find_orphans(referred, now, schemas);
+  if (orphans.empty()) return;
+  std::optional<Result<change::Deletion>> pruned;
+  if (options.prune) pruned = plan_pruning(now, orphans, asset.container(), schemas);
   if (asset.is_large()) planned.now.parsed = {};
   UpgradeReport& report = planned.report;
   report.orphans = listed(orphans, asset);
@@ -136,8 +186,8 @@ void look_for_orphans(const OpenedAsset& asset, Before before, const UpgradeOpti
     return;
   }
   std::vector<json::Edit>& edits = planned.change.edits;
-  edits = json::chain_edits(*asset.container().json, edits, (*pruned)->edits);
-  planned.change.bin.cut = std::move((*pruned)->cut);
+  edits = json::chain_edits(*asset.container().json, edits, (*pruned)->change.edits);
+  planned.change.bin.cut = std::move((*pruned)->change.bin.cut);
   for (UpgradeOrphan& orphan : report.orphans) orphan.removed = true;
   report.names_removed = std::move((*pruned)->names);
   planned.now = {new_text(asset, edits), {}};
@@ -205,14 +255,14 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   for (const change::NewFile& file : planned.change.files) report.new_files.push_back(file.path);
   if (!report.changes) return planned;
   planned.now.text = new_text(asset, planned.change.edits);
-  std::optional<Before> before;
+  std::optional<Elements> referred;
   if (elements.count(model::RootArray::textures) > 0) {
-    before = look_at_old(asset, plan.released, *schemas, bytes);
+    referred = referred_elements(asset.document(), plan.released, *schemas);
   }
   release();
   if (!options.prune && !options.diff) planned.change.edits = {};
   give_back_memory();
-  if (before) look_for_orphans(asset, *std::move(before), options, *schemas, planned);
+  if (referred) look_for_orphans(asset, *referred, options, *schemas, planned);
   release();
   if (options.diff) report.diff = diff_of(asset, planned.change.edits);
   return planned;

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "change/place.hpp"
-#include "edit/references.hpp"
+#include "graph/graph.hpp"
 #include "json/edit.hpp"
 #include "pipeline/edit_asset.hpp"
 #include "pipeline/new_findings.hpp"
@@ -37,7 +37,7 @@ class Embedding {
 
   std::optional<Error> run() {
     if (auto trouble = find_trouble()) return trouble;
-    references_.emplace(document(), *schemas_);
+    graph_.emplace(document(), *schemas_);
     auto change = make_change();
     if (!change) return Error{"the asset is put together in a way that leaves no room"};
     FolderIndex folders;
@@ -97,31 +97,23 @@ class Embedding {
   std::optional<std::uint64_t> replaceable(json::NodeId thumbnail) const {
     if (thumbnail == json::kNoNode || !document().is_number(thumbnail)) return std::nullopt;
     const auto index = document().unsigned_integer(thumbnail);
-    if (!index || *index >= count(document(), "images") || is_used(*index)) return std::nullopt;
-    std::uint64_t at = 0;
-    for (const json::NodeId image : document().elements(root_member("images"))) {
-      if (at++ == *index && is_plain(image)) return index;
-    }
-    return std::nullopt;
-  }
-
-  // By others than `asset`, or maybe so.
-  bool is_used(std::uint64_t image) const {
-    return users("images", image) > 1 || !references_->unknown_extension().empty();
-  }
-
-  std::ptrdiff_t users(std::string_view array, std::uint64_t index) const {
-    const auto& all = references_->to(array);
-    return std::count_if(all.begin(), all.end(), [index](const edit::Reference& reference) {
-      return reference.index == index;
-    });
+    if (!index || *index >= count(document(), "images")) return std::nullopt;
+    const json::NodeId image = graph_->tree().element(root_member("images"), *index);
+    const bool only = image != json::kNoNode && graph_->users(image).size() <= 1 &&
+                      graph_->unknown_extensions().empty();
+    return only && is_plain(image) ? index : std::nullopt;
   }
 
   // What leads nowhere now must not lead to the thumbnail.
   std::optional<std::string> find_false_user(const json::Document& now) const {
     for (const std::string_view array : {"buffers", "bufferViews", "images"}) {
       const std::uint64_t index = count(document(), array);
-      if (count(now, array) == index || users(array, index) == 0) continue;
+      if (count(now, array) == index) continue;
+      const auto& uses = graph_->indices();
+      const auto leads_there = [&](const graph::IndexUse& use) {
+        return use.index == index && use.array == fmt::format("/{}", array);
+      };
+      if (std::none_of(uses.begin(), uses.end(), leads_there)) continue;
       return fmt::format("an index of {} leads nowhere, and would lead to the thumbnail: {}", array,
                          index);
     }
@@ -140,7 +132,7 @@ class Embedding {
   const FileState state_;
   const SchemaSet& schemas_;
   const ValidatedAsset before_;
-  std::optional<edit::References> references_;
+  std::optional<graph::Graph> graph_;
   const std::shared_ptr<const std::string> png_;
 };
 

@@ -59,20 +59,21 @@ class MemberVisitor {
   MemberVisitor& operator=(const MemberVisitor&) = default;
 };
 
-/// An index of the document, also one that leads nowhere.
+/// An index, JSON pointer or name of the document, also one that leads nowhere.
 struct ReferenceUse {
+  enum class Kind : std::uint8_t { index, pointer, name };
+  Kind kind = Kind::index;
+  json::NodeId value = json::kNoNode;  ///< the number or string, or the number_array of the number
+  const Target* target = nullptr;      ///< null for a pointer; lives in the Set
+  // Members of an index:
   /// That is meant, such as "/textures"; empty for one that is not reached from the root, or when
   /// it may be one of several.
   std::string_view array;
   std::uint64_t index = 0;
-  Span span;                           ///< of the number
-  json::NodeId list = json::kNoNode;   ///< the array; kNoNode: not there, or one of several
-  json::NodeId value = json::kNoNode;  ///< the number, or the number_array it stands in
-  const Target* target = nullptr;      ///< lives in the Set
+  Span span;                          ///< of the number
+  json::NodeId list = json::kNoNode;  ///< the array; kNoNode: not there, or one of several
 };
 using ReferenceVisitor = std::function<void(const ReferenceUse&)>;
-/// Called for each string that is a JSON pointer by its schema, also one that leads nowhere.
-using PointerVisitor = std::function<void(json::NodeId)>;
 
 struct CheckOptions {
   Deviations deviations = {};
@@ -82,7 +83,6 @@ struct CheckOptions {
   json::Document* shown = nullptr;
   MemberVisitor* members = nullptr;              ///< or nobody
   const ReferenceVisitor* references = nullptr;  ///< Part::all
-  const PointerVisitor* pointers = nullptr;      ///< or nobody
   bool slots = true;                             ///< whether CheckResult::slots are wanted
   TypeId root = kNone;  ///< of the document's root object; none: that of glTF
 };

@@ -57,9 +57,9 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   if (options_.part == (of_root ? Part::references : Part::form)) return;
   Targets::Array* array = array_of(plan, target);
   if (options_.references != nullptr) {
-    (*options_.references)({plan.steps_over ? std::string_view() : plan.pointer, index,
-                            values_.span(value), array == nullptr ? json::kNoNode : array->node,
-                            value.node, &plan.target});
+    (*options_.references)({ReferenceUse::Kind::index, value.node, &plan.target,
+                            plan.steps_over ? std::string_view() : plan.pointer, index,
+                            values_.span(value), array == nullptr ? json::kNoNode : array->node});
   }
   const bool hole = array != nullptr && array->is_hole(index);
   if (array != nullptr && index < array->size && !(deviations().broken_values_are_absent && hole)) {
@@ -120,6 +120,15 @@ bool Walker::is_elsewhere(const Target& target) const {
 void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const Path& path) {
   result_.has_open_references = true;
   const std::uint32_t target = tables_.name_target_of[shape];
+  if (options_.references != nullptr) {
+    (*options_.references)({ReferenceUse::Kind::name,
+                            value.node,
+                            &*set_.shape(shape).ref_name,
+                            {},
+                            0,
+                            {},
+                            json::kNoNode});
+  }
   if (targets_.has_name(target, name) || is_elsewhere(*set_.shape(shape).ref_name)) return;
   reference_sink_.report(path,
                          {Code::UNRESOLVED_NAME,

@@ -249,7 +249,10 @@ void Walker::judge_text(ShapeId id, Value value, const Path& path) {
            {}, Severity::warning);
   }
   const bool pointer = shape.format == "json-pointer";
-  if (pointer && options_.pointers != nullptr) (*options_.pointers)(value.node);
+  if (pointer && options_.references != nullptr) {
+    using Kind = ReferenceUse::Kind;
+    (*options_.references)({Kind::pointer, value.node, nullptr, {}, 0, {}, json::kNoNode});
+  }
   if (pointer && !is_json_pointer(text)) {
     unset_ = true;
     report(path, Code::PATTERN_MISMATCH, values_.span(value),

@@ -117,8 +117,8 @@ class Search {
   Result<std::vector<Follower>> run() {
     std::vector<Follower> followers;
     const std::string index = std::to_string(carrier_.index);
-    for (const edit::PointerUse* use : context_.pointers.below(carrier_.array, index, from_)) {
-      if (edit::Pointers::is_template(*use)) return Error{"a graph references all elements"};
+    for (const graph::PointerUse* use : context_.pointers.below(carrier_.array, index, from_)) {
+      if (graph::Pointers::is_template(*use)) return Error{"a graph references all elements"};
       auto follower = follower_of(*use);
       if (!follower) return follower.error();
       followers.push_back(*std::move(follower));
@@ -127,7 +127,7 @@ class Search {
   }
 
  private:
-  Result<Follower> follower_of(const edit::PointerUse& use) {
+  Result<Follower> follower_of(const graph::PointerUse& use) {
     Follower follower;
     follower.pointer = use.node;
     for (const json::NodeId animation : context_.asset.elements(model::RootArray::animations)) {
@@ -149,7 +149,7 @@ class Search {
     return follower;
   }
 
-  std::string target_of(const edit::PointerUse& use) const {
+  std::string target_of(const graph::PointerUse& use) const {
     std::string pointer;
     append_pointer_step(pointer, use.steps[0]);
     append_pointer_step(pointer, use.steps[1]);

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/fork.hpp"
 #include "json/parse.hpp"
 
 namespace gltfx::upgrade {
@@ -79,10 +78,9 @@ std::uint64_t Context::add_texture(const ImageJob& job, std::optional<std::uint6
   return texture->second;
 }
 
-const std::vector<MaterialUse>& Context::uses_of(std::uint64_t material) {
-  if (!uses) uses = find_material_uses(asset);
-  const auto found = uses->find(material);
-  return found == uses->end() ? empty_value<std::vector<MaterialUse>>() : found->second;
+std::vector<MaterialUse> Context::uses_of(std::uint64_t material) {
+  if (!graph) graph.emplace(document, set);
+  return find_material_uses(asset, *graph, material);
 }
 
 std::string Carrier::pointer() const {
@@ -137,7 +135,7 @@ MemberSource Context::source_of(const Carrier& carrier, const std::string& path)
 }
 
 bool Context::is_used_with(const std::string& attribute, std::uint64_t material) {
-  const std::vector<MaterialUse>& users = uses_of(material);
+  const std::vector<MaterialUse> users = uses_of(material);
   return std::any_of(users.begin(), users.end(), [&](const MaterialUse& use) {
     const json::NodeId attributes = document.find(use.primitive, "attributes");
     return document.find(attributes, attribute) != json::kNoNode;

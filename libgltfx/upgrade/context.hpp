@@ -14,7 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "edit/pointers.hpp"
+#include "graph/graph.hpp"
+#include "graph/pointers.hpp"
 #include "json/edit.hpp"
 #include "model/asset.hpp"
 #include "schema/holds.hpp"
@@ -75,7 +76,7 @@ struct Context {
         options(wanted),
         pictures(of_document),
         values(asset, bytes),
-        pointers(read),
+        pointers(read, known),
         symbols(read, known),
         holds(read, known, symbols),
         editor(read) {
@@ -88,7 +89,7 @@ struct Context {
   const UpgradeOptions& options;
   Pictures* const pictures;  ///< null: nobody can look at pixels
   AccessorValues values;
-  const edit::Pointers pointers;
+  const graph::Pointers pointers;
   schema::DocumentNames symbols;
   schema::Holds holds;
   json::Editor editor;
@@ -108,7 +109,7 @@ struct Context {
       takeovers;                             ///< by the carrier's object, the last one counts
   std::set<std::string, std::less<>> names;  ///< see interned()
   std::unordered_map<json::NodeId, std::uint64_t> sizes;  ///< of arrays that somebody asked for
-  std::optional<MaterialUses> uses;                       ///< once somebody asked
+  std::optional<graph::Graph> graph;                      ///< once somebody asked
   std::vector<MaterialSplit> splits;
   std::map<std::string, std::uint64_t> new_textures;  ///< images and textures by what they are
   // What animated copies have got: accessors by what they are cut from, samplers by the old one and
@@ -134,7 +135,7 @@ struct Context {
   /// Number of textures in the document.
   std::uint64_t texture_count() const { return asset.count(model::RootArray::textures); }
   /// Who uses a material.
-  const std::vector<MaterialUse>& uses_of(std::uint64_t material);
+  std::vector<MaterialUse> uses_of(std::uint64_t material);
   /// Whether a primitive with that attribute uses the material, also by way of an extension.
   bool is_used_with(const std::string& attribute, std::uint64_t material);
 };

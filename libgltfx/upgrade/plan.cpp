@@ -135,15 +135,15 @@ class ExtensionPlan {
     return action;
   }
 
-  bool is_into(const edit::PointerUse& use) const {
+  bool is_into(const graph::PointerUse& use) const {
     return use.steps.size() > 3 && use.steps[2] == "extensions" && use.steps[3] == extension_.name;
   }
 
   // A pointer to all objects, which cannot lead to two names.
   bool has_template() const {
     const auto& all = context_.pointers.all();
-    return std::any_of(all.begin(), all.end(), [this](const edit::PointerUse& use) {
-      return edit::Pointers::is_template(use) && is_into(use);
+    return std::any_of(all.begin(), all.end(), [this](const graph::PointerUse& use) {
+      return graph::Pointers::is_template(use) && is_into(use);
     });
   }
 
@@ -235,14 +235,14 @@ class ExtensionPlan {
     for (std::size_t i = 0; i < carriers_.size(); ++i) {
       if (actions()[i].done && !actions()[i].removed) done.insert(carriers_[i].pointer());
     }
-    for (const edit::PointerUse& use : context_.pointers.all()) {
+    for (const graph::PointerUse& use : context_.pointers.all()) {
       if (!is_into(use)) continue;
-      const bool every = edit::Pointers::is_template(use) && left_ == 0 && removed_ == 0;
+      const bool every = graph::Pointers::is_template(use) && left_ == 0 && removed_ == 0;
       if (every || done.count("/" + use.steps[0] + "/" + use.steps[1]) > 0) rename(use);
     }
   }
 
-  void rename(const edit::PointerUse& use) {
+  void rename(const graph::PointerUse& use) {
     std::string pointer;
     const std::string_view member = use.steps.size() > 4 ? use.steps[4] : std::string_view();
     std::vector<std::string> steps(use.steps.begin(), use.steps.begin() + 2);

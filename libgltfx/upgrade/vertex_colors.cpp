@@ -92,17 +92,6 @@ Reading color_of_primitive(const model::Asset& asset, AccessorValues& values,
   return read_color(*data);
 }
 
-void note_uses(const json::Document& document, json::NodeId primitive, MaterialUses& uses) {
-  const json::KeyId name = document.key_id("material");
-  for (json::NodeId id = primitive; id < document.next(primitive); ++id) {
-    const json::Node& node = document.node(id);
-    if (node.kind != json::Kind::key || node.next != name || !document.is_number(id + 1)) continue;
-    if (const auto index = document.unsigned_integer(id + 1)) {
-      uses[*index].push_back({primitive, id + 1});
-    }
-  }
-}
-
 }  // namespace
 
 void AccessorValues::read_all() {
@@ -136,14 +125,23 @@ std::optional<model::AccessorData> AccessorValues::open(std::uint64_t accessor) 
   return data && data->implied() ? std::nullopt : data;
 }
 
-// Every member "material" below a primitive counts: extensions name further ones by mappings.
-MaterialUses find_material_uses(const model::Asset& asset) {
-  MaterialUses uses;
-  for (const json::NodeId mesh : asset.elements(model::RootArray::meshes)) {
-    if (mesh == json::kNoNode) continue;
-    for (const json::NodeId primitive : model::primitives(asset.document(), mesh)) {
-      if (primitive != json::kNoNode) note_uses(asset.document(), primitive, uses);
+std::vector<MaterialUse> find_material_uses(const model::Asset& asset, const graph::Graph& graph,
+                                            std::uint64_t material) {
+  std::vector<MaterialUse> uses;
+  const auto& materials = asset.elements(model::RootArray::materials);
+  if (material >= materials.size()) return uses;
+  const graph::Tree& tree = graph.tree();
+  for (const graph::Use& use : graph.users(materials[material])) {
+    const json::NodeId mesh = tree.root_element(use.at.node);
+    if (mesh == json::kNoNode || use.kind != graph::UseKind::index || use.at.element) continue;
+    json::NodeId primitive = tree.parent(use.at.node);
+    while (primitive != mesh && tree.parent(tree.parent(primitive)) != mesh) {
+      primitive = tree.parent(primitive);
     }
+    const json::NodeId list = tree.parent(primitive);
+    const bool is_primitive = tree.name(tree.parent(mesh)) == "meshes" && tree.is_member(list) &&
+                              tree.name(list) == "primitives";
+    if (is_primitive) uses.push_back({primitive, use.at.node});
   }
   return uses;
 }

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
+#include "graph/graph.hpp"
 #include "model/accessor_data.hpp"
 #include "model/asset_bytes.hpp"
 
@@ -43,9 +43,8 @@ struct MaterialUse {
   json::NodeId index;  ///< number
 };
 
-/// By the material's index, in the order of the document.
-using MaterialUses = std::unordered_map<std::uint64_t, std::vector<MaterialUse>>;
-MaterialUses find_material_uses(const model::Asset& asset);
+std::vector<MaterialUse> find_material_uses(const model::Asset& asset, const graph::Graph& graph,
+                                            std::uint64_t material);
 
 using Rgb = std::array<double, 3>;
 

@@ -9,7 +9,6 @@
 #include "base/checked.hpp"
 #include "base/text.hpp"
 #include "change/companions.hpp"
-#include "edit/references.hpp"
 #include "model/fields.hpp"
 #include "validate/fix_users.hpp"
 
@@ -63,10 +62,9 @@ void FilesRead::find_files(Fixing& fixing) {
 
 void FilesRead::find_reads(Fixing& fixing) {
   const Users& users = fixing.table<Users>();
-  const edit::References references(fixing.document(), fixing.schemas());
-  std::vector<std::size_t> mentions(reads_.size());
-  for (const edit::Reference& reference : references.to("buffers")) {
-    if (reference.index < mentions.size()) ++mentions[reference.index];
+  std::vector<std::size_t> mentions;
+  for (const json::NodeId buffer : fixing.elements().elements(RootArray::buffers)) {
+    mentions.push_back(fixing.graph().users(buffer).size());
   }
   const model::Views& views = fixing.views();
   for (std::uint32_t i = 0; i < views.buffer_views.size(); ++i) {
@@ -75,7 +73,7 @@ void FilesRead::find_reads(Fixing& fixing) {
     change::FileReads& reads = reads_[*view.buffer];
     --mentions[*view.buffer];
     const bool whole = users.has_others(i) || !users.sparse_parts_in(i).empty() ||
-                       users.uses_of_view(i).contains(model::ViewUse::image);
+                       views.usage.view(i).has(model::ViewUse::image);
     if (whole) {
       const std::uint64_t begin = view.byte_offset.value_or(0);
       reads.parts.push_back({begin, view.byte_length.value_or(UINT64_MAX), 0, 1});
@@ -85,7 +83,7 @@ void FilesRead::find_reads(Fixing& fixing) {
     }
   }
   // Others than buffer views may refer to a buffer, seen or unseen.
-  const bool unknown = !fixing.table<ExtensionsSeen>().all_known();
+  const bool unknown = !fixing.graph().unknown_extensions().empty();
   for (std::size_t i = 0; i < reads_.size(); ++i) {
     reads_[i].all = unknown || mentions[i] != 0;
   }

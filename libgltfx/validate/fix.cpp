@@ -100,42 +100,20 @@ json::NodeId node_at(const json::Document& document, Span place) {
   return found ? node : json::kNoNode;
 }
 
-void Fixing::find_parents() {
-  parents_.assign(document_.node_count(), json::kNoNode);
-  std::vector<json::NodeId> open;
-  for (json::NodeId node = 0; node < parents_.size(); ++node) {
-    while (!open.empty() && node >= document_.next(open.back())) open.pop_back();
-    if (!open.empty()) parents_[node] = open.back();
-    const json::Kind kind = document_.kind(node);
-    if (kind == json::Kind::object || kind == json::Kind::array) open.push_back(node);
-  }
-}
-
-json::NodeId Fixing::parent(json::NodeId node) {
-  if (parents_.empty()) find_parents();
-  return parents_[node];
-}
-
 namespace {
 
-/// Positions of objects in their root arrays.
-struct Positions {
-  explicit Positions(const Fixing& fixing) {
-    for (std::size_t array = 0; array < model::kRootArrayCount; ++array) {
-      const auto& objects = fixing.elements().elements(static_cast<model::RootArray>(array));
-      for (std::uint32_t i = 0; i < objects.size(); ++i) of.emplace(objects[i], i);
-    }
-    of.erase(json::kNoNode);
-  }
-  std::unordered_map<json::NodeId, std::uint32_t> of;
+struct Referring {
+  explicit Referring(const Fixing& fixing) : graph(fixing.document(), fixing.schemas()) {}
+  const graph::Graph graph;
 };
 
 }  // namespace
 
+const graph::Graph& Fixing::graph() { return table<Referring>().graph; }
+
 std::uint32_t Fixing::index_of(json::NodeId object) {
-  const auto& positions = table<Positions>().of;
-  const auto found = positions.find(object);
-  return found == positions.end() ? UINT32_MAX : found->second;
+  if (object == json::kNoNode || !document_.is_object(object)) return UINT32_MAX;
+  return tree().root_element(object) == object ? tree().position(object) : UINT32_MAX;
 }
 
 bool Fixing::claim(json::NodeId node) {

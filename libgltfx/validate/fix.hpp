@@ -14,6 +14,7 @@
 #include "base/span.hpp"
 #include "change/change.hpp"
 #include "change/name_list.hpp"
+#include "graph/graph.hpp"
 #include "json/edit.hpp"
 #include "model/asset.hpp"
 #include "model/opened_asset.hpp"
@@ -44,6 +45,10 @@ class Fixing {
   /// Bytes of buffers and images, loaded when somebody asks.
   const model::ResourceData& resources();
 
+  /// Where values are, and what refers to what; made at the first call.
+  const graph::Tree& tree() { return graph().tree(); }
+  const graph::Graph& graph();
+
   /// A table that the fixes of one run look into, made of this when the first of them asks.
   template <class Table>
   Table& table() {
@@ -55,11 +60,11 @@ class Fixing {
   json::NodeId node_at(Span place) const { return validate::node_at(document_, place); }
   json::NodeId node_around(Span place) const { return validate::node_around(document_, place); }
   /// The object or array that holds a value or key; json::kNoNode for the root.
-  json::NodeId parent(json::NodeId node);
+  json::NodeId parent(json::NodeId node) { return tree().parent(node); }
   /// Whether nobody has changed the value in this run; from now on somebody has.
   bool claim(json::NodeId node);
   bool is_claimed(json::NodeId node) const { return node < claimed_.size() && claimed_[node]; }
-  /// The position of an object in the root array that it is an element of, or UINT32_MAX.
+  /// The position of an object in the array of the root that it is an element of, or UINT32_MAX.
   std::uint32_t index_of(json::NodeId object);
 
   /// Takes a member out, by its value. False: it is no member, or changed already.
@@ -85,7 +90,6 @@ class Fixing {
   Result<change::Change> take();
 
  private:
-  void find_parents();
   Result<change::Change> take_deletion();
 
   const model::OpenedAsset& opened_;
@@ -100,9 +104,8 @@ class Fixing {
     change::BufferContents changed;
     std::uint64_t bytes_left;  ///< for more of them
   } contents_;
-  std::vector<json::NodeId> parents_;  ///< empty until somebody asks
-  std::vector<bool> claimed_;          ///< by node; empty until somebody claims one
-  std::set<std::string> deleted_;      ///< JSON pointers
+  std::vector<bool> claimed_;      ///< by node; empty until somebody claims one
+  std::set<std::string> deleted_;  ///< JSON pointers
   template <class Table>
   static constexpr char kTableKey = 0;  ///< its address tells tables apart
   std::map<const void*, std::shared_ptr<void>> tables_;

@@ -5,14 +5,9 @@
 #include <tuple>
 
 #include "base/checked.hpp"
-#include "base/fork.hpp"
-#include "edit/references.hpp"
-#include "model/fields.hpp"
 
 namespace gltfx::validate {
 
-using model::AccessorUse;
-using model::RootArray;
 using model::ViewUse;
 
 namespace {
@@ -28,124 +23,64 @@ bool is_morph_target(Fixing& fixing, json::NodeId object) {
 
 }  // namespace
 
-ExtensionsSeen::ExtensionsSeen(Fixing& fixing) {
-  const json::Document& document = fixing.document();
-  const json::KeyId extras = document.key_id("extras");
-  const json::KeyId extensions = document.key_id("extensions");
-  for (json::NodeId id = 0; id < document.node_count();) {
-    const json::Node& node = document.node(id);
-    const bool key = node.kind == json::Kind::key;
-    if (key && node.next == extensions && document.is_object(id + 1)) {
-      for (const auto member : document.members(id + 1)) {
-        const std::string_view name = document.key(member.key_id);
-        if (!names_.emplace(name).second) continue;
-        all_known_ = all_known_ && fixing.schemas().find_extension(name) != schema::kNone;
-      }
-    }
-    id = key && node.next == extras ? document.next(id + 1) : id + 1;
-  }
-}
-
 Users::Users(Fixing& fixing)
     : views_(fixing.views()),
-      uses_(views_.buffer_views.size()),
       accessors_(views_.buffer_views.size()),
       others_(views_.buffer_views.size()),
       overlaps_(views_.buffer_views.size()),
       sparse_parts_(views_.buffer_views.size()),
       roles_(views_.accessors.size()),
-      unknown_(!fixing.table<ExtensionsSeen>().all_known()) {
+      unknown_(!fixing.graph().unknown_extensions().empty()) {
   read(fixing);
   find_others(fixing);
+  find_roles(fixing);
   find_overlaps();
 }
 
-void Users::use(std::optional<std::uint32_t> accessor, AccessorUse kind) {
-  if (!accessor) return;
-  const auto view = views_.accessors[*accessor].buffer_view;
-  if (view) uses_[*view].insert(model::view_use(kind));
-}
-
 void Users::read(Fixing& fixing) {
-  const model::Asset& elements = fixing.elements();
   for (std::uint32_t i = 0; i < views_.accessors.size(); ++i) {
     const model::Accessor& accessor = views_.accessors[i];
     if (accessor.buffer_view) accessors_[*accessor.buffer_view].push_back(i);
-    const auto sparse = model::read_sparse(elements, accessor);
+    const auto sparse = model::read_sparse(fixing.elements(), accessor);
     if (!sparse) continue;
     for (const model::SparsePart* part : {&sparse->indices, &sparse->values}) {
+      sparse_objects_.insert(part->node);
       if (!part->buffer_view) continue;
-      uses_[*part->buffer_view].insert(ViewUse::other);
       sparse_parts_[*part->buffer_view].push_back(
           {sparse->count.value_or(0), std::uint64_t{model::component_size(part->format.component)} *
                                           model::component_count(part->format.type)});
     }
   }
-  for (const model::Mesh& mesh : views_.meshes) {
-    for (const model::Primitive& primitive : mesh.primitives) {
-      for (const model::Attribute& attribute : primitive.attributes) {
-        use(attribute.accessor, AccessorUse::vertex_attribute);
-      }
-      for (const json::NodeId target : primitive.targets) {
-        for (const model::Attribute& attribute : model::read_attributes(elements, target)) {
-          use(attribute.accessor, AccessorUse::vertex_attribute);
-        }
-      }
-      use(primitive.indices, AccessorUse::indices);
-    }
-  }
-  for (const json::NodeId skin : elements.elements(RootArray::skins)) {
-    use(elements.index(skin, "inverseBindMatrices", RootArray::accessors),
-        AccessorUse::inverse_bind_matrices);
-  }
-  for (const model::Animation& animation : views_.animations) {
-    for (const model::AnimationSampler& sampler : animation.samplers) {
-      use(sampler.input, AccessorUse::animation_input);
-      use(sampler.output, AccessorUse::animation_output);
-    }
-  }
-  for (const json::NodeId image : elements.elements(RootArray::images)) {
-    const auto view = elements.index(image, "bufferView", RootArray::buffer_views);
-    if (view) uses_[*view].insert(ViewUse::image);
-  }
 }
 
 // References of objects that are neither accessors nor images: those of extensions.
 void Users::find_others(Fixing& fixing) {
-  const json::Document& document = fixing.document();
-  const edit::References references(document, fixing.schemas());
-  std::set<json::NodeId> known;
-  for (const RootArray array : {RootArray::accessors, RootArray::images}) {
-    for (const json::NodeId object : fixing.elements().elements(array)) known.insert(object);
-  }
-  for (const model::Accessor& accessor : views_.accessors) {
-    const auto sparse = model::read_sparse(fixing.elements(), accessor);
-    if (sparse) known.insert({sparse->indices.node, sparse->values.node});
-  }
-  for (const edit::Reference& reference : references.to("bufferViews")) {
-    if (reference.index >= others_.size()) continue;
-    const json::NodeId value = fixing.node_around(reference.span);
-    const json::NodeId object = value == json::kNoNode ? value : fixing.parent(value);
-    if (!known.contains(object)) others_[reference.index] = true;
-  }
-  for (std::size_t i = 0; i < views_.buffer_views.size(); ++i) {
+  const graph::Tree& tree = fixing.tree();
+  const auto is_known = [&](json::NodeId object) {
+    if (sparse_objects_.contains(object)) return true;
+    if (tree.root_element(object) != object) return false;
+    const std::string_view array = tree.name(tree.parent(object));
+    return array == "accessors" || array == "images";
+  };
+  for (std::size_t i = 0; i < others_.size(); ++i) {
     const json::NodeId view = views_.buffer_views[i].node;
-    if (document.find(view, "extensions") != json::kNoNode) others_[i] = true;
+    const auto users = fixing.graph().users(view);
+    others_[i] = fixing.document().find(view, "extensions") != json::kNoNode ||
+                 !std::all_of(users.begin(), users.end(), [&](const graph::Use& use) {
+                   return is_known(tree.parent(use.at.node));
+                 });
   }
-  json::NodeId asked = json::kNoNode;  // references of one object follow each other
-  bool target = false;
-  for (const edit::Reference& reference : references.to("accessors")) {
-    if (reference.index >= roles_.size()) continue;
-    const json::NodeId value = fixing.node_at(reference.span);
-    const json::NodeId object = value == json::kNoNode ? value : fixing.parent(value);
-    if (object == json::kNoNode || !document.is_object(object)) {
-      roles_[reference.index].emplace();
-      continue;
+}
+
+void Users::find_roles(Fixing& fixing) {
+  const graph::Tree& tree = fixing.tree();
+  for (std::size_t i = 0; i < roles_.size(); ++i) {
+    for (const graph::Use& use : fixing.graph().users(views_.accessors[i].node)) {
+      const bool member = !use.at.element && tree.is_member(use.at.node);
+      std::string name(member ? tree.name(use.at.node) : std::string_view());
+      if (member && is_morph_target(fixing, tree.parent(use.at.node))) name.insert(0, "target ");
+      roles_[i].insert(std::move(name));
     }
-    if (object != asked) target = is_morph_target(fixing, object);
-    asked = object;
-    const std::string name(document.key(document.node(value - 1).next));
-    roles_[reference.index].insert(target ? "target " + name : name);
   }
 }
 
@@ -175,23 +110,6 @@ void Users::find_overlaps() {
   }
 }
 
-PrimitivesByAttribute::PrimitivesByAttribute(Fixing& fixing) {
-  for (const model::Mesh& mesh : fixing.views().meshes) {
-    for (const model::Primitive& primitive : mesh.primitives) {
-      for (const model::Attribute& attribute : primitive.attributes) {
-        if (attribute.accessor) users_[*attribute.accessor].push_back(&primitive);
-      }
-    }
-  }
-}
-
-const std::vector<const model::Primitive*>& PrimitivesByAttribute::of(
-    std::uint32_t accessor) const {
-  const auto found = users_.find(accessor);
-  return found == users_.end() ? empty_value<std::vector<const model::Primitive*>>()
-                               : found->second;
-}
-
 bool remove_stride(Fixing& fixing, std::uint32_t view) {
   const model::BufferView& strided = fixing.views().buffer_views[view];
   const json::NodeId member = fixing.document().find(strided.node, "byteStride");
@@ -199,7 +117,7 @@ bool remove_stride(Fixing& fixing, std::uint32_t view) {
   if (member == json::kNoNode || users.has_others(view)) return false;
   const auto& accessors = users.accessors_in(view);
   // Attributes that share a view need its stride.
-  if (users.uses_of_view(view).contains(ViewUse::vertices) && accessors.size() > 1) return false;
+  if (fixing.views().usage.view(view).has(ViewUse::vertices) && accessors.size() > 1) return false;
   const auto stays = [&](std::uint64_t count, std::uint64_t size) {
     return count == 1 || strided.byte_stride == size;
   };
@@ -268,7 +186,8 @@ bool mend_stride(Fixing& fixing, std::uint32_t index) {
   const bool lost = stride < declared && fill_in_turn(fixing.views(), view, accessors);
   const bool one = accessors.size() == 1 && fixing.views().accessors[accessors[0]].count == 1U;
   if (stride != declared && !lost && !one) return false;
-  const bool shared = accessors.size() > 1 && users.uses_of_view(index).contains(ViewUse::vertices);
+  const bool shared =
+      accessors.size() > 1 && fixing.views().usage.view(index).has(ViewUse::vertices);
   if (!shared) return fixing.remove_member(member);
   return *packed % 4 == 0 && fixing.replace_scalar(member, std::to_string(*packed));
 }

@@ -6,26 +6,12 @@
 #include <set>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
-#include "model/usage.hpp"
+#include "model/views.hpp"
 #include "validate/fix.hpp"
 
 namespace gltfx::validate {
-
-/// Names of all extensions with an object in the document, but for those in extras.
-class ExtensionsSeen {
- public:
-  explicit ExtensionsSeen(Fixing& fixing);
-  bool contains(std::string_view name) const { return names_.contains(name); }
-  /// Whether schemas tell all that refers to something: none is unknown.
-  bool all_known() const { return all_known_; }
-
- private:
-  std::set<std::string, std::less<>> names_;
-  bool all_known_ = true;
-};
 
 /// Indices or values of a sparse accessor.
 struct SparseElements {
@@ -37,8 +23,6 @@ class Users {
  public:
   explicit Users(Fixing& fixing);
 
-  /// What a buffer view is used for by accessors and images.
-  const std::set<model::ViewUse>& uses_of_view(std::uint32_t view) const { return uses_[view]; }
   /// Accessors whose elements lie in a buffer view, but for sparse ones.
   const std::vector<std::uint32_t>& accessors_in(std::uint32_t view) const {
     return accessors_[view];
@@ -58,27 +42,17 @@ class Users {
 
  private:
   void read(Fixing& fixing);
-  void use(std::optional<std::uint32_t> accessor, model::AccessorUse kind);
   void find_others(Fixing& fixing);
+  void find_roles(Fixing& fixing);
   void find_overlaps();
 
   const model::Views& views_;
-  std::vector<std::set<model::ViewUse>> uses_;
   std::vector<std::vector<std::uint32_t>> accessors_;
   std::vector<bool> others_, overlaps_;
   std::vector<std::vector<SparseElements>> sparse_parts_;
   std::vector<std::set<std::string>> roles_;
   bool unknown_ = false;
-};
-
-/// Primitives by the accessors of their attributes.
-class PrimitivesByAttribute {
- public:
-  explicit PrimitivesByAttribute(Fixing& fixing);
-  const std::vector<const model::Primitive*>& of(std::uint32_t accessor) const;
-
- private:
-  std::unordered_map<std::uint32_t, std::vector<const model::Primitive*>> users_;
+  std::set<json::NodeId> sparse_objects_;  ///< with the views of sparse accessors
 };
 
 /// Takes the byteStride of a buffer view away where that moves no element. Whether it did.

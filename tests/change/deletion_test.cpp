@@ -213,6 +213,16 @@ TEST(Deletion, NamesThatLookLikePointersStay) {
   EXPECT_EQ(deleted(text, {"/nodes/0"}).text, R"({"nodes":[{"name":"/nodes/1/scale"}]})");
 }
 
+TEST(Deletion, NamesThatReferToTheObjectStandInItsWay) {
+  const std::string text =
+      R"({"materials":[{"name":"a"},{"name":"b"}],"extensions":{"VRM":{"blendShapeMaster":{)"
+      R"("blendShapeGroups":[{"name":"g","materialValues":[{"materialName":"a"}]}]}}}})";
+  EXPECT_THAT(deleted(text, {"/materials/0"}).obstacles,
+              ElementsAre("/extensions/VRM/blendShapeMaster/blendShapeGroups/0/materialValues/0/"
+                          "materialName > /materials/0"));
+  EXPECT_THAT(deleted(text, {"/materials/1"}).obstacles, IsEmpty());
+}
+
 TEST(Deletion, GraphsRefuseTargetsOfRunTimeAndFollowTheRest) {
   const auto text = [](const std::string& pointer, const std::string& materials) {
     return R"({"materials":[)" + materials +

@@ -212,11 +212,10 @@ TEST(UpgradeImages, AnAnimatedFactorKeepsItsMap) {
   folder.write("leaf.png", encode_png({1, 1, PngColor::rgb, 8, "\x33\1\2"}));
   Json before = document({mapped()}, {{{"uri", "leaf.png"}}});
   before["extras"] = 1;
-  before["nodes"] = {{{"extensions",
-                       {{"ACME_x",
-                         {{"p",
-                           "/materials/0/extensions/KHR_materials_translucency/"
-                           "translucencyFactor"}}}}}}};
+  before["animations"] = Json::parse(
+      R"([{"channels":[{"target":{"path":"pointer","extensions":)"
+      R"({"KHR_animation_pointer":{"pointer":"/materials/0/extensions/KHR_materials_translucency/)"
+      R"(translucencyFactor"}}}}]}])");
   const auto path = folder.write("a.gltf", before.dump());
   ASSERT_TRUE(upgrade_file(path.native(), in_place()).written);
   const Json after = Json::parse(content(path));

@@ -182,7 +182,11 @@ TEST(UpgradePrune, EveryIndexThatLeadsBehindAnOrphanMovesUp) {
   Json before = leaf();
   before["materials"].push_back({{"normalTexture", {{"index", 1}}}});
   before["extensionsUsed"].push_back("KHR_animation_pointer");
-  before["x"] = "/textures/1/sampler";
+  const Json::json_pointer pointer(
+      "/animations/0/channels/0/target/extensions/KHR_animation_pointer/pointer");
+  before["animations"] = Json::parse(
+      R"([{"channels":[{"target":{"path":"pointer","extensions":{"KHR_animation_pointer":{}}}}]}])");
+  before[pointer] = "/textures/1/sampler";
   const auto path = folder.write("a.gltf", before.dump());
   const UpgradeReport report = upgrade_file(path.native(), pruning());
   ASSERT_TRUE(report.written) << report.error;
@@ -194,7 +198,7 @@ TEST(UpgradePrune, EveryIndexThatLeadsBehindAnOrphanMovesUp) {
   EXPECT_EQ(after["materials"][1]["normalTexture"]["index"], 0);
   EXPECT_EQ(upgraded_extension(after)["diffuseTransmissionTexture"]["index"], 1);
   EXPECT_EQ(upgraded_extension(after)["diffuseTransmissionColorTexture"]["index"], 0);
-  EXPECT_EQ(after["x"], "/textures/0/sampler");
+  EXPECT_EQ(after[pointer], "/textures/0/sampler");
 }
 
 TEST(UpgradePrune, WhatSomebodyElseUsesStays) {

@@ -98,11 +98,10 @@ TEST(Ambiguity, AMissingCommaInTheMaterialIsRefused) {
 }
 
 TEST(Ambiguity, AnEditedPlaceInsideARepeatedMemberIsRefused) {
-  const Outcome outcome =
-      upgrade_of(kHead +
-                 R"("nodes":[{"extensions":{"A":{"p":"/materials/0/extensions/KHR_materials_)"
-                 R"(translucency/translucencyFactor"}},"extensions":{}}],"materials":[)" +
-                 kMaterial + "]}");
+  const Outcome outcome = upgrade_of(
+      kHead + R"("animations":[],)" +
+      test::animated("/materials/0/extensions/KHR_materials_translucency/translucencyFactor") +
+      R"("materials":[)" + kMaterial + "]}");
   EXPECT_EQ(outcome.text, "");
 }
 

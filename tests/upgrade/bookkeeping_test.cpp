@@ -79,17 +79,6 @@ TEST(Names, AListOfSomethingElseIsLeftAlone) {
             "[null] null ");
 }
 
-std::string animated(const std::string& pointer) {
-  return R"("animations":[{"channels":[{"target":{"path":"pointer","extensions":)"
-         R"({"KHR_animation_pointer":{"pointer":")" +
-         pointer + R"("}}}}]}],)";
-}
-
-std::string pointer_of(const Json& root) {
-  return root["animations"][0]["channels"][0]["target"]["extensions"]["KHR_animation_pointer"]
-             ["pointer"];
-}
-
 std::string pointer_after(const std::string& pointer, const std::string& legacy) {
   return pointer_of(upgraded(document_with("", legacy, animated(pointer))).json());
 }

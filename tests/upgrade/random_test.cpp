@@ -102,7 +102,8 @@ class RandomFactory {
         "extensions/KHR_materials_volume/attenuationColor"};
     const std::string path = kPaths[random_() % kPaths.size()];
     const std::string material = one_in(4) ? "{i}" : std::to_string(random_() % 4);
-    return {{{"p", std::string("/materials/").append(material).append("/").append(path)}}};
+    const std::string pointer = "/materials/" + material + "/" + path;
+    return Json::parse("{" + animated(pointer) + R"("end":0})")["animations"];
   }
 
   Json metadata() {

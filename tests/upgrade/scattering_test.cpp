@@ -171,8 +171,7 @@ TEST_P(ScatteringLeft, Alone) {
 }
 
 std::string animated_scattering(const std::string& pointer) {
-  return R"({"animations":[{"p":"/materials/0/extensions/)" + pointer + R"("}],)" +
-         document("", kLegacy).substr(1);
+  return "{" + animated("/materials/0/extensions/" + pointer) + document("", kLegacy).substr(1);
 }
 
 INSTANTIATE_TEST_SUITE_P(

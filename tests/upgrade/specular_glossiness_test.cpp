@@ -252,15 +252,15 @@ TEST(SpecularGlossiness, ATextureThatCannotBeReadKeepsTheMaterial) {
 }
 
 TEST(SpecularGlossiness, AnAnimatedTransformWouldDriveTwoTextures) {
-  const std::string text = textured(
-      "", R"("animations":[{"p":"/materials/0/extensions/KHR_materials_pbrSpecularGlossiness/)"
-          R"(specularGlossinessTexture/extensions/KHR_texture_transform/offset"}],)");
+  const std::string text =
+      textured("", animated("/materials/0/extensions/KHR_materials_pbrSpecularGlossiness/"
+                            "specularGlossinessTexture/extensions/KHR_texture_transform/offset"));
   OneImage varied(0, 255);
   const Upgraded left = upgraded(text, {}, &varied);
   EXPECT_EQ(left.only().fate, UpgradeFate::impossible);
   EXPECT_TRUE(left.plan.change.additions.empty());
   OneImage even(255, 255);
-  EXPECT_EQ(upgraded(text, {}, &even).json()["animations"][0]["p"],
+  EXPECT_EQ(pointer_of(upgraded(text, {}, &even).json()),
             "/materials/0/extensions/KHR_materials_specular/specularColorTexture/extensions/"
             "KHR_texture_transform/offset");
 }
@@ -268,12 +268,12 @@ TEST(SpecularGlossiness, AnAnimatedTransformWouldDriveTwoTextures) {
 // Pointers of animations.
 
 std::string animated_gloss(const std::string& pointer) {
-  return R"("animations":[{"p":"/materials/0/)" + pointer + R"("}],)";
+  return animated("/materials/0/" + pointer);
 }
 
 std::string gloss_pointer_after(const std::string& member, const std::string& legacy) {
   const std::string root = animated_gloss("extensions/" + kName + "/" + member);
-  return upgraded(glossy_document(legacy, "", root)).json()["animations"][0]["p"];
+  return pointer_of(upgraded(glossy_document(legacy, "", root)).json());
 }
 
 TEST(SpecularGlossiness, PointersFollow) {

@@ -56,6 +56,18 @@ inline std::string document_with(const std::string& material, const std::string&
   return text;
 }
 
+/// Members of the root: an animation of what a JSON pointer leads to.
+inline std::string animated(const std::string& pointer) {
+  return R"("animations":[{"channels":[{"target":{"path":"pointer","extensions":)"
+         R"({"KHR_animation_pointer":{"pointer":")" +
+         pointer + R"("}}}}]}],)";
+}
+
+inline std::string pointer_of(const Json& root) {
+  return root["animations"][0]["channels"][0]["target"]["extensions"]["KHR_animation_pointer"]
+             ["pointer"];
+}
+
 inline Json extension_of(const Upgraded& result) {
   return result.json()["materials"][0]["extensions"][std::string(kNew)];
 }

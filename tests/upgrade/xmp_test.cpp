@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
                                R"("nodes":[{"extensions":{"KHR_xmp_json_ld":{"packet":0}}}],)"),
                   "/nodes/0/extensions/KHR_xmp_json_ld is invalid"},
         std::pair{
-            xmp_document("{}", kDublinCore, R"("x":"/extensions/KHR_xmp/packets/0/dc:title",)"),
+            xmp_document("{}", kDublinCore, animated("/extensions/KHR_xmp/packets/0/dc:title")),
             "references it"},
         std::pair{xmp_document(R"({"@context":{}})"), "already has an @context"},
         std::pair{xmp_document("{}", R"("dc":7)"), "@context is invalid"},

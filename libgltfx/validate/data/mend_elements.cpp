@@ -89,7 +89,7 @@ std::optional<Elements> open_elements(Fixing& fixing, std::uint32_t index, std::
   const std::uint32_t view_index = *accessor.buffer_view;
   if (!fits_role || users.has_others(view_index) || !users.sparse_parts_in(view_index).empty() ||
       !users.lies_apart(view_index) ||
-      users.uses_of_view(view_index).contains(model::ViewUse::image)) {
+      fixing.views().usage.view(view_index).has(model::ViewUse::image)) {
     return std::nullopt;
   }
   const BufferView& view = fixing.views().buffer_views[view_index];

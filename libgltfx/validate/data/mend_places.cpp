@@ -92,7 +92,7 @@ bool fill_unused_vertices(Fixing& fixing, Span place) {
 bool sort_sparse(Fixing& fixing, Span place) {
   const json::NodeId object = fixing.node_at(place);
   const json::NodeId owner = object == json::kNoNode ? object : fixing.parent(object);
-  if (!fixing.table<ExtensionsSeen>().all_known()) return false;
+  if (!fixing.graph().unknown_extensions().empty()) return false;
   const Users& users = fixing.table<Users>();
   const std::uint32_t index = fixing.index_of(owner);
   if (index >= fixing.views().accessors.size() || !fixing.claim(object)) return false;
@@ -104,7 +104,8 @@ bool sort_sparse(Fixing& fixing, Span place) {
   const model::BufferView& keys = fixing.views().buffer_views[*sparse->indices.buffer_view];
   const model::BufferView& values = fixing.views().buffer_views[*sparse->values.buffer_view];
   for (const auto view : {*sparse->indices.buffer_view, *sparse->values.buffer_view}) {
-    const bool alone = users.lies_apart(view) && users.uses_of_view(view).size() == 1 &&
+    const bool alone = users.lies_apart(view) &&
+                       fixing.views().usage.view(view).has_only(model::ViewUse::other) &&
                        users.accessors_in(view).empty() && users.sparse_parts_in(view).size() == 1;
     const model::BufferView& part = fixing.views().buffer_views[view];
     const bool compressed = fixing.document().find(part.node, "extensions") != json::kNoNode;

@@ -10,10 +10,10 @@
 #include <string_view>
 
 #include "base/codes.hpp"
+#include "graph/extensions.hpp"
 #include "validate/context.hpp"
 #include "validate/data/mend.hpp"
 #include "validate/fix_deletion.hpp"
-#include "validate/fix_users.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -37,6 +37,16 @@ bool declare(Fixing& fixing, Span place) {
   return true;
 }
 
+/// Names of all extensions with an object in the document, but for those in extras.
+struct ExtensionsSeen {
+  explicit ExtensionsSeen(const Fixing& fixing) {
+    const json::Document& document = fixing.document();
+    graph::each_extension(document,
+                          [&](const auto& member) { names.emplace(document.key(member.key_id)); });
+  }
+  std::set<std::string, std::less<>> names;
+};
+
 // `place` is a name in extensionsRequired. What is used is declared; what is not goes.
 bool declare_or_forget(Fixing& fixing, Span place) {
   const json::NodeId node = fixing.node_at(place);
@@ -45,7 +55,7 @@ bool declare_or_forget(Fixing& fixing, Span place) {
   const schema::ExtensionId id = fixing.schemas().find_extension(name);
   const bool without_objects =
       id != schema::kNone && fixing.schemas().extensions()[id].attachment_points.empty();
-  if (without_objects || fixing.table<ExtensionsSeen>().contains(name)) {
+  if (without_objects || fixing.table<ExtensionsSeen>().names.contains(name)) {
     if (!fixing.extensions_used().can_change()) return false;
     fixing.extensions_used().add(name);
     return true;

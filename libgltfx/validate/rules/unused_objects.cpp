@@ -75,7 +75,7 @@ std::vector<bool> nodes_in_fewer_uses(const Context& context) {
 std::vector<bool> views_in_fewer_uses(const Context& context) {
   std::vector<bool> used(context.views.buffer_views.size());
   for (std::size_t i = 0; i < used.size(); ++i) {
-    used[i] = context.views.usage.view(static_cast<std::uint32_t>(i)).used;
+    used[i] = context.views.usage.view(static_cast<std::uint32_t>(i)).used();
   }
   for (const model::Accessor& accessor : context.views.accessors) {
     if (accessor.buffer_view && is_measurable(context, accessor))

@@ -2,6 +2,8 @@
 // One buffer view, one accessor: one kind of data.
 #include "validate/rules/use.hpp"
 
+#include <bit>
+
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
@@ -71,8 +73,9 @@ std::optional<std::uint32_t> view_behind(Fixing& fixing, Span place) {
 
 // What all users of a view agree upon, or nothing.
 std::optional<model::ViewUse> only_use(Fixing& fixing, std::uint32_t view) {
-  const auto& uses = fixing.table<Users>().uses_of_view(view);
-  return uses.size() == 1 ? std::optional(*uses.begin()) : std::nullopt;
+  const auto& uses = fixing.views().usage.view(view);
+  if (!std::has_single_bit(uses.kinds)) return std::nullopt;
+  return static_cast<model::ViewUse>(std::countr_zero(uses.kinds));
 }
 
 std::string_view target_of(model::ViewUse use) {

@@ -13,7 +13,6 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "edit/graph.hpp"
 #include "json/writer.hpp"
 #include "schema/home.hpp"
 #include "schema/meant.hpp"
@@ -24,28 +23,24 @@
 namespace gltfx::validate {
 namespace {
 
-/// What schemas say of the values of the document.
-struct Described {
-  explicit Described(Fixing& fixing)
-      : tree(fixing.document()), graph(tree, fixing.schemas()), values(fixing.document()) {}
-  const edit::Tree tree;
-  const edit::Graph graph;
+struct Judged {
+  explicit Judged(const Fixing& fixing) : values(fixing.document()) {}
   const schema::Values values;
 };
 
 const schema::Shape* shape_of(Fixing& fixing, json::NodeId value) {
-  const schema::ShapeId id = fixing.table<Described>().graph.shape(value);
+  const schema::ShapeId id = fixing.graph().shape(value);
   return id == schema::kNone ? nullptr : &fixing.schemas().shape(id);
 }
 
 // The name of the member that a value is, or empty.
 std::string_view name_of_member(Fixing& fixing, json::NodeId value) {
-  const edit::Tree& tree = fixing.table<Described>().tree;
+  const graph::Tree& tree = fixing.tree();
   return tree.is_member(value) ? tree.name(value) : std::string_view();
 }
 
 bool is_required_member(Fixing& fixing, json::NodeId value) {
-  const schema::TypeId type = fixing.table<Described>().graph.type(fixing.parent(value));
+  const schema::TypeId type = fixing.graph().type(fixing.parent(value));
   const schema::Property* property =
       type == schema::kNone ? nullptr
                             : fixing.schemas().find_property(type, name_of_member(fixing, value));
@@ -64,7 +59,7 @@ bool write_meant(Fixing& fixing, json::NodeId value) {
   const schema::Shape* shape = shape_of(fixing, value);
   if (shape == nullptr) return false;
   const std::string meant =
-      schema::meant_value(fixing.schemas(), fixing.table<Described>().values, *shape, {value});
+      schema::meant_value(fixing.schemas(), fixing.table<Judged>().values, *shape, {value});
   return !meant.empty() && fixing.replace(value, meant);
 }
 
@@ -93,7 +88,7 @@ bool correct_elements(Fixing& fixing, Span place) {
   const schema::Shape* shape = shape_of(fixing, list);
   if (shape == nullptr || shape->items == schema::kNone) return false;
   const schema::Shape& items = fixing.schemas().shape(shape->items);
-  const schema::Values& values = fixing.table<Described>().values;
+  const schema::Values& values = fixing.table<Judged>().values;
   std::vector<std::pair<json::NodeId, std::string>> meant;
   for (const json::NodeId element : fixing.document().elements(list)) {
     if (values.has_type({element}, items.types)) continue;
@@ -206,17 +201,17 @@ bool is_misspelt(Fixing& fixing, schema::TypeId type, std::string_view name) {
 }
 
 schema::Home home_at(Fixing& fixing, json::NodeId key) {
-  const Described& described = fixing.table<Described>();
+  const graph::Graph& graph = fixing.graph();
   const json::NodeId object = fixing.parent(key);
-  schema::Neighbourhood around{described.graph.type(object), object};
+  schema::Neighbourhood around{graph.type(object), object};
   json::NodeId above = fixing.parent(object);
-  for (; above != json::kNoNode && described.graph.type(above) == schema::kNone;
+  for (; above != json::kNoNode && graph.type(above) == schema::kNone;
        above = fixing.parent(above)) {
     const bool list = fixing.document().is_array(above);
     around.among_others |= list && fixing.document().array_size(above) > 1;
   }
   if (above != json::kNoNode) {
-    around.type_above = described.graph.type(above);
+    around.type_above = graph.type(above);
     around.object_above = above;
   }
   const std::string_view name = fixing.document().key(fixing.document().node(key).next);

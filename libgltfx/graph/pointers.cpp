@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edit/pointers.hpp"
+#include "graph/pointers.hpp"
 
 #include <algorithm>
 
-#include "base/json_pointer.hpp"
+#include "graph/graph.hpp"
 
-namespace gltfx::edit {
+namespace gltfx::graph {
 namespace {
 
 std::string element_key(std::string_view array, std::string_view index) {
@@ -14,25 +14,25 @@ std::string element_key(std::string_view array, std::string_view index) {
   return key;
 }
 
+// Most documents have none, and need no graph.
+bool has_pointer_text(const json::Document& document) {
+  for (json::NodeId id = 0; id < document.node_count(); ++id) {
+    if (document.kind(id) == json::Kind::string && document.raw(id).starts_with("\"/")) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool Pointers::is_template(const PointerUse& use) {
   return use.steps[1].find('{') != std::string::npos;
 }
 
-Pointers::Pointers(const json::Document& document) {
-  const json::KeyId extras = document.key_id("extras");
-  for (json::NodeId id = 0; id < document.node_count();) {
-    const json::Node& node = document.node(id);
-    if (node.kind == json::Kind::key) {
-      id = node.next == extras ? document.next(id + 1) : id + 1;
-      continue;
-    }
-    if (node.kind == json::Kind::string && document.raw(id).substr(0, 2) == "\"/") {
-      auto steps = split_pointer(document.string(id));
-      if (steps && steps->size() > 2) uses_.push_back({id, *std::move(steps)});
-    }
-    ++id;
+Pointers::Pointers(const json::Document& document, const schema::Set& set) {
+  if (!has_pointer_text(document)) return;
+  const Graph graph(document, set);
+  for (const PointerText& pointer : graph.pointers()) {
+    if (pointer.steps.size() > 2) uses_.push_back({pointer.at, pointer.steps});
   }
   for (std::size_t i = 0; i < uses_.size(); ++i) {
     const std::vector<std::string>& steps = uses_[i].steps;
@@ -60,4 +60,4 @@ bool Pointers::lead_below(std::string_view array, std::string_view index,
   return !below(array, index, steps).empty();
 }
 
-}  // namespace gltfx::edit
+}  // namespace gltfx::graph

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edit/extras.hpp"
+#include "graph/extras.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <string>
 
-namespace gltfx::edit {
+namespace gltfx::graph {
 
 std::vector<json::NodeId> likely_indices(const json::Document& document,
                                          std::initializer_list<std::string_view> words) {
@@ -33,4 +33,4 @@ std::vector<json::NodeId> likely_indices(const json::Document& document,
   return found;
 }
 
-}  // namespace gltfx::edit
+}  // namespace gltfx::graph

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edit/tree.hpp"
+#include "graph/tree.hpp"
 
 #include <gtest/gtest.h>
 

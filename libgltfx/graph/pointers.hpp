@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// JSON pointers that stand in a document as text: those of animations and of interactivity graphs.
+/// JSON pointers of animations and of interactivity graphs, by the objects that they lead into.
 #pragma once
 
 #include <span>
@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "json/document.hpp"
+#include "schema/set.hpp"
 
-namespace gltfx::edit {
+namespace gltfx::graph {
 
 /// A string that is a pointer into a root array, or a template of some ("/materials/{i}/...").
 struct PointerUse {
@@ -18,10 +19,9 @@ struct PointerUse {
   std::vector<std::string> steps;
 };
 
-/// All of them but those in `extras`, which are nobody's business.
 class Pointers {
  public:
-  explicit Pointers(const json::Document& document);
+  Pointers(const json::Document& document, const schema::Set& set);
 
   /// Those that lead to, or below, a place of an element of a root array, templates of such too.
   std::vector<const PointerUse*> below(std::string_view array, std::string_view index,
@@ -39,4 +39,4 @@ class Pointers {
   std::unordered_map<std::string, std::vector<std::size_t>> by_element_;
 };
 
-}  // namespace gltfx::edit
+}  // namespace gltfx::graph

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edit/tree.hpp"
+#include "graph/tree.hpp"
 
 #include <algorithm>
 #include <charconv>
 
 #include "base/json_pointer.hpp"
 
-namespace gltfx::edit {
+namespace gltfx::graph {
 namespace {
 
 std::uint64_t member_key(json::NodeId object, json::KeyId name) {
@@ -39,6 +39,16 @@ Tree::Tree(const json::Document& document)
     }
     if (kind == json::Kind::object || kind == json::Kind::array) open.push_back(id);
   }
+}
+
+json::NodeId Tree::root_element(json::NodeId value) const {
+  json::NodeId array = json::kNoNode, element = json::kNoNode;
+  for (json::NodeId at = value; at != json::kNoNode && at != document_.root(); at = parents_[at]) {
+    element = array;
+    array = at;
+  }
+  const bool found = element != json::kNoNode && document_.is_array(array);
+  return found ? element : json::kNoNode;
 }
 
 std::uint64_t Tree::size(json::NodeId container) const {
@@ -118,4 +128,4 @@ std::string Tree::pointer(Place place) const {
   return text;
 }
 
-}  // namespace gltfx::edit
+}  // namespace gltfx::graph

@@ -12,7 +12,7 @@
 
 #include "json/document.hpp"
 
-namespace gltfx::edit {
+namespace gltfx::graph {
 
 /// A value: a node, or an element of a number_array, which has none of its own.
 struct Place {
@@ -31,6 +31,8 @@ class Tree {
   json::NodeId parent(json::NodeId value) const { return parents_[value]; }
   /// The position of an element in its array.
   std::uint32_t position(json::NodeId element) const { return positions_[element]; }
+  /// The element of an array of the root object that a value is, or is in; kNoNode: there is none.
+  json::NodeId root_element(json::NodeId value) const;
   bool is_member(json::NodeId value) const {
     return value > 0 && document_.kind(value - 1) == json::Kind::key;
   }
@@ -69,4 +71,4 @@ class Tree {
   mutable std::unordered_set<json::NodeId> known_objects_;           ///< in members_
 };
 
-}  // namespace gltfx::edit
+}  // namespace gltfx::graph

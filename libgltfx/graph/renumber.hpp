@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+/// References that follow the elements of lists to their new positions.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "graph/graph.hpp"
+#include "json/edit.hpp"
+
+namespace gltfx::graph {
+
+/// The new position of the element of a list.
+using NewPosition = std::function<std::uint64_t(json::NodeId list, std::uint64_t position)>;
+
+/// Edits of the numbers and strings that refer to elements which move, but for those of which
+/// `is_gone` is true. Indices and steps that lead to no element stay.
+std::vector<json::Edit> renumber(const Graph& graph, const NewPosition& now,
+                                 const std::function<bool(Place)>& is_gone);
+
+}  // namespace gltfx::graph

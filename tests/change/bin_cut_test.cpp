@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// Of a BIN chunk only whole words go that no other buffer view needs.
+#include <gmock/gmock.h>
+
+#include "change/deletion.hpp"
+#include "json/parse.hpp"
+#include "schema/compile.hpp"
+
+namespace gltfx::edit {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+struct Result {
+  std::string text;
+  std::vector<std::string> cut;  ///< "begin-end"
+};
+
+Result without_first_view(const std::string& text, std::uint64_t bin_size,
+                          const schema::Set& set = *schema::builtin_set()) {
+  const json::Parsed parsed = json::parse(std::string_view(text));
+  EXPECT_TRUE(parsed.ok()) << text;
+  container::Container container;
+  container.bin.emplace().length = bin_size;
+  const std::vector<std::string> pointers{"/bufferViews/0"};
+  const auto done = plan_deletion(parsed.document, set, pointers, {false, &container});
+  EXPECT_TRUE(done && done->obstacles.empty()) << text;
+  Result result{json::apply_edits(text, done->edits), {}};
+  for (const ByteRange& range : done->bin.cut) {
+    result.cut.push_back(std::to_string(range.begin) + "-" + std::to_string(range.end));
+  }
+  return result;
+}
+
+// `views` are those of the document.
+Result cut(const std::string& views, std::uint64_t bin_size, std::uint64_t buffer) {
+  return without_first_view(R"({"buffers":[{"byteLength":)" + std::to_string(buffer) +
+                                R"(},{"byteLength":9}],"bufferViews":[)" + views + "]}",
+                            bin_size);
+}
+
+TEST(BinCut, WhatOnlyAnOrphanHasIsCutAndTheRestMoves) {
+  const Result result = cut(R"({"buffer":0,"byteOffset":4,"byteLength":6},)"
+                            R"({"buffer":0,"byteLength":4},)"
+                            R"({"buffer":1,"byteOffset":8,"byteLength":1},)"
+                            R"({"buffer":0,"byteOffset":12,"byteLength":4})",
+                            16, 16);
+  EXPECT_THAT(result.cut, ElementsAre("4-12"));
+  EXPECT_EQ(result.text, R"({"buffers":[{"byteLength":8},{"byteLength":9}],"bufferViews":[)"
+                         R"({"buffer":0,"byteLength":4},)"
+                         R"({"buffer":1,"byteOffset":8,"byteLength":1},)"
+                         R"({"buffer":0,"byteOffset":4,"byteLength":4}]})");
+}
+
+TEST(BinCut, LessThanAWordStays) {
+  const Result result = cut(R"({"buffer":0,"byteOffset":4,"byteLength":2},)"
+                            R"({"buffer":0,"byteOffset":6,"byteLength":2})",
+                            8, 8);
+  EXPECT_THAT(result.cut, IsEmpty());
+  EXPECT_THAT(result.text, HasSubstr(R"({"buffer":0,"byteOffset":6,"byteLength":2})"));
+  EXPECT_THAT(result.text, HasSubstr(R"({"byteLength":8})"));
+}
+
+TEST(BinCut, ABufferKeepsItsLastByte) {
+  const Result result = cut(R"({"buffer":0,"byteLength":8})", 8, 8);
+  EXPECT_THAT(result.cut, IsEmpty());
+  EXPECT_EQ(result.text, R"({"buffers":[{"byteLength":8},{"byteLength":9}]})");
+}
+
+TEST(BinCut, NothingIsCutWhereNotEveryUseOfTheBytesIsKnown) {
+  const std::string orphan = R"({"buffer":0,"byteLength":8})";
+  for (const char* const other :
+       {R"({"byteLength":8})", R"({"buffer":0})",
+        R"({"buffer":0,"byteOffset":8,"byteLength":4,"extensions":{}})"}) {
+    const Result result = cut(orphan + "," + other, 16, 16);
+    EXPECT_THAT(result.cut, IsEmpty()) << other;
+    EXPECT_THAT(result.text, HasSubstr(other));
+  }
+}
+
+TEST(BinCut, AVendorsExtensionMayReferToTheBuffer) {
+  const schema::Compiled compiled = schema::compile_with({{"words.json", R"({
+    "$schema": "https://json-schema.org/draft/2020-12/schema",
+    "$id": "gltfx:ext/TEST_words", "title": "TEST_words", "description": "Words.",
+    "x-gltfx": {"extension": "TEST_words", "on": ["node"], "status": "vendor",
+                "spec": "https://example.com/"},
+    "type": "object", "properties": {"buffer": {"description": "Where they are.",
+      "type": "integer", "minimum": 0, "x-gltfx": {"ref": "buffers"}}}})",
+                                                           true}});
+  ASSERT_TRUE(compiled.set) << compiled.errors.at(0).message;
+  const std::string text = R"({"nodes":[{"extensions":{"TEST_words":{"buffer":0}}}],
+    "buffers":[{"byteLength":8}],"bufferViews":[{"buffer":0,"byteLength":4},)"
+                           R"({"buffer":0,"byteOffset":4,"byteLength":4}]})";
+  EXPECT_THAT(without_first_view(text, 8, *compiled.set).cut, IsEmpty());
+}
+
+}  // namespace
+}  // namespace gltfx::edit
