@@ -14,11 +14,9 @@ namespace {
 
 // Among the objects that refer to accessors, other elements of arrays are samplers and primitives.
 bool is_morph_target(Fixing& fixing, json::NodeId object) {
-  const json::Document& document = fixing.document();
-  const json::NodeId above = fixing.parent(object);
-  return above != json::kNoNode && document.is_array(above) &&
-         document.find(object, "input") == json::kNoNode &&
-         document.find(object, "attributes") == json::kNoNode;
+  const graph::Tree& tree = fixing.tree();
+  return !tree.is_member(object) && tree.member(object, "input") == json::kNoNode &&
+         tree.member(object, "attributes") == json::kNoNode;
 }
 
 }  // namespace
@@ -58,7 +56,7 @@ void Users::find_others(Fixing& fixing) {
   const graph::Tree& tree = fixing.tree();
   const auto is_known = [&](json::NodeId object) {
     if (sparse_objects_.contains(object)) return true;
-    if (tree.root_element(object) != object) return false;
+    if (object == json::kNoNode || tree.root_element(object) != object) return false;
     const std::string_view array = tree.name(tree.parent(object));
     return array == "accessors" || array == "images";
   };

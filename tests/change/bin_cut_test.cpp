@@ -6,7 +6,7 @@
 #include "json/parse.hpp"
 #include "schema/compile.hpp"
 
-namespace gltfx::edit {
+namespace gltfx::change {
 namespace {
 
 using testing::ElementsAre;
@@ -27,8 +27,8 @@ Result without_first_view(const std::string& text, std::uint64_t bin_size,
   const std::vector<std::string> pointers{"/bufferViews/0"};
   const auto done = plan_deletion(parsed.document, set, pointers, {false, &container});
   EXPECT_TRUE(done && done->obstacles.empty()) << text;
-  Result result{json::apply_edits(text, done->edits), {}};
-  for (const ByteRange& range : done->bin.cut) {
+  Result result{json::apply_edits(text, done->change.edits), {}};
+  for (const ByteRange& range : done->change.bin.cut) {
     result.cut.push_back(std::to_string(range.begin) + "-" + std::to_string(range.end));
   }
   return result;
@@ -97,4 +97,4 @@ TEST(BinCut, AVendorsExtensionMayReferToTheBuffer) {
 }
 
 }  // namespace
-}  // namespace gltfx::edit
+}  // namespace gltfx::change

@@ -5,7 +5,7 @@
 
 #include "json/parse.hpp"
 
-namespace gltfx::edit {
+namespace gltfx::graph {
 namespace {
 
 const json::Parsed& parsed() {
@@ -45,4 +45,4 @@ TEST(Tree, ElementsHaveAPositionAndMembersAName) {
 }
 
 }  // namespace
-}  // namespace gltfx::edit
+}  // namespace gltfx::graph
