@@ -149,8 +149,8 @@ SharedText new_text(const OpenedAsset& asset, const std::vector<json::Edit>& edi
 
 // An Error says why the orphans stay.
 Result<change::Deletion> plan_pruning(const json::Document& document, const Elements& orphans,
-                                    const container::Container& container,
-                                    const schema::Set& schemas) {
+                                      const container::Container& container,
+                                      const schema::Set& schemas) {
   for (const json::NodeId value :
        graph::likely_indices(document, {"texture", "image", "bufferview"})) {
     if (!document.is_number(value)) continue;

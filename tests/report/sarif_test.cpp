@@ -15,29 +15,28 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 
-constexpr std::array<RuleDescription, 2> kSarifRules{
-    {{.code = "TYPE_MISMATCH",
-      .severity = Severity::error,
-      .summary = "A value has the wrong type",
-      .why = "Readers refuse it.",
-      .help = "Write the right type.",
-      .section = "glTF 2.0, Accessors",
-      .link = "https://example.org/gltf#accessors",
-      .bad = "{\"a\": 1}",
-      .good = "",
-      .fix_does = "",
-      .fixed = ""},
-     {.code = "UNUSED_OBJECT",
-      .severity = Severity::info,
-      .summary = "Nothing uses an object",
-      .why = "It costs space.",
-      .help = "Remove it.",
-      .section = "",
-      .link = "",
-      .bad = "",
-      .good = "",
-      .fix_does = "",
-      .fixed = ""}}};
+constexpr std::array<RuleDescription, 2> kSarifRules{{{.code = "TYPE_MISMATCH",
+                                                       .severity = Severity::error,
+                                                       .summary = "A value has the wrong type",
+                                                       .why = "Readers refuse it.",
+                                                       .help = "Write the right type.",
+                                                       .section = "glTF 2.0, Accessors",
+                                                       .link = "https://example.org/gltf#accessors",
+                                                       .bad = "{\"a\": 1}",
+                                                       .good = "",
+                                                       .fix_does = "",
+                                                       .fixed = ""},
+                                                      {.code = "UNUSED_OBJECT",
+                                                       .severity = Severity::info,
+                                                       .summary = "Nothing uses an object",
+                                                       .why = "It costs space.",
+                                                       .help = "Remove it.",
+                                                       .section = "",
+                                                       .link = "",
+                                                       .bad = "",
+                                                       .good = "",
+                                                       .fix_does = "",
+                                                       .fixed = ""}}};
 
 FormatOptions sarif_options() {
   FormatOptions sarif_options;

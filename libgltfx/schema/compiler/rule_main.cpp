@@ -39,10 +39,9 @@ std::string row(const RulePage& page) {
   };
   const auto flag = [](bool value) { return value ? "true" : "false"; };
   return "  {" + text(page.code) + severity_value(page.severity) + "," + text(page.summary) +
-         text(page.why) + text(page.help) + text(page.section) +
-         text(page.link) + text(page.bad) + text(page.good) + text(page.fix_does) +
-         text(page.fixed) + " " + fix_value(page.fix) + ", " + flag(page.khronos) + ", " +
-         flag(page.pixels) + ", " + flag(page.picture) + "," +
+         text(page.why) + text(page.help) + text(page.section) + text(page.link) + text(page.bad) +
+         text(page.good) + text(page.fix_does) + text(page.fixed) + " " + fix_value(page.fix) +
+         ", " + flag(page.khronos) + ", " + flag(page.pixels) + ", " + flag(page.picture) + "," +
          severity_value(page.khronos_severity.value_or(page.severity)) + "},\n";
 }
 

@@ -23,7 +23,7 @@ struct RulePage {
   bool picture = true;  ///< an asset with this error is drawn
   Fix fix = Fix::none;
   std::string section, link;  ///< both empty: the rule is ours alone
-  std::string summary;  ///< one sentence, no full stop
+  std::string summary;        ///< one sentence, no full stop
   std::string why, help;
   std::string bad, good;
   /// Of a rule that `gltfx fix` knows: what it changes, and what it makes of `bad`.
