@@ -49,10 +49,8 @@ ValidateOptions FixMember::judgement() const {
 
 void FixMember::plan(const FileGuard& guard) {
   if (!is_sound()) return;
-  FixEffort effort;
-  effort.guard = guard;
   fixed_.reset();
-  fixed_.emplace(fix_in_rounds({take_opened(), judgement()}, options_, schemas_, effort));
+  fixed_.emplace(fix_in_rounds({take_opened(), judgement()}, options_, schemas_, guard));
   if (const auto obstacle = find_obstacle(fixed_->after.asset())) {
     return fail(EditProblem::unreadable, obstacle->message);
   }

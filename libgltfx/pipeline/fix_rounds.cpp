@@ -66,16 +66,16 @@ class Tally {
   const FixOptions& options_;
 };
 
-// A trial costs a validation, and there may be as many as findings: their cost is bounded. Large
-// assets have one for each 4 MiB of `trial_bytes` all the same.
-std::uint64_t affordable_trials(const OpenedAsset& asset, std::uint64_t trial_bytes) {
+// A trial costs a validation, and there may be as many as findings: their cost is bounded.
+std::uint64_t affordable_trials(const OpenedAsset& asset) {
+  constexpr std::uint64_t kTrialBytes = 32U << 20U, kLeast = 8, kMost = 256;
   std::uint64_t size = asset.container().bytes.size() + 1;
   if (!asset.document().empty()) {
     for (const model::BufferView& view : asset.views().buffer_views) {
       size = saturating_add(size, view.byte_length.value_or(0));
     }
   }
-  return std::clamp<std::uint64_t>(trial_bytes / size, trial_bytes >> 22U, 256);
+  return std::clamp(kTrialBytes / size, kLeast, kMost);
 }
 
 // Halves; where there are several codes, the sites of each.
@@ -121,15 +121,15 @@ struct Trial {
 class Rounds {
  public:
   Rounds(ValidatedAsset before, const FixOptions& options,
-         const std::shared_ptr<const schema::Set>& schemas, const FixEffort& effort)
+         const std::shared_ptr<const schema::Set>& schemas, const FileGuard& guard)
       : asset_(std::move(before)),
         options_(options),
         asked_(asked_of(asset_.asset(), options)),
         schemas_(schemas),
-        effort_(effort),
+        guard_(guard),
         first_{asset_.asset().container().json, asset_.sites()},
         dropped_(first_.sites.size()),
-        trials_(affordable_trials(asset_.asset(), effort.trial_bytes)) {}
+        trials_(affordable_trials(asset_.asset())) {}
 
   FixedAsset run() {
     for (unsigned rounds = 0; rounds < kMostRounds && advance();) ++rounds;
@@ -187,8 +187,7 @@ class Rounds {
   }
 
   PlannedFixes plan(const std::vector<bool>& wanted) const {
-    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted, effort_.content_bytes,
-                      options_);
+    return plan_fixes(asset_.asset(), asset_.sites(), *schemas_, wanted, UINT64_MAX, options_);
   }
 
   // One more round; whether there may be another one.
@@ -234,11 +233,11 @@ class Rounds {
 
   // Why one of the files is not to be changed so, or nothing.
   std::optional<std::string> find_guarded(const std::vector<change::ReplacedFile>& files) const {
-    if (!effort_.guard) return std::nullopt;
+    if (!guard_) return std::nullopt;
     for (change::ReplacedFile file : files) {
       const auto known = changes_.files.find(file.path);
       if (known != changes_.files.end()) file.before = known->second.before;
-      if (auto why = effort_.guard(file)) return why;
+      if (auto why = guard_(file)) return why;
     }
     return std::nullopt;
   }
@@ -362,7 +361,7 @@ class Rounds {
   const FixOptions& options_;
   const ValidateOptions asked_;
   const std::shared_ptr<const schema::Set>& schemas_;
-  const FixEffort& effort_;
+  const FileGuard& guard_;
   const struct {
     SharedText text;
     Sites sites;
@@ -384,8 +383,8 @@ class Rounds {
 
 FixedAsset fix_in_rounds(ValidatedAsset before, const FixOptions& options,
                          const std::shared_ptr<const schema::Set>& schemas,
-                         const FixEffort& effort) {
-  return Rounds(std::move(before), options, schemas, effort).run();
+                         const FileGuard& guard) {
+  return Rounds(std::move(before), options, schemas, guard).run();
 }
 
 }  // namespace gltfx

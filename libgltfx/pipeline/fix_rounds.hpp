@@ -32,17 +32,11 @@ struct FixedAsset {
 /// which the first round found.
 using FileGuard = std::function<std::optional<std::string>(const change::ReplacedFile& file)>;
 
-/// What the rounds may cost, and what they may change.
-struct FixEffort {
-  std::uint64_t trial_bytes = 32U << 20U;    ///< of assets that trials validate, about
-  std::uint64_t content_bytes = UINT64_MAX;  ///< of buffers that fixes may change; see Fixing
-  FileGuard guard = nullptr;                 ///< null: any file may be changed
-};
-
 /// `before` was judged by fix_judgement(). Where all fixes together bring a new finding, those that
-/// do so are looked for by halves and left out, in as many trials as `effort` allows.
+/// do so are looked for by halves and left out, in a bounded number of trials. Without a guard any
+/// file may be changed.
 FixedAsset fix_in_rounds(validate::ValidatedAsset before, const FixOptions& options,
                          const std::shared_ptr<const schema::Set>& schemas,
-                         const FixEffort& effort = {});
+                         const FileGuard& guard = nullptr);
 
 }  // namespace gltfx

@@ -170,9 +170,9 @@ Result<change::Deletion> plan_pruning(const json::Document& document, const Elem
 // old and the new document are not looked at together.
 void look_for_orphans(const OpenedAsset& asset, const Elements& referred,
                       const UpgradeOptions& options, const schema::Set& schemas,
-                      std::vector<json::Edit>& edits, PlannedUpgrade& planned) {
-  planned.parsed = json::parse(planned.text);
-  const json::Document& now = planned.parsed.document;
+                      PlannedUpgrade& planned) {
+  planned.now.parsed = json::parse(planned.now.text);
+  const json::Document& now = planned.now.parsed.document;
   const Elements orphans = find_orphans(referred, now, schemas);
   if (orphans.empty()) return;
   std::optional<Result<change::Deletion>> pruned;

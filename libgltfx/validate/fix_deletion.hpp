@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fixes that take objects out. All of one run are planned as one deletion (edit/deletion.hpp), in
-/// a stage of their own: what a document loses elsewhere would move under its indices.
+/// Fixes that take objects out. All of one run are planned as one deletion (change/deletion.hpp),
+/// in a stage of their own: what a document loses elsewhere would move under its indices.
 #pragma once
 
 #include "validate/fix.hpp"

@@ -13,13 +13,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-struct Result {
+struct CutView {
   std::string text;
   std::vector<std::string> cut;  ///< "begin-end"
 };
 
-Result without_first_view(const std::string& text, std::uint64_t bin_size,
-                          const schema::Set& set = *schema::builtin_set()) {
+CutView without_first_view(const std::string& text, std::uint64_t bin_size,
+                           const schema::Set& set = *schema::builtin_set()) {
   const json::Parsed parsed = json::parse(std::string_view(text));
   EXPECT_TRUE(parsed.ok()) << text;
   container::Container container;
@@ -27,7 +27,7 @@ Result without_first_view(const std::string& text, std::uint64_t bin_size,
   const std::vector<std::string> pointers{"/bufferViews/0"};
   const auto done = plan_deletion(parsed.document, set, pointers, {false, &container});
   EXPECT_TRUE(done && done->obstacles.empty()) << text;
-  Result result{json::apply_edits(text, done->change.edits), {}};
+  CutView result{json::apply_edits(text, done->change.edits), {}};
   for (const ByteRange& range : done->change.bin.cut) {
     result.cut.push_back(std::to_string(range.begin) + "-" + std::to_string(range.end));
   }
@@ -35,18 +35,18 @@ Result without_first_view(const std::string& text, std::uint64_t bin_size,
 }
 
 // `views` are those of the document.
-Result cut(const std::string& views, std::uint64_t bin_size, std::uint64_t buffer) {
+CutView cut(const std::string& views, std::uint64_t bin_size, std::uint64_t buffer) {
   return without_first_view(R"({"buffers":[{"byteLength":)" + std::to_string(buffer) +
                                 R"(},{"byteLength":9}],"bufferViews":[)" + views + "]}",
                             bin_size);
 }
 
 TEST(BinCut, WhatOnlyAnOrphanHasIsCutAndTheRestMoves) {
-  const Result result = cut(R"({"buffer":0,"byteOffset":4,"byteLength":6},)"
-                            R"({"buffer":0,"byteLength":4},)"
-                            R"({"buffer":1,"byteOffset":8,"byteLength":1},)"
-                            R"({"buffer":0,"byteOffset":12,"byteLength":4})",
-                            16, 16);
+  const CutView result = cut(R"({"buffer":0,"byteOffset":4,"byteLength":6},)"
+                             R"({"buffer":0,"byteLength":4},)"
+                             R"({"buffer":1,"byteOffset":8,"byteLength":1},)"
+                             R"({"buffer":0,"byteOffset":12,"byteLength":4})",
+                             16, 16);
   EXPECT_THAT(result.cut, ElementsAre("4-12"));
   EXPECT_EQ(result.text, R"({"buffers":[{"byteLength":8},{"byteLength":9}],"bufferViews":[)"
                          R"({"buffer":0,"byteLength":4},)"
@@ -55,16 +55,16 @@ TEST(BinCut, WhatOnlyAnOrphanHasIsCutAndTheRestMoves) {
 }
 
 TEST(BinCut, LessThanAWordStays) {
-  const Result result = cut(R"({"buffer":0,"byteOffset":4,"byteLength":2},)"
-                            R"({"buffer":0,"byteOffset":6,"byteLength":2})",
-                            8, 8);
+  const CutView result = cut(R"({"buffer":0,"byteOffset":4,"byteLength":2},)"
+                             R"({"buffer":0,"byteOffset":6,"byteLength":2})",
+                             8, 8);
   EXPECT_THAT(result.cut, IsEmpty());
   EXPECT_THAT(result.text, HasSubstr(R"({"buffer":0,"byteOffset":6,"byteLength":2})"));
   EXPECT_THAT(result.text, HasSubstr(R"({"byteLength":8})"));
 }
 
 TEST(BinCut, ABufferKeepsItsLastByte) {
-  const Result result = cut(R"({"buffer":0,"byteLength":8})", 8, 8);
+  const CutView result = cut(R"({"buffer":0,"byteLength":8})", 8, 8);
   EXPECT_THAT(result.cut, IsEmpty());
   EXPECT_EQ(result.text, R"({"buffers":[{"byteLength":8},{"byteLength":9}]})");
 }
@@ -74,7 +74,7 @@ TEST(BinCut, NothingIsCutWhereNotEveryUseOfTheBytesIsKnown) {
   for (const char* const other :
        {R"({"byteLength":8})", R"({"buffer":0})",
         R"({"buffer":0,"byteOffset":8,"byteLength":4,"extensions":{}})"}) {
-    const Result result = cut(orphan + "," + other, 16, 16);
+    const CutView result = cut(orphan + "," + other, 16, 16);
     EXPECT_THAT(result.cut, IsEmpty()) << other;
     EXPECT_THAT(result.text, HasSubstr(other));
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Rules ask for a deviation by its name, and few places ask for the profile.
-#include <cctype>
 #include <map>
 #include <string>
 #include <utility>
@@ -38,19 +37,15 @@ constexpr std::size_t kMost = 27;
 
 constexpr std::string_view kModule = "libgltfx/validate/khronos/";
 
-bool is_name_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 // Places of whole words in code.
 std::vector<std::size_t> find_words(std::string_view code, std::string_view word) {
   std::vector<std::size_t> found;
   for (std::size_t at = code.find(word); at != std::string_view::npos;
        at = code.find(word, at + 1)) {
-    const bool begins = at == 0 || !is_name_character(code[at - 1]);
+    const bool begins = at == 0 || !is_part_of_name(code[at - 1]);
     const std::size_t end = at + word.size();
     const bool ends =
-        !is_name_character(word.back()) || end == code.size() || !is_name_character(code[end]);
+        !is_part_of_name(word.back()) || end == code.size() || !is_part_of_name(code[end]);
     if (begins && ends) found.push_back(at);
   }
   return found;

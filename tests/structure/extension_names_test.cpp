@@ -133,19 +133,17 @@ std::set<std::string, std::less<>> prefixes() {
   return found;
 }
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
 // An extension's name in a text: a known prefix, '_', a lower-case letter. Codes of rules are all
 // capitals; KHR_x is the name that messages use for any extension.
 std::string extension_in(std::string_view text,
                          const std::set<std::string, std::less<>>& prefixes) {
   for (std::size_t at = 0; at < text.size();) {
-    if (!is_word(text[at])) {
+    if (!is_part_of_name(text[at])) {
       ++at;
       continue;
     }
     std::size_t end = at;
-    while (end < text.size() && is_word(text[end])) ++end;
+    while (end < text.size() && is_part_of_name(text[end])) ++end;
     const std::string_view word = text.substr(at, end - at);
     at = end;
     const std::size_t bar = word.find('_');

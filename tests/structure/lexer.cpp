@@ -9,10 +9,6 @@
 namespace gltfx::structure {
 namespace {
 
-bool is_identifier_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 class Lexer {
  public:
   explicit Lexer(std::string_view text) : text_(text) {}
@@ -27,10 +23,10 @@ class Lexer {
     const std::string_view rest = text_.substr(at_);
     if (rest.starts_with("//")) return blank(std::min(text_.find('\n', at_), text_.size()));
     if (rest.starts_with("/*")) return blank(after(text_.find("*/", at_ + 2), 2));
-    if (rest.starts_with("R\"") && (at_ == 0 || !is_identifier_character(text_[at_ - 1])))
+    if (rest.starts_with("R\"") && (at_ == 0 || !is_part_of_name(text_[at_ - 1])))
       return raw_literal();
     if (rest.front() == '"') return quoted('"', true);
-    const bool separator = at_ > 0 && is_identifier_character(text_[at_ - 1]);
+    const bool separator = at_ > 0 && is_part_of_name(text_[at_ - 1]);
     if (rest.front() == '\'' && !separator) return quoted('\'', false);
     lexed_.code += text_[at_++];
   }
@@ -74,9 +70,8 @@ class Lexer {
 bool has_word(std::string_view text, std::string_view word) {
   for (std::size_t at = text.find(word); at != std::string_view::npos;
        at = text.find(word, at + 1)) {
-    const bool begins = at == 0 || !is_identifier_character(text[at - 1]);
-    const bool ends =
-        at + word.size() >= text.size() || !is_identifier_character(text[at + word.size()]);
+    const bool begins = at == 0 || !is_part_of_name(text[at - 1]);
+    const bool ends = at + word.size() >= text.size() || !is_part_of_name(text[at + word.size()]);
     if (begins && ends) return true;
   }
   return false;
@@ -166,6 +161,10 @@ void blank_directives(std::string& code) {
 }
 
 }  // namespace
+
+bool is_part_of_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 const Lexed& lex(std::string_view text) {
   static std::unordered_map<std::string, Lexed> known;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Files of assets are replaced, and bytes appended to assets, in one place: libgltfx/change.
-#include <cctype>
 #include <map>
 
 #include <gmock/gmock.h>
@@ -40,10 +39,6 @@ const std::vector<Ban> kBans{
     {{"BinChange", "BytePatch", "bin.more", "bin.patches"},
      "appends bytes; change::place() does that"},
 };
-
-bool is_part_of_name(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 bool is_use(std::string_view code, std::size_t at, std::string_view word) {
   const std::size_t end = at + word.size();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 /// graph/ alone finds out what refers to what.
-#include <cctype>
 #include <map>
 #include <set>
 
@@ -26,10 +25,6 @@ const std::map<std::string, std::string, std::less<>> kReaders{
     {"tools/gltfx/schema_json.cpp", "prints the words of a schema"},
     {"tools/gltfx/schema_words.cpp", "prints the words of a schema"},
 };
-
-bool is_part_of_name(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 bool is_reader(std::string_view path) {
   for (const auto& [reader, reason] : kReaders) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A rule is a page of schema/rules/ and one file that raises it.
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <set>
 #include <string>
@@ -85,9 +84,7 @@ std::map<std::string, std::set<std::string>> files_by_code() {
     for (std::size_t at = code.find(kPrefix); at != std::string::npos;
          at = code.find(kPrefix, at + 1)) {
       const auto begin = code.begin() + static_cast<std::ptrdiff_t>(at + kPrefix.size());
-      const auto end = std::find_if_not(begin, code.end(), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-      });
+      const auto end = std::find_if_not(begin, code.end(), is_part_of_name);
       files[std::string(begin, end)].insert(source.path);
     }
   }

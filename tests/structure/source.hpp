@@ -50,6 +50,9 @@ struct Lexed {
 /// Each text is taken apart once, and kept.
 const Lexed& lex(std::string_view text);
 
+/// Whether an identifier may have the character.
+bool is_part_of_name(char c);
+
 /// A function definition with a body.
 struct Function {
   std::size_t line = 0;   ///< from 1, where its declaration begins
