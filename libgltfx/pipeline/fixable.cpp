@@ -42,7 +42,9 @@ std::vector<bool> find_planned(const ValidatedAsset& validated, const schema::Se
     const validate::FixEntry& entry = *validate::find_fix(sites[i].code);
     validate::Fixing& fixing =
         stages.try_emplace(entry.stage, asset, schemas, kMostContent).first->second;
-    planned[i] = entry.fix(fixing, sites[i].span);
+    const bool has_change = entry.fix(fixing, sites[i].span);
+    // Or the fix of another finding has changed the value already.
+    planned[i] = fixing.take_was_claimed() || has_change;
   }
   return planned;
 }

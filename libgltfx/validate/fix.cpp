@@ -117,9 +117,12 @@ std::uint32_t Fixing::index_of(json::NodeId object) {
 }
 
 bool Fixing::claim(json::NodeId node) {
-  if (is_claimed(node)) return false;
-  claimed_.resize(document_.node_count());
-  claimed_[node] = true;
+  if (is_claimed(node)) {
+    claimed_.was_met = true;
+    return false;
+  }
+  claimed_.nodes.resize(document_.node_count());
+  claimed_.nodes[node] = true;
   return true;
 }
 

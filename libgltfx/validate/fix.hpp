@@ -63,7 +63,11 @@ class Fixing {
   json::NodeId parent(json::NodeId node) { return tree().parent(node); }
   /// Whether nobody has changed the value in this run; from now on somebody has.
   bool claim(json::NodeId node);
-  bool is_claimed(json::NodeId node) const { return node < claimed_.size() && claimed_[node]; }
+  bool is_claimed(json::NodeId node) const {
+    return node < claimed_.nodes.size() && claimed_.nodes[node];
+  }
+  /// Whether a fix found a value changed by another one, since the last call of this.
+  bool take_was_claimed() { return std::exchange(claimed_.was_met, false); }
   /// The position of an object in the array of the root that it is an element of, or UINT32_MAX.
   std::uint32_t index_of(json::NodeId object);
 
@@ -104,7 +108,10 @@ class Fixing {
     change::BufferContents changed;
     std::uint64_t bytes_left;  ///< for more of them
   } contents_;
-  std::vector<bool> claimed_;      ///< by node; empty until somebody claims one
+  struct {
+    std::vector<bool> nodes;  ///< empty until a value is claimed
+    bool was_met = false;
+  } claimed_;
   std::set<std::string> deleted_;  ///< JSON pointers
   template <class Table>
   static constexpr char kTableKey = 0;  ///< its address tells tables apart
