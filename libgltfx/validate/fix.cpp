@@ -111,6 +111,17 @@ struct Referring {
 
 const graph::Graph& Fixing::graph() { return table<Referring>().graph; }
 
+namespace {
+
+struct Parents {
+  explicit Parents(const Fixing& fixing) : tree(fixing.document()) {}
+  const graph::Tree tree;
+};
+
+}  // namespace
+
+const graph::Tree& Fixing::tree() { return table<Parents>().tree; }
+
 std::uint32_t Fixing::index_of(json::NodeId object) {
   if (object == json::kNoNode || !document_.is_object(object)) return UINT32_MAX;
   return tree().root_element(object) == object ? tree().position(object) : UINT32_MAX;

@@ -45,8 +45,9 @@ class Fixing {
   /// Bytes of buffers and images, loaded when somebody asks.
   const model::ResourceData& resources();
 
-  /// Where values are, and what refers to what; made at the first call.
-  const graph::Tree& tree() { return graph().tree(); }
+  /// Where values are; made at the first call, as all tables.
+  const graph::Tree& tree();
+  /// What refers to what, which takes a walk over the whole document.
   const graph::Graph& graph();
 
   /// A table that the fixes of one run look into, made of this when the first of them asks.
