@@ -21,8 +21,8 @@ void require(bool holds) {
 void check_values(const std::vector<tool::ConfigValue>& values, bool by_path) {
   std::uint32_t line = 0;
   for (const tool::ConfigValue& value : values) {
-    require(value.key != nullptr && value.line >= line);
-    require(value.key->by_path || !by_path);
+    require(!value.key.name.empty() && value.line >= line);
+    require(value.key.by_path || !by_path);
     line = value.line;
   }
 }

@@ -89,6 +89,7 @@ TEST_F(Manual, NamesEveryKeyOfTheConfiguration) {
   }
   EXPECT_THAT(text, Not(HasSubstr(". .")));
   EXPECT_THAT(text, HasSubstr("As --max-triangles of gltfx-validate(1)."));
+  EXPECT_THAT(text, HasSubstr("As --target of gltfx-validate(1)."));
 }
 
 }  // namespace

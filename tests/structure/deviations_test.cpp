@@ -31,7 +31,7 @@ const std::map<std::string, std::pair<std::size_t, std::string>, std::less<>> kP
     {"libgltfx/validate/validated_asset.cpp", {1, "whether a report is that of the defaults"}},
     {"libgltfx/validate/validator.cpp", {1, "runs before there is a context"}},
     {"tools/gltfx/validation_options.cpp", {3, "the names of profiles"}},
-    {"tools/gltfx/value_words.hpp", {3, "the words for profiles"}},
+    {"tools/gltfx/options_validate.cpp", {3, "the words for profiles"}},
 };
 constexpr std::size_t kMost = 27;
 

@@ -65,7 +65,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"meshoptimizer.h", {"libgltfx/model/"}},
     {"embree", {"libgltfx/render/embree.hpp"}},
     {"stb/", {"libgltfx/preview/label_font.cpp"}},
-    {"CLI/", {"tools/gltfx/command_line"}},
+    {"CLI/", {"tools/gltfx/command_line.cpp"}},
     {"toml++/", {"tools/gltfx/config_file.cpp"}},
     {"fmt/", {"libgltfx/", "tools/gltfx/", "tools/gltfx_manual/"}},
     {"draco/", {"tools/gltfx_codec/draco_"}},

@@ -80,7 +80,9 @@ ExitCode run(const ConfigRequest& request) {
                                               : configuration->overrides_for(request.path);
   const Style style(colors_on_stdout(request.common.color));
   std::string text = head(*configuration, request);
-  for (const ConfigKey& key : config_keys()) text += rows_of(*configuration, key, overrides, style);
+  for (const KeyedOption& one : keyed_options()) {
+    text += rows_of(*configuration, one.option.key, overrides, style);
+  }
   return print(text);
 }
 

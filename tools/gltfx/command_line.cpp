@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <deque>
 #include <exception>
+#include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <type_traits>
@@ -14,22 +17,70 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "command_line_parts.hpp"
 #include "command_table.hpp"
 #include "configuration.hpp"
 #include "help_text.hpp"
 #include "input_walk.hpp"
 #include "option_check.hpp"
-#include "raw_options.hpp"
+#include "option_values.hpp"
 #include "suggestion.hpp"
+#include "verb_options.hpp"
 #include "version.hpp"
 
 namespace gltfx::tool {
 
 namespace {
 
-// Everything CLI11 is told. Only verbs that are among the words get their options: to declare those
-// of all verbs takes longer than the rest of a short run. Without words, all verbs get theirs.
+Answer usage_error(std::string_view verb, std::string_view problem) {
+  const std::string command = verb.empty() ? "gltfx" : fmt::format("gltfx {}", verb);
+  return {{}, fmt::format("gltfx: {}\nSee '{} --help'.\n", problem, command), ExitCode::usage};
+}
+
+// Without allow_extra_args(false), a repeatable option would take all positionals behind its value.
+void tell_cli(CLI::App& app, Option& row) {
+  std::string names(row.short_name);
+  if (!names.empty()) names += ',';
+  names += row.name;
+  const std::string text(row.text), type(row.type);
+  const auto take = [&row](const Words& words) {
+    row.words = words;
+    row.given = true;
+  };
+  if (!row.takes_value()) {
+    app.add_flag_callback(
+        names, [take] { take({"true"}); }, text);
+  } else if (row.repeatable) {
+    app.add_option_function<Words>(names, take, text)->type_name(type)->allow_extra_args(false);
+  } else {
+    const auto take_one = [take](const std::string& word) { take({word}); };
+    app.add_option_function<std::string>(names, take_one, text)->type_name(type)->take_last();
+  }
+}
+
+// CLI11 gets positionals for the help only: it reads "[a].gltf" as a list of its own, so that they
+// are declared to take nothing and are picked from what is left over.
+void tell_cli(CLI::App& app, Options& options) {
+  const Option& arguments = options.arguments();
+  if (!arguments.name.empty()) {
+    app.add_option(std::string(arguments.name))
+        ->description(std::string(arguments.text))
+        ->type_name("...")
+        ->expected(0);
+  }
+  for (Option& row : options.rows()) {
+    if (!row.file_only) tell_cli(app, row);
+  }
+}
+
+struct Verb {
+  const char* name;
+  const char* text;
+  Options options = {};
+  std::function<CommandLine()> request = {};
+};
+
+// All verbs, and the options of those that are among the words: to declare the options of all verbs
+// takes longer than the rest of a short run. Without words, each verb has its options.
 class Declaration {
  public:
   explicit Declaration(std::span<const char* const> words) : words_(words) {
@@ -38,66 +89,120 @@ class Declaration {
     app_.require_subcommand(0, 1);
     app_.get_formatter()->column_width(28);
     app_.footer([] { return help_footer(""); });
-    app_.add_flag("-V,--version", version_, "Print the versions of gltfx and its libraries");
-    verb("validate", "Validate .gltf, .glb and .vrm files", declare_validate, validate_);
-    verb("fix", "Fix what a program can fix with certainty", declare_fix, fix_);
-    verb("upgrade", "Upgrade legacy extensions to their successors", declare_upgrade, upgrade_);
-    verb("edit", "Delete objects and renumber what refers to others", declare_edit, edit_);
-    // For the help: read() takes the word away, so that the verb behind it has its own options.
-    verb("hook", "Run a command on the assets of a commit", describe_positional, "VERB",
-         "Command to run, with its options");
-    verb("bake", "Render previews of assets", declare_bake, bake_);
-    verb("report", "Write an HTML page: findings, previews, sizes", declare_report, report_);
-    verb("inspect", "Show the content of assets and its size", declare_inspect, inspect_);
-    verb("merge", "Merge the reports of several runs", declare_merge, merge_);
-    verb("explain", "Explain a rule, with a bad and a good example", declare_explain, explain_);
-    verb("rules", "List all rules", declare_rules, rules_);
-    verb("targets", "Show what engines do with features of glTF", declare_targets, targets_);
-    verb("schema", "Show the schemas of extensions and core types", declare_schema, schema_);
-    verb("config", "Show the configuration of a path and its source", declare_config, config_);
+    program_.add("-V,--version", "", "Print the versions of gltfx and its libraries", {});
+    tell_cli(app_, program_);
+    verb("validate", "Validate .gltf, .glb and .vrm files", declare_validate, read_validate);
+    verb("fix", "Fix what a program can fix with certainty", declare_fix, read_fix);
+    verb("upgrade", "Upgrade legacy extensions to their successors", declare_upgrade, read_upgrade);
+    verb("edit", "Delete objects and renumber what refers to others", declare_edit, read_edit);
+    add_hook();
+    verb("bake", "Render previews of assets", declare_bake, read_bake);
+    verb("report", "Write an HTML page: findings, previews, sizes", declare_report, read_report);
+    verb("inspect", "Show the content of assets and its size", declare_inspect, read_inspect);
+    verb("merge", "Merge the reports of several runs", declare_merge, read_merge);
+    verb("explain", "Explain a rule, with a bad and a good example", declare_explain, read_explain);
+    verb("rules", "List all rules", declare_rules, read_rules);
+    verb<TargetsRequest>("targets", "Show what engines do with features of glTF", declare_targets,
+                         read_targets);
+    verb("schema", "Show the schemas of extensions and core types", declare_schema, read_schema);
+    verb("config", "Show the configuration of a path and its source", declare_config, read_config);
   }
 
   CommandLine read(int argc, const char* const* argv);
-  const CLI::App& app() const { return app_; }
+  std::vector<CommandEntry> table() const;
 
  private:
-  template <class... Options>
-  void verb(const char* name, const char* text, void (*declare)(CLI::App&, Options...),
-            std::type_identity_t<Options>... options) {
-    CLI::App& app = *app_.add_subcommand(name, text);
-    app.allow_extras();
-    app.footer([name] { return help_footer(name); });
-    const bool among_words =
-        std::find(words_.begin(), words_.end(), std::string_view(name)) != words_.end();
-    if (among_words || words_.empty()) declare(app, options...);
+  template <class Wanted>
+  void verb(const char* name, const char* text, void (*declare)(Options&, Wanted&),
+            void (*finish)(Reading&, Wanted&));
+  void add_hook();
+  CLI::App& add_app(const Verb& verb);
+  bool is_wanted(std::string_view verb) const {
+    return words_.empty() || std::find(words_.begin(), words_.end(), verb) != words_.end();
   }
   std::string help() const;
   std::string take_positionals();
-  std::vector<std::string>* positionals(std::string_view verb);
+  Verb* find_verb(std::string_view name);
   std::string unknown_verb(const std::string& word) const;
   std::string verb_among(const std::vector<std::string>& words) const;
-  CommandLine request(std::string_view verb) const;
 
   std::span<const char* const> words_;
   CLI::App app_{
       "Validates and fixes glTF 2.0 assets, upgrades legacy extensions and renders previews.",
       "gltfx"};
   std::vector<std::string> after_mark_;  ///< what follows "--": never options
-  bool version_ = false;
-  RawValidateOptions validate_;
-  RawMergeOptions merge_;
-  RawFixOptions fix_;
-  RawUpgradeOptions upgrade_;
-  RawDeleteOptions edit_;
-  RawBakeOptions bake_;
-  RawInspectOptions inspect_;
-  RawPageOptions report_;
-  RawExplainOptions explain_;
-  RawRulesOptions rules_;
-  RawTargetsOptions targets_;
-  RawSchemaOptions schema_;
-  RawConfigOptions config_;
+  Options program_;
+  std::deque<Verb> verbs_;
 };
+
+CLI::App& Declaration::add_app(const Verb& verb) {
+  CLI::App& app = *app_.add_subcommand(verb.name, verb.text);
+  app.allow_extras();
+  app.footer([name = verb.name] { return help_footer(name); });
+  return app;
+}
+
+// Built in place: g++ 12 warns of a moved temporary that it takes for uninitialised.
+template <class Wanted>
+CommandLine read_request(const Verb& verb, Options& options, Wanted& wanted,
+                         void (*read)(Reading&, Wanted&)) {
+  if (const auto mistake = configure(options)) return usage_error(verb.name, mistake->message);
+  Reading reading(options);
+  read(reading, wanted);
+  if (!reading.problem().empty()) return usage_error(verb.name, reading.problem());
+  return CommandLine(std::in_place_type<Request>, std::in_place_type<Wanted>, std::move(wanted));
+}
+
+template <class Wanted>
+void Declaration::verb(const char* name, const char* text, void (*declare)(Options&, Wanted&),
+                       void (*finish)(Reading&, Wanted&)) {
+  Verb& verb = verbs_.emplace_back();
+  verb.name = name;
+  verb.text = text;
+  CLI::App& app = add_app(verb);
+  if (!is_wanted(name)) return;
+  const auto wanted = std::make_shared<Wanted>();
+  declare(verb.options, *wanted);
+  tell_cli(app, verb.options);
+  verb.request = [&verb, wanted, finish] {
+    return read_request(verb, verb.options, *wanted, finish);
+  };
+}
+
+// For the help: read() takes the word away, so that the verb behind it has its own options.
+void Declaration::add_hook() {
+  Verb& verb = verbs_.emplace_back();
+  verb.name = "hook";
+  verb.text = "Run a command on the assets of a commit";
+  CLI::App& app = add_app(verb);
+  if (!is_wanted(verb.name)) return;
+  verb.options.positional("VERB", "Command to run, with its options", {.values = [] {
+                            return values::choice({"validate", "fix", "upgrade"});
+                          }});
+  tell_cli(app, verb.options);
+  verb.request = [] {
+    return usage_error("hook",
+                       "hook: name the verb to run: validate, fix or upgrade, with its options.");
+  };
+}
+
+CommandEntry entry_of(std::string name, std::string text, const Options& options) {
+  OptionEntry help;
+  help.short_name = "-h";
+  help.name = "--help";
+  help.text = "Print this help message and exit";
+  CommandEntry entry{std::move(name), std::move(text), options.arguments(), {std::move(help)}};
+  for (const Option& row : options.rows()) {
+    if (!row.file_only) entry.options.push_back(row);
+  }
+  return entry;
+}
+
+std::vector<CommandEntry> Declaration::table() const {
+  std::vector<CommandEntry> table{entry_of({}, app_.get_description(), program_)};
+  for (const Verb& verb : verbs_) table.push_back(entry_of(verb.name, verb.text, verb.options));
+  return table;
+}
 
 std::string unknown_option(const CLI::App& app, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
@@ -113,10 +218,9 @@ std::string unknown_option(const CLI::App& app, const std::string& word) {
 }
 
 std::string Declaration::unknown_verb(const std::string& word) const {
-  std::vector<std::string> names;
-  for (const CLI::App* verb : app_.get_subcommands(nullptr)) names.push_back(verb->get_name());
-  const std::vector<std::string_view> candidates(names.begin(), names.end());
-  std::string hint = suggestion(word, candidates);
+  std::vector<std::string_view> names;
+  for (const Verb& verb : verbs_) names.emplace_back(verb.name);
+  std::string hint = suggestion(word, names);
   const bool path = is_asset_name(word) || word.ends_with("/");
   if (path) hint = fmt::format(" Did you mean 'gltfx validate {}'?", printable(word));
   return fmt::format("unknown verb {}.{}", gltfx::quoted(word), hint);
@@ -139,46 +243,25 @@ std::string Declaration::take_positionals() {
   }
   if (app_.get_subcommands().empty()) return {};
   const CLI::App& verb = *app_.get_subcommands().front();
-  std::vector<std::string>* words = positionals(verb.get_name());
+  Option& arguments = find_verb(verb.get_name())->options.arguments();
   std::vector<std::string> taken = verb.remaining();
   for (const std::string& word : taken) {
     if (is_option(word)) return unknown_option(verb, word);
   }
   taken.insert(taken.end(), after_mark_.begin(), after_mark_.end());
   if (std::find(taken.begin(), taken.end(), "") != taken.end()) return empty_argument();
-  if (words == nullptr && !taken.empty()) {
+  if (!arguments.read && !taken.empty()) {
     return fmt::format("{}: unexpected argument {}.", verb.get_name(),
                        gltfx::quoted(taken.front()));
   }
-  if (words != nullptr) *words = std::move(taken);
+  arguments.words = std::move(taken);
   return {};
 }
 
-std::vector<std::string>* Declaration::positionals(std::string_view verb) {
-  if (verb == "validate") return &validate_.inputs.paths;
-  if (verb == "fix") return &fix_.inputs.paths;
-  if (verb == "upgrade") return &upgrade_.inputs.paths;
-  if (verb == "edit") return &edit_.inputs.paths;
-  if (verb == "bake") return &bake_.inputs.paths;
-  if (verb == "merge") return &merge_.files;
-  if (verb == "inspect") return &inspect_.paths;
-  if (verb == "report") return &report_.validate.inputs.paths;
-  if (verb == "explain") return &explain_.codes;
-  if (verb == "targets") return &targets_.names;
-  if (verb == "config") return &config_.words;
-  return verb == "schema" ? &schema_.names : nullptr;
-}
-
-Answer usage_error(std::string_view verb, std::string_view problem) {
-  const std::string command = verb.empty() ? "gltfx" : fmt::format("gltfx {}", verb);
-  return {{}, fmt::format("gltfx: {}\nSee '{} --help'.\n", problem, command), ExitCode::usage};
-}
-
-// Built in place: g++ 12 warns of a moved temporary that it takes for uninitialised.
-template <class Wanted>
-CommandLine command_of(std::string_view verb, Result<Wanted> wanted) {
-  if (!wanted) return usage_error(verb, wanted.error().message);
-  return CommandLine(std::in_place_type<Request>, std::in_place_type<Wanted>, *std::move(wanted));
+Verb* Declaration::find_verb(std::string_view name) {
+  const auto found = std::find_if(verbs_.begin(), verbs_.end(),
+                                  [&](const Verb& verb) { return verb.name == name; });
+  return found == verbs_.end() ? nullptr : &*found;
 }
 
 CommandLine hooked(CommandLine line) {
@@ -196,31 +279,11 @@ CommandLine hooked(CommandLine line) {
   return usage_error("hook", "hook: only validate, fix and upgrade go with it.");
 }
 
-CommandLine Declaration::request(std::string_view verb) const {
-  if (verb == "hook") {
-    return usage_error(verb,
-                       "hook: name the verb to run: validate, fix or upgrade, with its options.");
-  }
-  if (verb == "validate") return command_of(verb, configured(validate_));
-  if (verb == "fix") return command_of(verb, configured(fix_));
-  if (verb == "upgrade") return command_of(verb, configured(upgrade_));
-  if (verb == "edit") return command_of(verb, configured(edit_));
-  if (verb == "bake") return command_of(verb, configured(bake_));
-  if (verb == "report") return command_of(verb, configured(report_));
-  if (verb == "inspect") return command_of(verb, configured(inspect_));
-  if (verb == "merge") return command_of(verb, request_of(merge_));
-  if (verb == "explain") return command_of(verb, request_of(explain_));
-  if (verb == "rules") return command_of(verb, request_of(rules_));
-  if (verb == "targets") return command_of(verb, request_of(targets_));
-  if (verb == "config") return command_of(verb, request_of(config_));
-  return command_of(verb, configured(schema_));
-}
-
 // The verb that the words name, or an empty text.
 std::string Declaration::verb_among(const std::vector<std::string>& words) const {
   for (const std::string& word : words) {
-    for (const CLI::App* verb : app_.get_subcommands(nullptr)) {
-      if (verb->get_name() == word) return word;
+    for (const Verb& verb : verbs_) {
+      if (verb.name == word) return word;
     }
   }
   return {};
@@ -235,14 +298,14 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
   if (hook) {
     --argc;
     ++argv;
-    validate_.hook = fix_.hook = upgrade_.hook = true;
+    for (Verb& verb : verbs_) verb.options.hook = true;
   }
   const char* const* mark =
       std::find(argv + std::min(argc, 1), argv + argc, std::string_view("--"));
   if (mark != argv + argc) after_mark_.assign(mark + 1, argv + argc);
   argc = static_cast<int>(mark - argv);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (const std::string problem = option_mistake(table_of(app_), words); !problem.empty()) {
+  if (const std::string problem = option_mistake(table(), words); !problem.empty()) {
     return usage_error(verb_among(words), problem);
   }
   try {
@@ -259,14 +322,15 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
   if (const std::string problem = take_positionals(); !problem.empty()) {
     return usage_error(verb, problem);
   }
-  if (version_) return Answer{version_text(), {}, ExitCode::ok};
+  if (program_.given("--version")) return Answer{version_text(), {}, ExitCode::ok};
   if (verbs.empty()) return Answer{{}, help(), ExitCode::usage};
-  return hook ? hooked(request(verb)) : request(verb);
+  CommandLine line = find_verb(verb)->request();
+  return hook ? hooked(std::move(line)) : line;
 }
 
 }  // namespace
 
-std::vector<CommandEntry> command_table() { return table_of(Declaration({}).app()); }
+std::vector<CommandEntry> command_table() { return Declaration({}).table(); }
 
 CommandLine read_command_line(int argc, const char* const* argv) {
   try {

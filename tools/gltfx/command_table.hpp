@@ -1,33 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the command line takes, as plain data: what `--help` shows, manual pages and completions
-/// are made from.
+/// What the command line and gltfx.toml take, as plain data: manual pages and completions are made
+/// from it.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gltfx::tool {
 
-/// One option.
+/// Words to choose from. Long sets have a name, under which scripts keep them once.
+struct WordSet {
+  std::string name = {};  ///< "codes"; may be empty
+  std::vector<std::string> words = {};
+};
+
+/// What completion offers for one option, or for the positional arguments of a verb.
+struct Values {
+  WordSet words = {};
+  bool commas = false;       ///< several words with commas between
+  WordSet behind = {};       ///< what may follow a word and "="
+  bool file_behind = false;  ///< a file may do so
+  bool files = false, folders = false;
+  std::vector<std::string> endings = {};  ///< of files, without the dot; empty: all
+
+  bool paths() const { return files || folders; }
+};
+
+/// How gltfx.toml writes a value.
+enum class ConfigForm : std::uint8_t {
+  word,      ///< "strict"
+  number,    ///< 2048
+  flag,      ///< true
+  path,      ///< "../textures", from the folder of the file
+  codes,     ///< ["UNUSED_OBJECT"]
+  names,     ///< ["three@0.187"]
+  patterns,  ///< ["old/", "*.draft.gltf"]
+  files,     ///< ["ACME_leaf.schema.json"]: those of a list of paths that are no folders
+  folders,   ///< ["schemas"]: those of the same list that are folders
+  levels,    ///< a table: UNUSED_OBJECT = "info"
+};
+
+/// The key of gltfx.toml that stands for an option.
+struct ConfigKey {
+  std::string_view name = {};  ///< with its table: "budgets.triangles"; empty: there is none
+  ConfigForm form = ConfigForm::word;
+  int place = 0;                    ///< keys are listed in this order
+  std::string_view otherwise = {};  ///< the default
+  bool by_path = false;             ///< allowed in [[overrides]]
+  bool adds_up = false;             ///< values of several places hold together, not the last alone
+};
+
+/// One option. Texts are literals.
 struct OptionEntry {
-  std::string short_name;   ///< "-f", or empty
-  std::string name;         ///< "--format"
-  std::string type;         ///< of its value: "NAME[=FILE]"; empty: it takes none
-  std::string text;         ///< no full stop
-  bool repeatable = false;  ///< each use adds to those before
+  std::string_view short_name;     ///< "-f", or empty
+  std::string_view name;           ///< "--format"
+  std::string_view type;           ///< of its value: "NAME[=FILE]"; empty: it takes none
+  std::string_view text;           ///< no full stop
+  bool repeatable = false;         ///< each use adds to those before
+  std::function<Values()> values;  ///< null: nothing can be offered, as for numbers
+  ConfigKey key;
 
   bool takes_value() const { return !type.empty(); }
+  Values offered() const { return values ? values() : Values(); }
 };
 
 struct CommandEntry {
   std::string name;  ///< of the verb; empty: the program itself
   std::string text;
-  std::string positional;       ///< "PATH"; empty: the verb takes options alone
-  std::string positional_text;  ///< what it stands for
+  OptionEntry positional;  ///< "PATH" and what it stands for; no name: the verb takes options alone
   std::vector<OptionEntry> options;
 };
 
 /// The program first, then its verbs, in the order of the help.
 std::vector<CommandEntry> command_table();
+
+/// An option that has a key in gltfx.toml, and the first verb that takes it.
+struct KeyedOption {
+  std::string_view verb;
+  OptionEntry option;
+};
+
+/// One for each key, in the order in which keys are listed.
+std::vector<KeyedOption> keyed_options();
 
 }  // namespace gltfx::tool

@@ -19,7 +19,9 @@
 #include <toml++/toml.h>
 
 #include "base/text.hpp"
+#include "option_parts.hpp"
 #include "suggestion.hpp"
+#include "verb_options.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -107,7 +109,8 @@ std::string_view form_words(ConfigForm form) {
       return "true or false";
     case ConfigForm::codes:
     case ConfigForm::names:
-    case ConfigForm::paths:
+    case ConfigForm::patterns:
+    case ConfigForm::files:
       return "a list of strings";
     case ConfigForm::levels:
       return "a table of CODE = \"level\"";
@@ -118,7 +121,7 @@ std::string_view form_words(ConfigForm form) {
 
 class Reader {
  public:
-  explicit Reader(const std::string& name) : name_(name) {}
+  explicit Reader(const std::string& name) : name_(name) { declare_checks(checks_, scratch_); }
 
   void read(const toml::table& root) {
     for (const auto& [key, node] : root) {
@@ -163,7 +166,7 @@ class Reader {
   void read_member(const toml::key& key, const toml::node& node, std::string_view table,
                    bool by_path, Values& values) {
     const std::string name = fmt::format("{}{}", table, key.str());
-    const ConfigKey* known = find_config_key(name);
+    const ConfigKey* known = find_key(name);
     if (known != nullptr && known->by_path >= by_path) {
       read_value(*known, node, values);
     } else if (table.empty() && key.str() == "budgets" && node.is_table()) {
@@ -181,10 +184,17 @@ class Reader {
     }
   }
 
-  static std::vector<std::string_view> names(bool by_path) {
+  const ConfigKey* find_key(std::string_view name) const {
+    const auto found = std::find_if(keyed_.begin(), keyed_.end(), [&](const KeyedOption& one) {
+      return one.option.key.name == name;
+    });
+    return found == keyed_.end() ? nullptr : &found->option.key;
+  }
+
+  std::vector<std::string_view> names(bool by_path) const {
     std::vector<std::string_view> all{by_path ? kPaths : kOverrides};
-    for (const ConfigKey& key : config_keys()) {
-      if (key.by_path >= by_path) all.push_back(key.name);
+    for (const KeyedOption& one : keyed_) {
+      if (one.option.key.by_path >= by_path) all.push_back(one.option.key.name);
     }
     return all;
   }
@@ -200,7 +210,7 @@ class Reader {
     } else if (key.form == ConfigForm::levels) {
       fits = read_levels(key, node, values);
     } else if (key.form == ConfigForm::codes || key.form == ConfigForm::names ||
-               key.form == ConfigForm::paths) {
+               key.form == ConfigForm::patterns || key.form == ConfigForm::files) {
       fits = read_strings(key, node, values);
     } else {
       fits = node.is_string();
@@ -233,31 +243,32 @@ class Reader {
 
   // Takes what the command line would take, and complains in its words.
   void keep(const ConfigKey& key, std::string word, const toml::node& node, Values& values) {
-    RawValidateOptions words;
-    words.hook = true;  // no paths
-    if (key.word != nullptr) {
-      words.*key.word = word;
-    } else if (key.words != nullptr) {
-      words.*key.words = {word};
-    }
     const bool list = key.form == ConfigForm::codes || key.form == ConfigForm::levels;
     if (is_full()) return;
-    if (right_.count({&key, word}) != 0) {
-      values.push_back({&key, std::move(word), line_of(node)});
+    if (right_.count({key.name, word}) != 0) {
+      values.push_back({key, std::move(word), line_of(node)});
       return;
     }
-    const auto read = request_of(words);
+    const auto mistake = mistake_in(key, word);
     if (word.empty() || (list && word.find(',') != std::string::npos)) {
       complain(line_of(node), fmt::format("{}: {} is no value", key.name, gltfx::quoted(word)));
-    } else if (!read) {
-      const std::string& message = read.error().message;
+    } else if (mistake) {
+      const std::string& message = mistake->message;
       complain(line_of(node),
                fmt::format("{}{}", key.name,
                            message.substr(std::min(message.find(':'), message.size()))));
     } else {
-      right_.insert({&key, word});
-      values.push_back({&key, std::move(word), line_of(node)});
+      right_.insert({key.name, word});
+      values.push_back({key, std::move(word), line_of(node)});
     }
+  }
+
+  // That of the options of validation: other verbs read their words when they run.
+  std::optional<Error> mistake_in(const ConfigKey& key, const std::string& word) {
+    for (const Option& row : checks_.rows()) {
+      if (row.key.name == key.name) return row.read(row.name, {word});
+    }
+    return {};
   }
 
   void read_overrides(const toml::node& node) {
@@ -300,7 +311,10 @@ class Reader {
   ConfigFile file_;
   std::multimap<std::uint32_t, std::string> mistakes_;
   std::set<bool> unknown_keys_;  ///< whether there are some: outside of overrides, and in them
-  std::set<std::pair<const ConfigKey*, std::string>> right_;  ///< values that were read before
+  std::vector<KeyedOption> keyed_ = keyed_options();
+  ValidateRequest scratch_;
+  Options checks_;
+  std::set<std::pair<std::string_view, std::string>> right_;  ///< values that were read before
 };
 
 }  // namespace

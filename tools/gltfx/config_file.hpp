@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "base/result.hpp"
-#include "config_keys.hpp"
+#include "command_table.hpp"
 
 namespace gltfx::tool {
 
 /// One value, as the command line would take it: "strict", "2048", "UNUSED_OBJECT=info".
 struct ConfigValue {
-  const ConfigKey* key = nullptr;
+  ConfigKey key;
   std::string word;
   std::uint32_t line = 0;
 };

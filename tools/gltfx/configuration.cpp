@@ -8,9 +8,10 @@
 #include <system_error>
 #include <utility>
 
+#include "option_parts.hpp"
 #include "path_pattern.hpp"
 #include "read_input.hpp"
-#include "reading.hpp"
+#include "verb_options.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -41,13 +42,13 @@ bool fits(const ConfigOverride& one, std::string_view path) {
                      [&](const std::string& pattern) { return fits_pattern(pattern, path); });
 }
 
-void put_first(std::vector<std::string>& words, std::vector<std::string> before) {
+void put_first(Words& words, Words before) {
   before.insert(before.end(), words.begin(), words.end());
   words = std::move(before);
 }
 
 // Who asks for a code on the command line gets it, whatever a file leaves out.
-void drop_selected(std::vector<std::string>& ignored, const std::vector<std::string>& select) {
+void drop_selected(Words& ignored, const Words& select) {
   const auto asked = parse_codes("--select", select);
   if (!asked) return;
   std::erase_if(ignored, [&](const std::string& code) {
@@ -95,8 +96,8 @@ std::vector<Holding> Configuration::holding(const ConfigKey& key,
   const auto take = [&](const std::vector<ConfigValue>& values, const ConfigOverride* because) {
     bool fresh = true;
     for (const ConfigValue& value : values) {
-      if (value.key != &key) continue;
-      if (fresh && key.merge == ConfigMerge::last) found.clear();
+      if (value.key.name != key.name) continue;
+      if (fresh && !key.adds_up) found.clear();
       fresh = false;
       found.push_back({&value, because});
     }
@@ -112,186 +113,98 @@ std::string Configuration::path_from_file(const std::string& path) const {
   return (fs::path(folder_) / path).lexically_normal().lexically_proximate(here).native();
 }
 
-std::vector<std::string> Configuration::words_of(const ConfigKey& key,
-                                                 const std::vector<std::size_t>& overrides) const {
-  const bool path = key.form == ConfigForm::path || key.form == ConfigForm::paths;
-  std::vector<std::string> words;
-  for (const Holding& one : holding(key, overrides)) {
-    words.push_back(path ? path_from_file(one.value->word) : one.value->word);
-  }
-  return words;
-}
-
 // A pattern with a folder in it holds from the folder of the file; a name holds anywhere.
-void Configuration::add_excludes(std::vector<std::string>& exclude) const {
-  std::vector<std::string> more;
-  for (const Holding& one : holding(*find_config_key("exclude"), {})) {
-    const std::string& pattern = one.value->word;
-    const std::size_t slash = pattern.find('/');
-    const bool anywhere = slash == std::string::npos || slash + 1 == pattern.size();
-    more.push_back(anywhere ? pattern : path_from_file(pattern));
-  }
-  put_first(exclude, std::move(more));
+bool holds_anywhere(std::string_view pattern) {
+  const std::size_t slash = pattern.find('/');
+  return slash == std::string_view::npos || slash + 1 == pattern.size();
 }
 
-void Configuration::add_schemas(std::vector<std::string>& files,
-                                std::vector<std::string>& folders) const {
-  std::vector<std::string> more_files, more_folders;
-  for (std::string& path : words_of(*find_config_key("schemas"), {})) {
+Words Configuration::words_of(const ConfigKey& key,
+                              const std::vector<std::size_t>& overrides) const {
+  Words words;
+  for (const Holding& one : holding(key, overrides)) words.push_back(one.value->word);
+  const bool files = key.form == ConfigForm::files, folders = key.form == ConfigForm::folders;
+  const bool patterns = key.form == ConfigForm::patterns;
+  if (key.form != ConfigForm::path && !files && !folders && !patterns) return words;
+  for (std::string& word : words) {
+    if (!patterns || !holds_anywhere(word)) word = path_from_file(word);
+  }
+  if (files || folders) {
     std::error_code error;
-    (fs::is_directory(path, error) ? more_folders : more_files).push_back(std::move(path));
+    std::erase_if(words, [&](const auto& path) { return fs::is_directory(path, error) == files; });
   }
-  put_first(files, std::move(more_files));
-  put_first(folders, std::move(more_folders));
-}
-
-RawValidateOptions Configuration::apply(RawValidateOptions words,
-                                        const std::vector<std::size_t>& overrides) const {
-  for (const ConfigKey& key : config_keys()) {
-    if (key.form == ConfigForm::paths || (key.word == nullptr && key.words == nullptr)) continue;
-    std::vector<std::string> said = words_of(key, overrides);
-    if (said.empty()) continue;
-    if (key.word != nullptr) {
-      if ((words.*key.word).empty()) words.*key.word = std::move(said.front());
-      continue;
-    }
-    std::vector<std::string>& list = words.*key.words;
-    if (key.words == &RawValidateOptions::ignore) drop_selected(said, words.select);
-    if (key.merge == ConfigMerge::all) {
-      put_first(list, std::move(said));
-    } else if (list.empty()) {
-      list = std::move(said);
-    }
-  }
-  add_schemas(words.schema_files, words.schema_folders);
-  add_excludes(words.inputs.exclude);
   return words;
 }
 
-void Configuration::fill(std::string_view key, std::string& word) const {
-  std::vector<std::string> said = words_of(*find_config_key(key), {});
-  if (word.empty() && !said.empty()) word = std::move(said.front());
-}
-
-void Configuration::apply(RawUpgradeOptions& words) const {
-  apply(static_cast<RawEditOptions&>(words));
-  if (words.targets.empty()) words.targets = words_of(*find_config_key("targets"), {});
-}
-
-void Configuration::apply(RawFixOptions& words) const {
-  apply(static_cast<RawEditOptions&>(words));
-  fill("fail-on", words.validate.fail_on);
-}
-
-void Configuration::apply(RawEditOptions& words) const {
-  fill("root", words.root);
-  add_excludes(words.inputs.exclude);
-  add_schemas(words.schema_files, words.schema_folders);
-}
-
-void Configuration::apply(RawBakeOptions& words) const {
-  fill("root", words.root);
-  fill("environment", words.environment);
-  fill("quality", words.quality);
-  fill("projection", words.projection);
-  fill("frame", words.frame);
-  fill("interior", words.interior);
-  add_excludes(words.inputs.exclude);
-  add_schemas(words.schema_files, words.schema_folders);
-}
-
-void Configuration::apply(RawInspectOptions& words) const {
-  fill("root", words.root);
-  add_excludes(words.exclude);
-  add_schemas(words.schema_files, words.schema_folders);
-}
-
-void Configuration::apply(RawSchemaOptions& words) const {
-  add_schemas(words.schema_files, words.schema_folders);
-}
-
-// Every value was read once when the file was: it cannot fail here.
-void PathOptions::apply(const std::vector<std::size_t>& kind, ValidateOptions& options) const {
-  auto request = request_of(configuration_.apply(words_, kind));
-  if (!request) return;
-  ValidateOptions& own = request->validation;
-  options.select = std::move(own.select);
-  options.ignore = std::move(own.ignore);
-  options.severity = std::move(own.severity);
-  options.targets = std::move(own.targets);
-  options.budgets = own.budgets;
-  options.lfs = own.lfs;
-  options.inline_suppressions = own.inline_suppressions;
-}
-
-Result<ValidateRequest> configured(const RawValidateOptions& words) {
-  auto configuration = Configuration::load(words.configuration);
-  if (!configuration) return configuration.error();
-  auto request = request_of(configuration->apply(words, {}));
-  if (request && configuration->has_overrides()) {
-    request->by_path = std::make_shared<const PathOptions>(words, *std::move(configuration));
+void Configuration::fill(Options& options, const std::vector<std::size_t>& overrides) const {
+  for (Option& row : options.rows()) {
+    if (row.key.name.empty()) continue;
+    Words said = words_of(row.key, overrides);
+    if (row.key.name == "ignore" && options.given("--select")) {
+      drop_selected(said, options.words("--select"));
+    }
+    if (row.key.adds_up || row.words.empty()) put_first(row.words, std::move(said));
   }
-  return request;
 }
 
-Result<PageRequest> configured(const RawPageOptions& words) {
-  const RawInputOptions& inputs = words.validate.inputs;
-  Reading reading;
-  reading.require(!inputs.paths.empty() || !inputs.files_from.empty(),
-                  "report: name at least one file, folder or glob.");
-  require_files(reading, inputs.paths, "report");
-  if (!reading.problem().empty()) return Error{reading.problem()};
-  auto validate = configured(words.validate);
-  if (!validate) return validate.error();
-  return request_of(words, *std::move(validate));
+PathOptions::PathOptions(const Options& options, Configuration configuration)
+    : configuration_(std::move(configuration)) {
+  for (const Option& row : options.rows()) {
+    if (row.given) given_.emplace(row.name, row.words);
+  }
 }
 
-namespace {
+void PathOptions::apply(const std::vector<std::size_t>& kind, ValidateOptions& options) const {
+  ValidateRequest request;
+  request.validation = std::move(options);
+  Options rows;
+  declare_checks(rows, request);
+  for (Option& row : rows.rows()) {
+    const auto words = given_.find(row.name);
+    row.given = words != given_.end();
+    if (row.given) row.words = words->second;
+  }
+  configuration_.fill(rows, kind);
+  rows.read_by_path();
+  options = std::move(request.validation);
+}
 
-template <class Wanted, class Words>
-Result<Wanted> request_with_configuration(Words words) {
-  const auto configuration = Configuration::load(words.configuration);
+ConfigChoice config_choice(const Options& options) {
+  return {std::string(options.word("--config")), options.given("--isolated")};
+}
+
+std::optional<Error> configure(Options& options) {
+  if (!options.has_keys()) return {};
+  auto configuration = Configuration::load(config_choice(options));
   if (!configuration) return configuration.error();
-  configuration->apply(words);
-  return request_of(words);
+  if (configuration->has_overrides()) {
+    options.by_path = std::make_shared<const PathOptions>(options, *configuration);
+  }
+  configuration->fill(options, {});
+  return {};
 }
 
-}  // namespace
-
-Result<UpgradeRequest> configured(RawUpgradeOptions words) {
-  return request_with_configuration<UpgradeRequest>(std::move(words));
-}
-
-Result<FixRequest> configured(RawFixOptions words) {
-  words.validate.configuration = words.configuration;
-  words.validate.hook = true;  // its inputs are those of the verb
-  const auto validate = configured(words.validate);
-  if (!validate) return validate.error();
-  auto request = request_with_configuration<FixRequest>(std::move(words));
-  if (!request) return request;
-  request->fix.validation = [common = validate->validation,
-                             by_path = validate->by_path](const std::string& path) {
-    ValidateOptions options = common;
-    if (by_path) by_path->apply(by_path->kind_of(path), options);
-    return options;
+std::vector<KeyedOption> keyed_options() {
+  std::vector<KeyedOption> all;
+  const auto add = [&](std::string_view verb, const Options& options) {
+    for (const Option& row : options.rows()) {
+      const auto same = [&](const KeyedOption& one) { return one.option.key.name == row.key.name; };
+      if (!row.key.name.empty() && std::none_of(all.begin(), all.end(), same)) {
+        all.push_back({verb, row});
+      }
+    }
   };
-  return request;
-}
-
-Result<DeleteRequest> configured(RawDeleteOptions words) {
-  return request_with_configuration<DeleteRequest>(std::move(words));
-}
-
-Result<BakeRequest> configured(RawBakeOptions words) {
-  return request_with_configuration<BakeRequest>(std::move(words));
-}
-
-Result<InspectRequest> configured(RawInspectOptions words) {
-  return request_with_configuration<InspectRequest>(std::move(words));
-}
-
-Result<SchemaRequest> configured(RawSchemaOptions words) {
-  return request_with_configuration<SchemaRequest>(std::move(words));
+  Options validate_rows, bake_rows;
+  ValidateRequest validate;
+  BakeRequest bake;
+  declare_checks(validate_rows, validate);
+  declare_bake(bake_rows, bake);
+  add("validate", validate_rows);
+  add("bake", bake_rows);
+  std::stable_sort(all.begin(), all.end(), [](const KeyedOption& a, const KeyedOption& b) {
+    return a.option.key.place < b.option.key.place;
+  });
+  return all;
 }
 
 }  // namespace gltfx::tool

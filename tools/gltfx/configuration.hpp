@@ -7,13 +7,15 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
 #include "config_file.hpp"
-#include "raw_options.hpp"
+#include "option_rows.hpp"
 
 namespace gltfx::tool {
 
@@ -42,25 +44,14 @@ class Configuration {
   std::vector<Holding> holding(const ConfigKey& key,
                                const std::vector<std::size_t>& overrides) const;
 
-  /// The words with what the file says where they say nothing.
-  RawValidateOptions apply(RawValidateOptions words,
-                           const std::vector<std::size_t>& overrides) const;
-  void apply(RawEditOptions& words) const;
-  void apply(RawUpgradeOptions& words) const;
-  void apply(RawFixOptions& words) const;
-  void apply(RawBakeOptions& words) const;
-  void apply(RawInspectOptions& words) const;
-  void apply(RawSchemaOptions& words) const;
+  /// Adds what the file says to the words of options: all of it where keys add up, else where the
+  /// command line says nothing.
+  void fill(Options& options, const std::vector<std::size_t>& overrides) const;
 
  private:
   /// A path that the file names, from the working folder.
   std::string path_from_file(const std::string& path) const;
-  /// A word that holds for all paths, where the command line says nothing.
-  void fill(std::string_view key, std::string& word) const;
-  std::vector<std::string> words_of(const ConfigKey& key,
-                                    const std::vector<std::size_t>& overrides) const;
-  void add_excludes(std::vector<std::string>& exclude) const;
-  void add_schemas(std::vector<std::string>& files, std::vector<std::string>& folders) const;
+  Words words_of(const ConfigKey& key, const std::vector<std::size_t>& overrides) const;
 
   std::string shown_;
   std::string folder_;  ///< absolute
@@ -70,8 +61,8 @@ class Configuration {
 /// What validation is asked for, path by path.
 class PathOptions {
  public:
-  PathOptions(RawValidateOptions words, Configuration configuration)
-      : words_(std::move(words)), configuration_(std::move(configuration)) {}
+  /// `options`: what the command line says.
+  PathOptions(const Options& options, Configuration configuration);
 
   /// Two paths with equal results have the same options.
   std::vector<std::size_t> kind_of(const std::string& path) const {
@@ -81,18 +72,15 @@ class PathOptions {
   void apply(const std::vector<std::size_t>& kind, ValidateOptions& options) const;
 
  private:
-  RawValidateOptions words_;
+  std::map<std::string, Words, std::less<>> given_;  ///< by name of the option
   Configuration configuration_;
 };
 
-/// request_of() the words with the configuration that holds.
-Result<ValidateRequest> configured(const RawValidateOptions& words);
-Result<PageRequest> configured(const RawPageOptions& words);
-Result<UpgradeRequest> configured(RawUpgradeOptions words);
-Result<FixRequest> configured(RawFixOptions words);
-Result<DeleteRequest> configured(RawDeleteOptions words);
-Result<BakeRequest> configured(RawBakeOptions words);
-Result<InspectRequest> configured(RawInspectOptions words);
-Result<SchemaRequest> configured(RawSchemaOptions words);
+/// What --config and --isolated say.
+ConfigChoice config_choice(const Options& options);
+
+/// Fills the words of a verb from the configuration that holds, if it has keys. The Error says what
+/// is wrong with the file.
+std::optional<Error> configure(Options& options);
 
 }  // namespace gltfx::tool

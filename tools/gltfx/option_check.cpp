@@ -76,7 +76,7 @@ class OptionCheck {
     mistake_ =
         option.takes_value()
             ? fmt::format("a short option has no '='; write {0} {2} or {1}={2}.", option.short_name,
-                          option.name, value.empty() ? option.type : printable(value))
+                          option.name, value.empty() ? std::string(option.type) : printable(value))
             : fmt::format("{} takes no value; {} was given.", option.short_name, quoted(value));
   }
 

@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "base/number.hpp"
 #include "base/text.hpp"
+#include "option_rows.hpp"
 #include "output.hpp"
 #include "suggestion.hpp"
-#include "value_words.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -51,17 +52,17 @@ Error unknown_code(std::string_view option, std::string_view code) {
       fmt::format("{}: there is no rule {}.{}", option, gltfx::quoted(code), suggest_code(code))};
 }
 
-Result<FormatTarget> parse_target(std::string_view text) {
+Result<FormatTarget> parse_target(std::string_view option, std::string_view text) {
   const std::size_t equals = text.find('=');
   const std::string_view name = text.substr(0, equals);
   FormatTarget target;
   const auto format = report_format_from_name(name);
-  if (!format) return unknown_word("--format", name, report_format_names());
+  if (!format) return unknown_word(option, name, report_format_names());
   target.format = *format;
   if (equals == std::string_view::npos) return target;
   target.path = text.substr(equals + 1);
   if (target.path.empty()) {
-    return Error{fmt::format("--format: {} names no file after '='.", gltfx::quoted(text))};
+    return Error{fmt::format("{}: {} names no file after '='.", option, gltfx::quoted(text))};
   }
   if (target.path == "-") target.path.clear();
   return target;
@@ -87,15 +88,34 @@ Result<std::uint64_t> parse_number(std::string_view option, std::string_view tex
   return value;
 }
 
-Result<unsigned> parse_jobs(std::string_view text) {
-  const auto number = parse_number("--jobs", text, 1);
+Result<std::uint32_t> parse_count(std::string_view option, std::string_view text,
+                                  std::uint32_t minimum, std::uint32_t maximum) {
+  const auto number = parse_number(option, text, minimum);
+  if (number && *number <= maximum) return static_cast<std::uint32_t>(*number);
+  return Error{fmt::format("{}: {} is not a whole number from {} to {}.", option,
+                           gltfx::quoted(text), minimum, maximum)};
+}
+
+Result<double> parse_decimal(std::string_view option, std::string_view text, double least,
+                             double greatest) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = read_double(text.data(), end, value);
+  if (error != std::errc() || stop != end || !(value >= least) || !(value <= greatest)) {
+    return Error{fmt::format("{}: {} is not a number from {} to {}.", option, gltfx::quoted(text),
+                             least, greatest)};
+  }
+  return value;
+}
+
+Result<unsigned> parse_jobs(std::string_view option, std::string_view text) {
+  const auto number = parse_number(option, text, 1);
   if (!number) return number.error();
   constexpr std::uint64_t kMost = std::numeric_limits<unsigned>::max();
   return static_cast<unsigned>(std::min(*number, kMost));
 }
 
-Result<Shard> parse_shard(std::string_view text) {
-  if (text.empty()) return Shard();
+Result<Shard> parse_shard(std::string_view option, std::string_view text) {
   constexpr std::uint64_t kMost = 1'000'000;
   const std::size_t slash = std::min(text.find('/'), text.size());
   const auto index = parse_number("", text.substr(0, slash), 1);
@@ -104,63 +124,23 @@ Result<Shard> parse_shard(std::string_view text) {
     return Shard{static_cast<std::uint32_t>(*index), static_cast<std::uint32_t>(*count)};
   }
   return Error{
-      fmt::format("--shard: {} is not I/N with I from 1 to N, as 3/8.", gltfx::quoted(text))};
+      fmt::format("{}: {} is not I/N with I from 1 to N, as 3/8.", option, gltfx::quoted(text))};
 }
 
-Result<ColorMode> parse_color(std::string_view text) {
-  return parse_word<ColorMode>("--color", text, kColorWords);
-}
-
-Result<TableFormat> parse_table_format(std::string_view text) {
-  return parse_word<TableFormat>("--format", text, kTableFormatWords);
-}
-
-Result<MatrixFormat> parse_matrix_format(std::string_view text) {
-  return parse_word<MatrixFormat>("--format", text, kMatrixFormatWords);
-}
-
-Result<schema::Status> parse_status(std::string_view text) {
-  return parse_word<schema::Status>("--status", text, kStatusWords);
-}
-
-Result<Profile> parse_profile(std::string_view text) {
-  return parse_word<Profile>("--profile", text, kProfileWords);
-}
-
-Result<std::optional<PixelLevel>> parse_pixels(std::string_view text) {
-  return parse_word<std::optional<PixelLevel>>("--pixels", text, kPixelWords);
-}
-
-Result<LfsPolicy> parse_lfs(std::string_view text) {
-  return parse_word<LfsPolicy>("--lfs", text, kLfsWords);
-}
-
-Result<std::optional<Severity>> parse_fail_on(std::string_view text) {
-  return parse_word<std::optional<Severity>>("--fail-on", text, kFailOnWords);
-}
-
-Result<std::optional<Severity>> parse_min_severity(std::string_view text) {
-  return parse_word<std::optional<Severity>>("--min-severity", text, kMinSeverityWords);
-}
-
-Result<TextLayout> parse_group_by(std::string_view text) {
-  return parse_word<TextLayout>("--group-by", text, kGroupByWords);
-}
-
-Result<std::vector<FormatTarget>> parse_targets(const std::vector<std::string>& texts) {
-  if (texts.empty()) return std::vector<FormatTarget>{FormatTarget{}};
+Result<std::vector<FormatTarget>> parse_targets(std::string_view option,
+                                                const std::vector<std::string>& texts) {
   std::vector<FormatTarget> targets;
   for (const std::string& text : texts) {
-    auto target = parse_target(text);
+    auto target = parse_target(option, text);
     if (!target) return target.error();
     for (const FormatTarget& other : targets) {
       if (!same_place(other.path, target->path)) continue;
       const std::string place =
           other.path.empty() ? std::string("standard output") : gltfx::quoted(other.path);
-      return Error{
-          fmt::format("--format: {} and {} both write to {}; give one a file of its own, "
-                      "as in --format json=report.json.",
-                      report_format_name(other.format), report_format_name(target->format), place)};
+      return Error{fmt::format(
+          "{}: {} and {} both write to {}; give one a file of its own, "
+          "as in --format json=report.json.",
+          option, report_format_name(other.format), report_format_name(target->format), place)};
     }
     targets.push_back(*std::move(target));
   }
@@ -181,17 +161,17 @@ Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
 }
 
 Result<std::map<std::string, Severity, std::less<>>> parse_severities(
-    const std::vector<std::string>& texts) {
-  const auto parts = code_parts("--severity", texts);
+    std::string_view option, const std::vector<std::string>& texts) {
+  const auto parts = code_parts(option, texts);
   if (!parts) return parts.error();
   std::map<std::string, Severity, std::less<>> severities;
   for (const std::string_view part : *parts) {
     const std::size_t equals = std::min(part.find('='), part.size());
     const RuleDescription* rule = rule_from_user(part.substr(0, equals));
-    if (rule == nullptr) return unknown_code("--severity", part.substr(0, equals));
+    if (rule == nullptr) return unknown_code(option, part.substr(0, equals));
     const auto level = severity_from_name(part.substr(std::min(equals + 1, part.size())));
     if (!level) {
-      return Error{fmt::format("--severity: {} should read {}=error, =warning, =info or =hint.",
+      return Error{fmt::format("{}: {} should read {}=error, =warning, =info or =hint.", option,
                                gltfx::quoted(part), rule->code)};
     }
     severities.insert_or_assign(std::string(rule->code), *level);

@@ -17,6 +17,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "base/result.hpp"
 #include "schema/set.hpp"
 
@@ -26,7 +27,7 @@ enum class ColorMode : std::uint8_t { automatic, always, never };
 
 /// Options of every verb.
 struct CommonOptions {
-  unsigned jobs = 1;
+  unsigned jobs = default_jobs();
   ColorMode color = ColorMode::automatic;
   bool unsandboxed_decoders = false;
 };
@@ -72,7 +73,8 @@ struct CacheChoice {
 /// How reports are written and what they come to.
 struct ReportRequest {
   CommonOptions common;
-  std::vector<FormatTarget> targets;  ///< at least one, at most one of them to standard output
+  /// At least one, at most one of them to standard output.
+  std::vector<FormatTarget> targets{FormatTarget{}};
   std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
   bool sarif_notes = false;                           ///< as in FormatOptions
   bool timings = false;                               ///< the same
@@ -131,6 +133,7 @@ struct FixRequest : EditRequest {
   FixOptions fix;  ///< likewise
   /// The least severe fix that --check tells of; nothing: none.
   std::optional<Severity> fail_on = Severity::hint;
+  ValidateOptions validation;  ///< of all paths without overrides: which findings are fixed
 };
 
 struct DeleteRequest : EditRequest {
@@ -185,6 +188,7 @@ enum class MatrixFormat : std::uint8_t { text, json, markdown };
 struct TargetsRequest {
   CommonOptions common;
   MatrixFormat format = MatrixFormat::text;
+  std::vector<std::string> names;
   std::vector<TargetChoice> choices;  ///< the matrix is of these versions
 };
 
@@ -217,40 +221,25 @@ using Request =
 /// A whole number of at least `minimum`.
 Result<std::uint64_t> parse_number(std::string_view option, std::string_view text,
                                    std::uint64_t minimum);
+/// A whole number from `minimum` to `maximum`.
+Result<std::uint32_t> parse_count(std::string_view option, std::string_view text,
+                                  std::uint32_t minimum, std::uint32_t maximum);
 /// A number from `least` to `greatest`.
 Result<double> parse_decimal(std::string_view option, std::string_view text, double least,
                              double greatest);
-Result<unsigned> parse_jobs(std::string_view text);
-/// "I/N" with I from 1 to N; an empty text is all of it.
-Result<Shard> parse_shard(std::string_view text);
-Result<ColorMode> parse_color(std::string_view text);
-Result<TableFormat> parse_table_format(std::string_view text);
-Result<MatrixFormat> parse_matrix_format(std::string_view text);
-Result<schema::Status> parse_status(std::string_view text);
-Result<Profile> parse_profile(std::string_view text);
-Result<std::optional<PixelLevel>> parse_pixels(std::string_view text);
-Result<LfsPolicy> parse_lfs(std::string_view text);
-/// error, warning, info or hint.
-Result<std::optional<Severity>> parse_min_severity(std::string_view text);
-/// finding or rule.
-Result<TextLayout> parse_group_by(std::string_view text);
-/// error, warning, info, or nothing for "never".
-Result<std::optional<Severity>> parse_fail_on(std::string_view text);
-/// Checks that no two targets share a place; no texts at all mean text to standard output.
-Result<std::vector<FormatTarget>> parse_targets(const std::vector<std::string>& texts);
+Result<unsigned> parse_jobs(std::string_view option, std::string_view text);
+/// "I/N" with I from 1 to N.
+Result<Shard> parse_shard(std::string_view option, std::string_view text);
+/// NAME or NAME=FILE, no two with the same place.
+Result<std::vector<FormatTarget>> parse_targets(std::string_view option,
+                                                const std::vector<std::string>& texts);
 /// Comma lists of rule codes, in any case; an unknown code is an Error with the nearest one.
 Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
                                                        const std::vector<std::string>& texts);
 /// CODE=level, comma lists allowed.
 Result<std::map<std::string, Severity, std::less<>>> parse_severities(
-    const std::vector<std::string>& texts);
+    std::string_view option, const std::vector<std::string>& texts);
 
-Result<BakeLights> parse_lights(std::string_view text);
-Result<BakeQuality> parse_quality(std::string_view text);
-/// Comma lists of albedo, normal, depth and material.
-Result<std::vector<BakeLayer>> parse_layers(const std::vector<std::string>& texts);
-/// Comma lists of N and WxH; none at all mean 512.
-Result<std::vector<BakeSize>> parse_sizes(const std::vector<std::string>& texts);
 /// The rule with that code in any case, or null.
 const RuleDescription* rule_from_user(std::string_view code);
 /// " Did you mean 'X'?" for the code nearest to `code`, or empty.

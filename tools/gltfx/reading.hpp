@@ -5,49 +5,40 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
-#include "base/result.hpp"
-#include "options.hpp"
-#include "raw_options.hpp"
+#include "option_rows.hpp"
 
 namespace gltfx::tool {
 
-/// Collects values and keeps the first thing that was wrong.
+/// Reads the words of a verb and keeps the first thing that is wrong.
 class Reading {
  public:
-  template <class T>
-  void set(T& value, Result<T> read) {
-    if (!problem_.empty()) return;
-    if (read) {
-      value = *std::move(read);
-    } else {
-      problem_ = read.error().message;
-    }
-  }
+  explicit Reading(const Options& options) : options_(options) {}
+
   void require(bool holds, std::string problem) {
     if (!holds && problem_.empty()) problem_ = std::move(problem);
   }
-  /// The first thing that was wrong, or empty.
-  const std::string& problem() const { return problem_; }
-  template <class Wanted>
-  Result<Wanted> finish(Wanted& request) {
-    if (!problem_.empty()) return Error{problem_};
-    return std::move(request);
+  /// Reads the words into the request.
+  void read() {
+    if (!problem_.empty()) return;
+    if (const auto mistake = options_.read()) problem_ = mistake->message;
   }
+  /// Inputs are named, in one way; standard input is either a list or an asset. With a hook the
+  /// commit names them.
+  void require_inputs(std::string_view verb);
+  /// Refuses "-" among the paths of a verb that needs files. `done`: what is done with those beside
+  /// the asset.
+  void require_files(std::string_view verb, std::string_view done = "found");
+  /// --statistics, --cache-key.
+  void require_companions();
+
+  const Options& options() const { return options_; }
+  /// The first thing that is wrong, or empty.
+  const std::string& problem() const { return problem_; }
 
  private:
+  const Options& options_;
   std::string problem_;
 };
-
-/// `what`: the verb. Whether inputs are named at all is left to the caller.
-void read_inputs(Reading& reading, const RawInputOptions& words, std::string_view what,
-                 NamedPaths& paths);
-/// Refuses "-" among the paths of a verb that needs files. `what`: as above; `done`: what is done
-/// with those beside the asset.
-void require_files(Reading& reading, const std::vector<std::string>& paths, std::string_view what,
-                   std::string_view done = "found");
-
-void read_common(Reading& reading, const RawCommonOptions& words, CommonOptions& options);
 
 }  // namespace gltfx::tool

@@ -145,12 +145,12 @@ std::string assignments(const Values& values) {
 void add_values(std::string& script, const std::vector<CommandEntry>& table) {
   std::map<std::string, std::vector<std::string>> cases;
   for (const CommandEntry& command : table) {
-    if (!command.positional.empty()) {
-      cases[assignments(values_of(command.name, ""))].push_back(command.name + " ");
+    if (!command.positional.name.empty()) {
+      cases[assignments(command.positional.offered())].push_back(command.name + " ");
     }
     for (const OptionEntry& option : command.options) {
       if (!option.takes_value()) continue;
-      auto& patterns = cases[assignments(values_of(command.name, option.name))];
+      auto& patterns = cases[assignments(option.offered())];
       patterns.push_back(fmt::format("{} {}", command.name, option.name));
       if (!option.short_name.empty()) {
         patterns.push_back(fmt::format("{} {}", command.name, option.short_name));
@@ -173,8 +173,8 @@ void add_options(std::string& script, const std::vector<CommandEntry>& table) {
   for (const CommandEntry& command : table) {
     std::vector<std::string> names;
     for (const OptionEntry& option : command.options) {
-      names.push_back(option.name);
-      if (!option.short_name.empty()) names.push_back(option.short_name);
+      names.emplace_back(option.name);
+      if (!option.short_name.empty()) names.emplace_back(option.short_name);
     }
     fmt::format_to(std::back_inserter(script), "    '{}') words='{}' ;;\n", command.name,
                    fmt::join(names, " "));

@@ -195,11 +195,11 @@ std::string tag_of(const OptionEntry& option) {
 
 void add_options(RoffPage& page, const CommandEntry& command) {
   page.section("OPTIONS");
-  if (!command.positional.empty()) {
-    page.item(roff_value(command.positional), command.positional_text + ".");
+  if (!command.positional.name.empty()) {
+    page.item(roff_value(command.positional.name), fmt::format("{}.", command.positional.text));
   }
   for (const OptionEntry& option : command.options) {
-    page.item(tag_of(option), option.text + ".", option.type);
+    page.item(tag_of(option), fmt::format("{}.", option.text), option.type);
   }
 }
 
@@ -273,17 +273,6 @@ void add_see_also(RoffPage& page, const std::vector<CommandEntry>& table,
 
 std::string page_of(const CommandEntry& command) {
   return command.name.empty() ? "gltfx" : fmt::format("gltfx-{}", command.name);
-}
-
-const OptionEntry* find_option(const std::vector<CommandEntry>& table, std::string_view verb,
-                               std::string_view option) {
-  for (const CommandEntry& command : table) {
-    if (command.name != verb) continue;
-    for (const OptionEntry& each : command.options) {
-      if (each.name == option) return &each;
-    }
-  }
-  return nullptr;
 }
 
 std::string command_page(const std::vector<CommandEntry>& table, const CommandEntry& command,

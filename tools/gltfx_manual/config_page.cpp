@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "config_keys.hpp"
+#include "command_table.hpp"
 #include "pages.hpp"
 #include "roff.hpp"
 
@@ -54,21 +54,14 @@ std::string_view form_of(ConfigForm form) {
       return "list of codes";
     case ConfigForm::names:
       return "list of names";
-    case ConfigForm::paths:
+    case ConfigForm::patterns:
+    case ConfigForm::files:
       return "list of paths";
     case ConfigForm::levels:
       return "table of CODE = \"LEVEL\"";
     default:
       return "string";
   }
-}
-
-// The option of the command line that says the same.
-std::string option_of(std::string_view key) {
-  if (key == "schemas") return "--schema";
-  constexpr std::string_view kBudgets = "budgets.";
-  if (key.starts_with(kBudgets)) return fmt::format("--max-{}", key.substr(kBudgets.size()));
-  return fmt::format("--{}", key);
 }
 
 // Without remarks in brackets about the command line, or about defaults.
@@ -83,14 +76,11 @@ std::string_view without_usage(std::string_view text) {
   return text;
 }
 
-std::string text_of(const std::vector<CommandEntry>& table, const ConfigKey& key) {
-  const std::string name = option_of(key.name);
-  std::string_view verb = "validate";
-  const OptionEntry* option = find_option(table, verb, name);
-  if (option == nullptr) option = find_option(table, verb = "bake", name);
-  if (option == nullptr) return {};
-  std::string text = fmt::format("{}. As `{}` of gltfx-{}(1). Default: {}.",
-                                 without_usage(option->text), name, verb, key.otherwise);
+std::string text_of(const KeyedOption& one) {
+  const ConfigKey& key = one.option.key;
+  std::string text =
+      fmt::format("{}. As `{}` of gltfx-{}(1). Default: {}.", without_usage(one.option.text),
+                  one.option.name, one.verb, key.otherwise);
   if (key.name == "schemas") text.append(" Folders are taken as by `--schema-dir`.");
   if (key.by_path) text.append(" Allowed in `overrides`.");
   return text;
@@ -98,15 +88,16 @@ std::string text_of(const std::vector<CommandEntry>& table, const ConfigKey& key
 
 }  // namespace
 
-std::string config_page(const std::vector<CommandEntry>& table, const Edition& edition) {
+std::string config_page(const Edition& edition) {
   RoffPage page("gltfx.toml", 5, edition.date, edition.version);
   page.name("gltfx.toml", "configuration of gltfx");
   page.section("DESCRIPTION");
   page.prose(kDescription);
   page.section("KEYS");
-  for (const ConfigKey& key : config_keys()) {
+  for (const KeyedOption& one : keyed_options()) {
+    const ConfigKey& key = one.option.key;
     page.item(fmt::format("{} ({})", roff_bold(key.name), roff_literal(form_of(key.form))),
-              text_of(table, key));
+              text_of(one));
   }
   page.section("OVERRIDES");
   page.prose(kOverrides);

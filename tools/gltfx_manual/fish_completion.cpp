@@ -95,7 +95,7 @@ void add_option(std::string& script, const CommandEntry& command, const OptionEn
   fmt::format_to(out, " -d {}", quoted_text(option.text));
   if (option.takes_value()) {
     fmt::format_to(out, " -x");
-    const std::string source = source_of(values_of(command.name, option.name));
+    const std::string source = source_of(option.offered());
     if (!source.empty()) fmt::format_to(out, " -a {}", quoted_text(source));
   }
   script.push_back('\n');
@@ -115,8 +115,8 @@ std::string fish_completion(const std::vector<CommandEntry>& table) {
       fmt::format_to(out, "\ncomplete -c gltfx -n '__gltfx_verb \"\"' -a {} -d {}\n", command.name,
                      quoted_text(command.text));
     }
-    const std::string source = source_of(values_of(command.name, ""));
-    if (!command.positional.empty() && !source.empty()) {
+    const std::string source = source_of(command.positional.offered());
+    if (!command.positional.name.empty() && !source.empty()) {
       fmt::format_to(out, "complete -c gltfx -n '__gltfx_verb {}' -a {}\n", command.name,
                      quoted_text(source));
     }

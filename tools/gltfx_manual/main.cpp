@@ -30,7 +30,7 @@ bool write(const fs::path& path, const std::string& text) {
 bool write_all(const fs::path& folder, const std::string& date) {
   const std::vector<CommandEntry> table = command_table();
   const Edition edition{date, std::string(version())};
-  bool done = write(folder / "man5/gltfx.toml.5", config_page(table, edition));
+  bool done = write(folder / "man5/gltfx.toml.5", config_page(edition));
   for (const CommandEntry& command : table) {
     const std::string name = page_of(command) + ".1";
     done = write(folder / "man1" / name, command_page(table, command, edition)) && done;

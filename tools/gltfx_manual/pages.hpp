@@ -20,7 +20,7 @@ struct Edition {
 std::string command_page(const std::vector<CommandEntry>& table, const CommandEntry& command,
                          const Edition& edition);
 /// gltfx.toml(5).
-std::string config_page(const std::vector<CommandEntry>& table, const Edition& edition);
+std::string config_page(const Edition& edition);
 
 std::string bash_completion(const std::vector<CommandEntry>& table);
 std::string zsh_completion(const std::vector<CommandEntry>& table);
@@ -28,9 +28,5 @@ std::string fish_completion(const std::vector<CommandEntry>& table);
 
 /// "gltfx" or "gltfx-upgrade".
 std::string page_of(const CommandEntry& command);
-
-/// The option of a verb, or null.
-const OptionEntry* find_option(const std::vector<CommandEntry>& table, std::string_view verb,
-                               std::string_view option);
 
 }  // namespace gltfx::tool

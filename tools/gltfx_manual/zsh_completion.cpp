@@ -120,14 +120,13 @@ std::string option_line(const CommandEntry& command, const OptionEntry& option,
                         std::string& arrays) {
   std::string rest = fmt::format("[{}]", plain(option.text));
   if (option.takes_value()) {
-    rest.append(fmt::format(
-        ":{}:{}", plain(option.type),
-        action(values_of(command.name, option.name), array_part(command, option.name), arrays)));
+    rest.append(fmt::format(":{}:{}", plain(option.type),
+                            action(option.offered(), array_part(command, option.name), arrays)));
   }
-  const std::string name = option.name + (option.takes_value() ? "=" : "");
+  const std::string name = std::string(option.name) + (option.takes_value() ? "=" : "");
   const std::string star = option.repeatable ? "*" : "";
   if (option.short_name.empty()) return fmt::format("  '{}{}{}'\n", star, name, rest);
-  const std::string other = option.short_name + (option.takes_value() ? "+" : "");
+  const std::string other = std::string(option.short_name) + (option.takes_value() ? "+" : "");
   const std::string guard =
       option.repeatable ? "*" : fmt::format("({} {})", option.short_name, option.name);
   return fmt::format("  '{0}{1}{3}'\n  '{0}{2}{3}'\n", guard, other, name, rest);
@@ -138,9 +137,10 @@ void add_command(std::string& script, const CommandEntry& command) {
   for (const OptionEntry& option : command.options) {
     specs.append(option_line(command, option, arrays));
   }
-  if (!command.positional.empty()) {
-    specs.append(fmt::format("  '*:{}:{}'\n", plain(command.positional_text),
-                             action(values_of(command.name, ""), array_part(command, ""), arrays)));
+  if (!command.positional.name.empty()) {
+    specs.append(
+        fmt::format("  '*:{}:{}'\n", plain(command.positional.text),
+                    action(command.positional.offered(), array_part(command, ""), arrays)));
   }
   const std::string name = command.name.empty() ? "program" : "verb_" + command.name;
   fmt::format_to(std::back_inserter(script), "{}_gltfx_{}=(\n{})\n", arrays, name, specs);

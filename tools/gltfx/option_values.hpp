@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What completion offers for values of options.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "command_table.hpp"
+
+namespace gltfx::tool {
+namespace values {
+
+// Sets that only the tables of gltfx give, made when they are asked for.
+Values code_choice();
+Values code_list();
+Values code_levels();
+Values report_format_choice();
+Values schema_choice();
+Values target_choice();
+Values target_list();
+Values legacy_choice();
+Values successor_choice();
+Values generation_choice();
+
+/// Words to choose from.
+Values choice(std::vector<std::string> words);
+/// Files with one of the endings, or all.
+Values files(std::vector<std::string> endings);
+Values any_file();
+Values json_file();
+Values folder();
+/// Files and folders of assets.
+Values assets();
+/// Files of pictures.
+Values pictures();
+Values pictures_or_folder();
+
+}  // namespace values
+
+/// All sets of words that have a name.
+std::vector<WordSet> named_word_sets();
+
+}  // namespace gltfx::tool

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+// The verbs that change assets.
+#include <fmt/format.h>
+
+#include "configuration.hpp"
+#include "option_parts.hpp"
+#include "option_values.hpp"
+#include "verb_options.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+void declare_destination(Options& options, EditRequest& request, EditOptions& edit) {
+  add_asset_arguments(options, request.paths);
+  add_table_format(options, request.format);
+  options.add("--in-place", "", "Replace the files; each one is written atomically",
+              flag(edit.in_place));
+  options.add("-o,--output", "FILE|DIR", "Output file; a folder if it ends in / or exists",
+              text(edit.output, values::assets));
+  options.add("--backup", "", "With --in-place: keep the old file as NAME.bak", flag(edit.backup));
+  options.add("--restore", "", "Restore the files that --backup kept", flag(request.restore));
+  options.add("--check", "", "Write nothing; exit 1 if there is work to do", flag(request.check));
+  options.add("--diff", "", "Print the changes as a unified diff", flag(edit.diff));
+  options.add("--raw", "", "With --diff: print all characters as they are", flag(request.raw));
+}
+
+void declare_sources(Options& options, EditRequest& request, EditOptions& edit) {
+  add_root(options, edit.root);
+  add_inputs(options, request.paths);
+  add_schema_sources(options, request.schema_files, request.schema_folders);
+  add_quiet(options, request.quiet, "Print errors only, no plan and no summary");
+  add_configuration(options);
+  add_decoders(options, request.common);
+  add_common(options, request.common);
+}
+
+void check_edit(Reading& reading, std::string_view verb) {
+  const Options& options = reading.options();
+  const auto given = [&](std::string_view option) { return options.given(option); };
+  const auto require = [&](bool holds, std::string_view text) {
+    reading.require(holds, fmt::format("{}: {}", verb, text));
+  };
+  reading.require_inputs(verb);
+  reading.require_files(verb, "found or written");
+  reading.require(!options.hook || !given("--output"),
+                  "hook: the files of a commit stay where they are; leave out --output.");
+  const bool writes = given("--in-place") || given("--output");
+  require(!given("--in-place") || !given("--output"),
+          "--in-place and --output are mutually exclusive.");
+  require(!given("--check") || !writes,
+          "--check writes nothing; leave out --in-place and --output.");
+  require(
+      !given("--restore") || !(writes || given("--check") || given("--diff") || given("--backup")),
+      "--restore puts back backups; leave out other actions.");
+  require(!given("--raw") || given("--diff"), "--raw goes with --diff.");
+  require(!given("--backup") || given("--in-place"), "--backup goes with --in-place.");
+}
+
+// A fix that loses something is asked for by its name and by --unsafe.
+std::string find_unasked(const FixOptions& options) {
+  for (const std::string& code : options.only) {
+    const Fix kind = find_rule(code)->fix;
+    if (kind == Fix::unsafe && !options.unsafe) {
+      return fmt::format("--only: the fix of {} is unsafe; add --unsafe.", code);
+    }
+    if (kind == Fix::upgrade) {
+      return fmt::format("--only: 'gltfx upgrade' fixes {}.", code);
+    }
+    if (kind == Fix::none) return fmt::format("--only: {} has no fix.", code);
+  }
+  return options.unsafe && options.only.empty()
+             ? "fix: --unsafe goes with --only, which names the fixes."
+             : std::string();
+}
+
+Result<double> parse_ior(std::string_view, std::string_view word) {
+  if (word == "0") return 0.0;
+  if (word == "1000") return 1000.0;
+  return Error{"upgrade: --ior is 0 or 1000."};
+}
+
+}  // namespace
+
+void declare_upgrade(Options& options, UpgradeRequest& request) {
+  UpgradeOptions& upgrade = request.upgrade;
+  declare_destination(options, request, upgrade);
+  options.add("--verify", "", "Refuse upgrades that change the rendered picture",
+              flag(upgrade.verify));
+  options.add("--unsafe", "", "Allow lossy upgrades", flag(upgrade.unsafe));
+  options.add("--strict", "", "Skip files that cannot be upgraded without loss",
+              flag(upgrade.strict));
+  options.add("--only", "NAME", "Upgrade only this extension (repeatable)",
+              list(upgrade.only, values::legacy_choice));
+  options.add("--to", "NAME", "Upgrade only to this extension (repeatable)",
+              list(upgrade.to, values::successor_choice));
+  options.add("--ior", "N", "ior for specular-glossiness: 0 (default) or 1000",
+              parsed(upgrade.ior, parse_ior, [] {
+                return values::choice({"0", "1000"});
+              }));
+  options.add("--pack", "", "Pack color and factor into one image if exact", flag(upgrade.pack));
+  options.add("--prune", "", "Remove textures and images left unused", flag(upgrade.prune));
+  options.add("--generation", "NAME", "Draft of legacy objects: auto (default), v1, v2, v3",
+              text(upgrade.generation, values::generation_choice));
+  add_targets(options, upgrade.targets);
+  declare_sources(options, request, upgrade);
+}
+
+void read_upgrade(Reading& reading, UpgradeRequest&) {
+  check_edit(reading, "upgrade");
+  reading.read();
+}
+
+void declare_fix(Options& options, FixRequest& request) {
+  declare_destination(options, request, request.fix);
+  options.add("--only", "CODES", "Fix only these codes (comma-separated, repeatable)",
+              parsed_list(request.fix.only, parse_codes, values::code_list));
+  options.add("--skip", "CODES", "Leave these codes alone (comma-separated, repeatable)",
+              parsed_list(request.fix.skip, parse_codes, values::code_list));
+  options.add("--unsafe", "", "With --only: allow fixes that lose something",
+              flag(request.fix.unsafe));
+  add_selection(options, request.validation);
+  add_fail_on(options, request.fail_on,
+              "With --check: exit 1 at error, warning, info or never (default: any fix)",
+              fail_on_key());
+  declare_sources(options, request, request.fix);
+  options.begin_file_only();
+  add_checks(options, request.validation);
+}
+
+void read_fix(Reading& reading, FixRequest& request) {
+  check_edit(reading, "fix");
+  reading.read();
+  const std::string unasked = find_unasked(request.fix);
+  reading.require(unasked.empty(), unasked);
+  request.fix.validation = [common = request.validation,
+                            by_path = reading.options().by_path](const std::string& path) {
+    ValidateOptions options = common;
+    if (by_path) by_path->apply(by_path->kind_of(path), options);
+    return options;
+  };
+}
+
+void declare_edit(Options& options, DeleteRequest& request) {
+  options.add("--delete", "POINTER", "Delete what a JSON pointer names (repeatable)",
+              list(request.deletion.pointers));
+  options.add("--cascade", "", "Delete what refers to it, too", flag(request.deletion.cascade));
+  declare_destination(options, request, request.deletion);
+  declare_sources(options, request, request.deletion);
+}
+
+void read_edit(Reading& reading, DeleteRequest&) {
+  check_edit(reading, "edit");
+  reading.require(reading.options().given("--restore") || reading.options().given("--delete"),
+                  "edit: name what is to go: --delete POINTER.");
+  reading.read();
+}
+
+}  // namespace gltfx::tool

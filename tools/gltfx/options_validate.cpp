@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// The verbs that give reports: from assets, as a page, and from other reports.
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "option_parts.hpp"
+#include "option_values.hpp"
+#include "output.hpp"
+#include "verb_options.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+ConfigKey budget_key(std::string_view name) {
+  return {.name = name,
+          .form = ConfigForm::number,
+          .place = 200,
+          .otherwise = "0, no limit",
+          .by_path = true};
+}
+
+void add_budgets(Options& options, Budgets& budgets) {
+  options.add("--max-texture-size", "PIXELS", "Maximum image width and height (default: 0, off)",
+              number(budgets.texture_size), budget_key("budgets.texture-size"));
+  options.add("--max-total-pixels", "PIXELS", "Maximum pixels of all images (default: 0, off)",
+              number(budgets.total_pixels), budget_key("budgets.total-pixels"));
+  options.add("--max-triangles", "N", "Maximum triangles of all meshes (default: 0, off)",
+              number(budgets.triangles), budget_key("budgets.triangles"));
+  options.add("--max-draw-calls", "N", "Maximum primitives of all meshes (default: 0, off)",
+              number(budgets.draw_calls), budget_key("budgets.draw-calls"));
+  options.add("--max-file-size", "BYTES", "Maximum size with resources (default: 0, off)",
+              number(budgets.file_size), budget_key("budgets.file-size"));
+}
+
+Result<std::uint64_t> parse_thumbnail_size(std::string_view option, std::string_view word) {
+  auto size = parse_number(option, word, 32);
+  if (size && *size > 1024) return Error{"--thumbnail-size: from 32 to 1024 pixels."};
+  return size;
+}
+
+}  // namespace
+
+void add_selection(Options& options, ValidateOptions& validation) {
+  options.add("--profile", "NAME", "default, khronos (as the Khronos validator), strict",
+              one_of(validation.profile, {{"default", Profile::standard},
+                                          {"khronos", Profile::khronos},
+                                          {"strict", Profile::strict}}),
+              {.name = "profile", .place = 10, .otherwise = "default"});
+  options.add("--select", "CODES", "Only these codes (comma-separated, repeatable)",
+              parsed_list(validation.select, parse_codes, values::code_list),
+              {.name = "select",
+               .form = ConfigForm::codes,
+               .place = 40,
+               .otherwise = "all",
+               .by_path = true});
+  options.add("--ignore", "CODES", "Not these codes (comma-separated, repeatable)",
+              parsed_list(validation.ignore, parse_codes, values::code_list),
+              {.name = "ignore",
+               .form = ConfigForm::codes,
+               .place = 50,
+               .otherwise = "none",
+               .by_path = true,
+               .adds_up = true});
+  options.add("--severity", "CODE=LEVEL", "Severity of a code (repeatable)",
+              parsed_list(validation.severity, parse_severities, values::code_levels),
+              {.name = "severity",
+               .form = ConfigForm::levels,
+               .place = 60,
+               .otherwise = "as 'gltfx rules' says",
+               .by_path = true,
+               .adds_up = true});
+  options.add("--inline-suppressions", "", "Apply suppressions in extras.gltfx, also of errors",
+              flag(validation.inline_suppressions),
+              {.name = "inline-suppressions",
+               .form = ConfigForm::flag,
+               .place = 90,
+               .otherwise = "false",
+               .by_path = true});
+}
+
+void add_checks(Options& options, ValidateOptions& validation) {
+  options.add(
+      "--max-issues", "N", "Maximum findings per file (default: 0, no limit)",
+      number(validation.max_issues),
+      {.name = "max-issues", .form = ConfigForm::number, .place = 70, .otherwise = "0, no limit"});
+  options.add(
+      "--pixels", "LEVEL", "Decode images: headers (none, default), needed, all",
+      one_of(validation.pixels, {{"headers", PixelLevel::headers},
+                                 {"needed", PixelLevel::needed},
+                                 {"all", PixelLevel::all}}),
+      {.name = "pixels", .place = 20, .otherwise = "headers; needed in the strict profile"});
+  add_budgets(options, validation.budgets);
+  add_targets(options, validation.targets);
+  add_root(options, validation.root);
+  options.add("--lfs", "POLICY", "Git LFS pointers: skip (default) or error",
+              one_of(validation.lfs, {{"skip", LfsPolicy::skip}, {"error", LfsPolicy::error}}),
+              {.name = "lfs", .place = 80, .otherwise = "skip", .by_path = true});
+}
+
+void declare_checks(Options& options, ValidateRequest& request) {
+  add_fail_on(options, request.fail_on, "Exit 1 at error (default), warning, info or never",
+              fail_on_key());
+  add_selection(options, request.validation);
+  add_checks(options, request.validation);
+  add_schema_sources(options, request.schema_files, request.schema_folders);
+  add_inputs(options, request.paths);
+  add_cache(options, request.cache, "Cache of reports of unchanged files");
+  options.add("--baseline", "FILE", "Ignore the findings recorded in FILE",
+              text(request.baseline, values::json_file),
+              {.name = "baseline", .form = ConfigForm::path, .place = 140, .otherwise = "none"});
+}
+
+void declare_validate(Options& options, ValidateRequest& request) {
+  add_asset_arguments(options, request.paths, "Files, folders (recursive), globs, or - for stdin");
+  add_report_formats(options, request);
+  add_listing(options, request);
+  add_sarif_notes(options, request);
+  options.add("--timings", "", "Report the time per file (junit, jsonl)", flag(request.timings));
+  declare_checks(options, request);
+  options.add("--write-baseline", "FILE", "Record all findings in FILE, list none, exit 0",
+              text(request.write_baseline, values::json_file));
+  options.add("--diff-base", "REVISION", "Only findings on lines changed since this Git ref",
+              text(request.diff_base));
+  add_quiet(options, request.quiet, "Print findings only, no summary and no notes");
+  add_configuration(options);
+  add_decoders(options, request.common);
+  add_common(options, request.common);
+}
+
+void read_validate(Reading& reading, ValidateRequest& request) {
+  const Options& options = reading.options();
+  reading.require_inputs("validate");
+  reading.require_companions();
+  reading.read();
+  for (const FormatTarget& target : request.targets) {
+    reading.require(
+        request.write_baseline.empty() || !same_place(target.path, request.write_baseline),
+        fmt::format("--write-baseline: {} is where --format {} writes.",
+                    quoted(request.write_baseline, 200), report_format_name(target.format)));
+  }
+  request.by_path = options.by_path;
+  // All findings are known then: numbers say enough.
+  const bool unasked = !options.given("--group-by") && !options.given("--min-severity");
+  if (!request.write_baseline.empty() && unasked) request.layout = TextLayout::statistics;
+}
+
+void declare_report(Options& options, PageRequest& request) {
+  add_asset_arguments(options, request.validate.paths);
+  options.add("-o,--output", "FILE", "Output .html file, or - for stdout",
+              text(request.output, [] { return values::files({"html"}); }));
+  options.add("--title", "TEXT", "Title of the page (default: the paths)", text(request.title));
+  options.add("--no-thumbnails", "", "Render no previews", set_to(request.thumbnails.draw, false));
+  options.add("--thumbnail-size", "PIXELS", "Preview size, 32 to 1024 (default: 160)",
+              parsed(request.thumbnails.size, parse_thumbnail_size));
+  add_quality(options, request.thumbnails.quality,
+              "Previews: draft (above 200 assets), standard, final");
+  declare_checks(options, request.validate);
+  add_quiet(options, request.validate.quiet, "Print errors only, no progress and no summary");
+  add_configuration(options);
+  add_decoders(options, request.validate.common);
+  add_common(options, request.validate.common);
+}
+
+void read_report(Reading& reading, PageRequest& request) {
+  reading.require_inputs("report");
+  reading.require_files("report");
+  reading.require_companions();
+  reading.read();
+  reading.require(!request.output.empty(), "report: say where the page goes with --output.");
+  if (request.output == "-") request.output.clear();
+  request.validate.by_path = reading.options().by_path;
+}
+
+void declare_merge(Options& options, MergeRequest& request) {
+  options.positional("REPORT", "Files of validate --format jsonl, or report pages",
+                     list(request.files, [] { return values::files({"jsonl"}); }));
+  add_report_formats(options, request);
+  options.add("-o,--output", "FILE", "Page of the pages of report --shard", text(request.page));
+  add_listing(options, request);
+  add_sarif_notes(options, request);
+  add_fail_on(options, request.fail_on, "Exit 1 at error, warning, info, never (else as run)");
+  add_quiet(options, request.quiet, "Print findings only, no summary and no notes");
+  add_color(options, request.common);
+}
+
+void read_merge(Reading& reading, MergeRequest& request) {
+  const Options& options = reading.options();
+  const Words& files = options.arguments().words;
+  reading.require(!files.empty(), "merge: name the reports, written with --format jsonl=FILE.");
+  const bool pages = std::any_of(files.begin(), files.end(),
+                                 [](const auto& file) { return ending_of(file) == ".html"; });
+  reading.require(!pages || options.given("--output"),
+                  "merge: say where the page of all assets goes with --output.");
+  reading.require(!options.given("--output") || !options.given("--format"),
+                  "merge: --output is for pages and --format for reports; use one of them.");
+  reading.require_companions();
+  reading.read();
+  request.as_loud_as_runs = !options.given("--fail-on");
+}
+
+}  // namespace gltfx::tool
