@@ -247,7 +247,8 @@ class Elsewhere {
 
 bool is_in_place(const EditOptions& options, const std::string& path) {
   std::error_code error;
-  return options.in_place || fs::equivalent(options.output, path, error);
+  return options.in_place ||
+         (!options.output.empty() && fs::equivalent(options.output, path, error));
 }
 
 Failures commit(const std::vector<AssetWrite>& assets) {

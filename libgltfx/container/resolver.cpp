@@ -12,6 +12,7 @@
 
 #include "base/directory.hpp"
 #include "container/content.hpp"
+#include "container/near_files.hpp"
 #include "container/uri.hpp"
 
 namespace gltfx::container {
@@ -160,6 +161,11 @@ Resolved Resolver::open(std::string_view path) const {
   const auto added = added_.find(path);
   if (added != added_.end())
     return {ResolveError::none, added->second.bytes, false, {}, added->second.state};
+  if (read_) {
+    Uri uri = classify_uri(uri_of_path(path));
+    uri.path = path;
+    return read(uri);
+  }
   File file;
   Resolved resolved;
   resolved.error = open_at(path, file);
@@ -176,7 +182,10 @@ Resolved Resolver::open(std::string_view path) const {
 
 Resolved Resolver::open(const Uri& uri) const {
   const bool relative = !read_ || added_.find(uri.path) != added_.end();
-  if (relative) return open(uri.path);
+  return relative ? open(uri.path) : read(uri);
+}
+
+Resolved Resolver::read(const Uri& uri) const {
   Resolved resolved;
   if (names_ == ReadNames::paths && leads_out(uri.path)) {
     resolved.error = ResolveError::outside_root;
@@ -218,9 +227,10 @@ std::vector<FolderEntry> Resolver::list(const std::string& folder) const {
 }
 
 ResolveError Resolver::stat(std::string_view path, std::uint64_t& size) const {
-  if (const auto added = added_.find(path); added != added_.end()) {
-    size = added->second.bytes.size();
-    return ResolveError::none;
+  if (read_ || added_.contains(path)) {
+    const Resolved resolved = open(path);
+    size = resolved.bytes.size();
+    return resolved.error;
   }
   File file;
   const ResolveError error = open_at(path, file);

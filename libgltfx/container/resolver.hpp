@@ -73,10 +73,12 @@ class Resolver {
   Resolver(const std::filesystem::path& root, const std::filesystem::path& base,
            Confinement confinement = Confinement::automatic);
 
-  /// Looks nothing up on a disk: open(const Uri&) asks `read`, other look-ups answer `no_root`.
+  /// Looks nothing up on a disk, but asks `read`.
   explicit Resolver(ReadUri read, ReadNames names = ReadNames::uris)
       : read_(std::move(read)), names_(names) {}
 
+  /// Whether names are looked up on a disk.
+  bool looks_on_disk() const { return unusable_ != ResolveError::no_root; }
   /// Whether it knows URIs that are not relative.
   bool reads_any_uri() const { return read_ != nullptr && names_ == ReadNames::uris; }
   /// Opens what a URI names that is a relative path, or any but a data URI where reads_any_uri().
@@ -103,6 +105,7 @@ class Resolver {
   std::vector<FolderEntry> list(const std::string& folder) const;
 
  private:
+  Resolved read(const Uri& uri) const;
   ResolveError open_at(std::string_view path, File& file) const;
 
   std::shared_ptr<const UniqueFd> root_;  ///< null: no root, or it could not be opened

@@ -55,6 +55,7 @@ void FilesRead::find_files(Fixing& fixing) {
       read.buffers.push_back(buffer->second);
     }
   }
+  if (!fixing.opened().resolver().looks_on_disk()) return;
   const auto own = file_state(fixing.opened().name());
   const auto itself = own ? files_.find(identity_of(*own, {})) : files_.end();
   if (itself != files_.end()) itself->second.otherwise = true;
