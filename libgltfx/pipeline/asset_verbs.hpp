@@ -11,6 +11,7 @@
 #include <string>
 
 #include "model/opened_asset.hpp"
+#include "pipeline/edit_asset.hpp"
 #include "schema/set.hpp"
 #include "validate/validated_asset.hpp"
 
@@ -33,7 +34,7 @@ struct Rehearsal {
   UpgradeReport report;
   /// The asset as it would be written, new images included; nothing where nothing changes, or there
   /// is a problem.
-  std::optional<validate::ValidatedAsset> after;
+  std::optional<Draft> after;
 };
 
 /// As upgrade_file() without output; does not throw. `options` ask for no output; their schemas are

@@ -3,7 +3,9 @@
 #include <gltfx/pipeline.hpp>
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,7 @@
 #include "pipeline/bake_scene.hpp"
 #include "pipeline/cached_picture.hpp"
 #include "pipeline/cached_verb.hpp"
+#include "pipeline/edit_bytes.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_file.hpp"
 #include "pipeline/thumbnail.hpp"
@@ -24,11 +27,15 @@
 namespace gltfx {
 namespace {
 
+/// PNG files by what their names have before the ending.
+using Pictures = std::map<std::string, std::string>;
+
 /// One file on its way from scene to pictures.
 class Baker {
  public:
-  Baker(BakeScene loaded, const BakeOptions& options)
-      : options_(options), loaded_(std::move(loaded)), report_(loaded_.report) {}
+  /// `kept` gets the pictures where it is not null, else the options say where they are written.
+  Baker(BakeScene loaded, const BakeOptions& options, Pictures* kept = nullptr)
+      : options_(options), loaded_(std::move(loaded)), report_(loaded_.report), kept_(kept) {}
 
   BakeReport run() {
     if (!loaded_.ready() || !check_output() || !choose_all_views()) return std::move(report_);
@@ -96,22 +103,29 @@ class Baker {
           preview::tone_mapped_picture(drawn, options_.transparent, preview::PixelType::bytes);
       report_.pixels = {shown.width, shown.height, shown.channels, std::move(shown.bytes)};
     }
-    if (options_.output.empty()) return true;
+    if (options_.output.empty() && kept_ == nullptr) return true;
     const auto numbers =
         holds_floats(format_) ? preview::PixelType::floats : preview::PixelType::bytes;
     const preview::Picture picture =
         preview::tone_mapped_picture(drawn, options_.transparent, numbers);
-    if (!write(picture, with_suffix(options_.output, suffix))) return false;
+    if (!put(picture, suffix)) return false;
     for (const BakeLayer layer : options_.layers) {
       const preview::Picture seen =
           preview::layer_picture(drawn, static_cast<preview::Layer>(layer), numbers);
       const std::string ending = fmt::format("{}-{}", suffix, bake_layer_name(layer));
-      if (!write(seen, with_suffix(options_.output, ending))) return false;
+      if (!put(seen, ending)) return false;
     }
     return true;
   }
 
-  bool write(const preview::Picture& picture, const std::string& path) {
+  bool put(const preview::Picture& picture, const std::string& suffix) {
+    if (kept_ != nullptr) {
+      auto png = encode_png(picture);
+      if (!png) return fail(BakeProblem::not_written, png.error().message);
+      kept_->emplace(suffix, *std::move(png));
+      return true;
+    }
+    const std::string path = with_suffix(options_.output, suffix);
     if (auto trouble = write_picture(picture, path)) {
       return fail(BakeProblem::not_written, std::move(trouble->message));
     }
@@ -130,10 +144,54 @@ class Baker {
   const BakeOptions& options_;
   BakeScene loaded_;
   BakeReport report_;
+  Pictures* const kept_;
   codec::EncodedFormat format_ = codec::EncodedFormat::png;
   std::vector<std::vector<render::View>> views_;  // by size
   std::size_t pictures_ = 0, done_ = 0;
 };
+
+// A copy, whose bytes are shared.
+EditedAsset to_embed(const model::OpenedAsset& asset) {
+  return {{asset.name(), without_zero_padding(asset.container()), asset.resolver()}, {}};
+}
+
+void embed_in(EditedAsset asset, const BakeOptions& options, BakedBytes& baked) {
+  EditOptions edit;
+  edit.schemas = options.schemas;
+  const auto draft = embed_thumbnail(std::move(asset), baked.report.pixels, edit);
+  auto bytes = draft ? bytes_of(*draft) : draft.error();
+  if (!bytes) {
+    baked.report.problem = BakeProblem::refused;
+    baked.report.error = bytes.error().message;
+    return;
+  }
+  baked.report.embedded = true;
+  baked.bytes = *std::move(bytes);
+  baked.files = files_of(*draft);
+}
+
+void bake_in_memory(Result<model::OpenedAsset> opened, const BakeOptions& options,
+                    BakedBytes& baked) {
+  BakeReport& report = baked.report;
+  report.problem = BakeProblem::refused;
+  if (!opened) {
+    report.error = opened.error().message;
+  } else if (!options.output.empty() || options.cache) {
+    report.error = "an asset in memory is not drawn to files: output and cache are for files";
+  } else if (auto obstacle = find_obstacle(*opened)) {
+    report = unreadable(opened->name(), std::move(obstacle->message));
+  } else {
+    codec::Client::shared().prepare_images();
+    BakeOptions drawn = options;
+    drawn.embed = false;
+    EditedAsset asset = to_embed(*opened);
+    auto scene = load_bake_scene(validate_to_bake(*std::move(opened), options), options);
+    report = Baker(std::move(scene), drawn, &baked.pictures).run();
+    if (options.embed && report.problem == BakeProblem::none) {
+      embed_in(std::move(asset), options, baked);
+    }
+  }
+}
 
 /// Baking of one file, for cached().
 struct BakeVerb {
@@ -176,6 +234,18 @@ BakeReport bake_with_key(const std::string& path, const BakeOptions& options, Pi
     codec::Client::shared().prepare_images();
     return cached(path, AssetBounds::of(options), *options.cache, *key, BakeVerb{path, options});
   });
+}
+
+BakedBytes bake_bytes(MemoryAsset asset, const BakeOptions& options) {
+  BakedBytes baked;
+  const std::string name = asset.name;
+  baked.report = guarded(name, [&] {
+    baked.report.path = name;
+    bake_in_memory(open_memory(std::move(asset), options.root), options, baked);
+    return std::move(baked.report);
+  });
+  if (baked.report.problem != BakeProblem::none) baked.pictures.clear();
+  return baked;
 }
 
 BakeReport bake_file(const std::string& path, const BakeOptions& options) {

@@ -15,7 +15,7 @@
 #include "change/rewrite.hpp"
 #include "json/lines.hpp"
 #include "model/fields.hpp"
-#include "pipeline/edit_asset.hpp"
+#include "pipeline/edit_bytes.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
@@ -72,7 +72,7 @@ class DeleteRun {
         folders_(folders),
         report_(report) {}
 
-  void run() {
+  std::optional<Draft> run() {
     const OpenedAsset& asset = before_.asset();
     if (auto why = find_delete_obstacle(asset)) return refuse(*std::move(why));
     auto planned = change::plan_deletion(asset.document(), *schemas_, options_.pointers,
@@ -84,18 +84,20 @@ class DeleteRun {
     if (options_.diff) report_.diff = diff_of(asset, planned->change.edits);
     if (!report_.changes) {
       copy_unchanged(asset, state_, options_, report_);
-      return;
+      return std::nullopt;
     }
-    const auto draft = carry_out(
+    auto draft = carry_out(
         {before_, state_, options_, schemas_, folders_}, std::move(planned->change),
         [this](const ValidatedAsset& after) { return find_error(after); }, report_);
     if (!draft) forget_plan();
+    return draft;
   }
 
  private:
-  void refuse(std::string why) {
+  std::nullopt_t refuse(std::string why) {
     note_failure(report_, EditProblem::refused, std::move(why));
     forget_plan();
+    return std::nullopt;
   }
 
   void forget_plan() {
@@ -103,16 +105,17 @@ class DeleteRun {
     report_.new_warnings.clear();
   }
 
-  void refuse_for_obstacles() {
+  std::nullopt_t refuse_for_obstacles() {
     const auto references =
         std::count_if(report_.obstacles.begin(), report_.obstacles.end(),
                       [](const DeleteObstacle& obstacle) { return !obstacle.must_have; });
     const auto owners = static_cast<std::ptrdiff_t>(report_.obstacles.size()) - references;
-    refuse(owners == 0
-               ? fmt::format("{} to what was to be deleted; --cascade deletes "
-                             "what refers to it, too",
-                             report::counted(static_cast<std::uint64_t>(references), "reference"))
-               : "an object cannot be without what was to be deleted; --cascade deletes it, too");
+    return refuse(
+        owners == 0
+            ? fmt::format("{} to what was to be deleted; --cascade deletes "
+                          "what refers to it, too",
+                          report::counted(static_cast<std::uint64_t>(references), "reference"))
+            : "an object cannot be without what was to be deleted; --cascade deletes it, too");
   }
 
   void describe(change::Deletion& planned) {
@@ -147,14 +150,15 @@ class DeleteRun {
   DeleteReport& report_;
 };
 
-void delete_in(EditedAsset opened, const DeleteOptions& options, FolderIndex& folders,
-               DeleteReport& report) {
+std::optional<Draft> delete_in(EditedAsset opened, const DeleteOptions& options,
+                               FolderIndex& folders, DeleteReport& report) {
   if (const auto obstacle = find_obstacle(opened.asset)) {
-    return note_failure(report, EditProblem::unreadable, obstacle->message);
+    note_failure(report, EditProblem::unreadable, obstacle->message);
+    return std::nullopt;
   }
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   const ValidatedAsset before(std::move(opened.asset), default_judgement(schemas));
-  DeleteRun(before, opened.state, options, schemas, folders, report).run();
+  return DeleteRun(before, opened.state, options, schemas, folders, report).run();
 }
 
 DeleteReport delete_in_file(const std::string& path, const DeleteOptions& options,
@@ -181,6 +185,14 @@ DeleteReport delete_in_file(const std::string& path, const DeleteOptions& option
 DeleteReport delete_objects(const std::string& path, const DeleteOptions& options) {
   FolderIndex folders;
   return delete_in_file(path, options, folders);
+}
+
+EditedBytes<DeleteReport> delete_objects_in_bytes(MemoryAsset asset, const DeleteOptions& options) {
+  return edit_bytes<DeleteReport>(std::move(asset), options,
+                                  [&](EditedAsset opened, DeleteReport& report) {
+                                    FolderIndex folders;
+                                    return delete_in(std::move(opened), options, folders, report);
+                                  });
 }
 
 void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,

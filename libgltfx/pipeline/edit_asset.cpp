@@ -20,12 +20,15 @@ using model::OpenedAsset;
 
 // From the working folder, without "." and through no symbolic link, where the file lies below that
 // folder; otherwise as it is named, without a leading '/'.
-std::string patch_path(const fs::path& path) {
-  std::error_code error;
-  const fs::path here = fs::canonical(".", error);
-  const fs::path file = error ? fs::path() : fs::canonical(path, error);
-  const fs::path below = error ? fs::path() : file.lexically_relative(here);
-  if (!below.empty() && *below.begin() != "..") return below.native();
+std::string patch_path(const OpenedAsset& asset) {
+  const fs::path path = asset.name();
+  if (asset.resolver().looks_on_disk()) {
+    std::error_code error;
+    const fs::path here = fs::canonical(".", error);
+    const fs::path file = error ? fs::path() : fs::canonical(path, error);
+    const fs::path below = error ? fs::path() : file.lexically_relative(here);
+    if (!below.empty() && *below.begin() != "..") return below.native();
+  }
   return path.lexically_normal().relative_path().native();
 }
 
@@ -72,9 +75,8 @@ bool note_written(const std::optional<change::WriteFailure>& failure, const Edit
   return true;
 }
 
-std::optional<validate::ValidatedAsset> carry_out(const EditedFile& file, change::Change change,
-                                                  const Proof& proof, EditOutcome& outcome,
-                                                  change::NewText now) {
+std::optional<Draft> carry_out(const EditedFile& file, change::Change change, const Proof& proof,
+                               EditOutcome& outcome, change::NewText now) {
   const OpenedAsset& old = file.before.asset();
   const auto refuse = [&outcome](std::string why) {
     note_failure(outcome, EditProblem::refused, std::move(why));
@@ -87,16 +89,17 @@ std::optional<validate::ValidatedAsset> carry_out(const EditedFile& file, change
   }
   auto draft = change::apply(old, change, std::move(now));
   if (!draft) return refuse(draft.error().message);
-  std::optional<validate::ValidatedAsset> after(std::in_place, *std::move(draft),
-                                                default_judgement(file.schemas));
-  if (auto why = proof(*after)) return refuse(*std::move(why));
-  after->forget_large_document();
-  if (!written) return after;
-  asset.now = &after->asset().container();
-  asset.files = std::move(change.files);
-  asset.replaced = std::move(change.replaced);
-  if (!note_written(change::commit({asset}).front(), file.options, outcome)) after.reset();
-  return after;
+  validate::ValidatedAsset after(*std::move(draft), default_judgement(file.schemas));
+  if (auto why = proof(after)) return refuse(*std::move(why));
+  after.forget_large_document();
+  std::optional<Draft> proven(
+      Draft{std::move(after), std::move(change.files), std::move(change.replaced)});
+  if (!written) return proven;
+  asset.now = &proven->asset.asset().container();
+  asset.files = proven->files;
+  asset.replaced = proven->replaced;
+  if (!note_written(change::commit({asset}).front(), file.options, outcome)) proven.reset();
+  return proven;
 }
 
 std::optional<std::string> find_reader(const std::string& path, FolderIndex& folders) {
@@ -118,7 +121,7 @@ bool copy_unchanged(const OpenedAsset& old, const FileState& state, const EditOp
 // No patch changes the JSON inside a binary file: there the diff is a comment of one.
 std::string diff_of(const OpenedAsset& asset, const std::vector<json::Edit>& edits) {
   const bool is_text = asset.container().format == container::Format::gltf;
-  return change::unified_diff(*asset.container().json, edits, patch_path(asset.name()),
+  return change::unified_diff(*asset.container().json, edits, patch_path(asset),
                               is_text ? "" : "# ");
 }
 

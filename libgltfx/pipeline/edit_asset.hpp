@@ -33,6 +33,13 @@ Result<EditedAsset> open_to_edit(const std::string& path, const AssetBounds& bou
 /// Some writers fill the JSON chunk up with zeros; the new one gets blanks.
 container::Container without_zero_padding(container::Container container);
 
+/// The asset that a change makes, proven, and the files that come with it.
+struct Draft {
+  validate::ValidatedAsset asset;
+  std::vector<change::NewFile> files = {};
+  std::vector<change::ReplacedFile> replaced = {};
+};
+
 /// Says that nothing was done, and why.
 void note_failure(EditOutcome& outcome, EditProblem problem, std::string error);
 
@@ -59,9 +66,8 @@ using Proof = std::function<std::optional<std::string>(const validate::Validated
 /// Makes the draft of a change that is placed, has it proven, and writes it where the options say,
 /// if they do. The draft; nothing where it failed, as `outcome` says then. Refused where an asset
 /// of `folders` reads the file that would be replaced.
-std::optional<validate::ValidatedAsset> carry_out(const EditedFile& file, change::Change change,
-                                                  const Proof& proof, EditOutcome& outcome,
-                                                  change::NewText now = {});
+std::optional<Draft> carry_out(const EditedFile& file, change::Change change, const Proof& proof,
+                               EditOutcome& outcome, change::NewText now = {});
 
 /// Why the asset at `path` must not be replaced by other bytes, or nothing: another one that lies
 /// beside it reads its bytes.

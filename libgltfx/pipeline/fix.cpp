@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "pipeline/edit_asset.hpp"
+#include "pipeline/edit_bytes.hpp"
 #include "pipeline/fix_group.hpp"
 #include "pipeline/in_order.hpp"
 #include "schema/compile.hpp"
@@ -68,6 +68,14 @@ std::uint64_t FixReport::left() const {
 FixReport fix_file(const std::string& path, const FixOptions& options) {
   FixRun run = run_with(options, 1);
   return std::move(guarded({{path, options.output}}, run).front());
+}
+
+EditedBytes<FixReport> fix_bytes(MemoryAsset asset, const FixOptions& options) {
+  return edit_bytes<FixReport>(std::move(asset), options,
+                               [&](EditedAsset opened, FixReport& report) {
+                                 FixRun run = run_with(options, 1);
+                                 return fix_in_memory(std::move(opened), run, report);
+                               });
 }
 
 void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, unsigned jobs,

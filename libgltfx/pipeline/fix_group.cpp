@@ -68,8 +68,13 @@ class Group {
     for (const EditInput& asset : assets) {
       FixOptions options = run.options;
       options.output = asset.output;
-      members_.emplace_back(asset.path, std::move(options), run.schemas);
+      auto opened = open_to_edit(asset.path, AssetBounds::of(options));
+      members_.emplace_back(asset.path, std::move(opened), std::move(options), run.schemas);
     }
+  }
+  Group(EditedAsset asset, FixRun& run) : run_(run) {
+    const std::string name = asset.asset.name();
+    members_.emplace_back(name, std::move(asset), run.options, run.schemas);
   }
 
   std::vector<FixReport> fix() {
@@ -82,6 +87,8 @@ class Group {
     for (FixMember& member : members_) reports.push_back(member.take_report());
     return reports;
   }
+
+  std::optional<Draft> take_first_draft() { return members_.front().take_draft(contents_); }
 
  private:
   template <class Work>
@@ -169,7 +176,9 @@ class Group {
       FixOptions options = run_.options;
       options.in_place = options.diff = false;
       options.output.clear();
-      FixMember& neighbour = found.emplace_back(path, std::move(options), run_.schemas);
+      auto opened = open_to_edit(path, AssetBounds::of(options));
+      FixMember& neighbour =
+          found.emplace_back(path, std::move(opened), std::move(options), run_.schemas);
       neighbour.find_uses();
       const auto use = neighbour.uses().find(file);
       if (use == neighbour.uses().end() || planned == kMostNeighbours) continue;
@@ -197,6 +206,7 @@ class Group {
     std::set<fs::path> folders;
     std::set<FileIdentity> known;
     for (const FixMember& member : members_) {
+      if (member.is_in_memory()) continue;
       if (const auto state = file_state(member.path())) known.insert(identity_of(*state, {}));
       const auto use = member.uses().find(file);
       if (use == member.uses().end() || !member.changes_files_in_place()) continue;
@@ -273,6 +283,12 @@ class Group {
 
 std::vector<FixReport> fix_group(const std::vector<EditInput>& assets, FixRun& run) {
   return Group(assets, run).fix();
+}
+
+std::optional<Draft> fix_in_memory(EditedAsset asset, FixRun& run, FixReport& report) {
+  Group group(std::move(asset), run);
+  report = std::move(group.fix().front());
+  return report.problem == EditProblem::none ? group.take_first_draft() : std::nullopt;
 }
 
 }  // namespace gltfx

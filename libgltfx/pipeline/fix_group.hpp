@@ -6,8 +6,10 @@
 #include <gltfx/fix.hpp>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "pipeline/edit_asset.hpp"
 #include "pipeline/named_files.hpp"
 #include "schema/set.hpp"
 
@@ -23,5 +25,8 @@ struct FixRun {
 
 /// Fixes assets and writes what is to be written. Reports by position.
 std::vector<FixReport> fix_group(const std::vector<EditInput>& assets, FixRun& run);
+
+/// Fixes an asset in memory. The draft; nothing where the asset stays.
+std::optional<Draft> fix_in_memory(EditedAsset asset, FixRun& run, FixReport& report);
 
 }  // namespace gltfx

@@ -15,11 +15,10 @@ using model::OpenedAsset;
 
 }  // namespace
 
-FixMember::FixMember(const std::string& path, FixOptions options,
+FixMember::FixMember(const std::string& path, Result<EditedAsset> opened, FixOptions options,
                      std::shared_ptr<const schema::Set> schemas)
     : options_(std::move(options)), schemas_(std::move(schemas)) {
   report_.path = path;
-  auto opened = open_to_edit(path, AssetBounds::of(options_));
   if (!opened) {
     fail(EditProblem::unreadable, opened.error().message);
     return;
@@ -87,6 +86,8 @@ std::map<FileIdentity, const change::ReplacedFile*> FixMember::changed_files() c
 
 bool FixMember::is_in_place() const { return change::is_in_place(options_, report_.path); }
 
+bool FixMember::is_in_memory() const { return old_ && !old_->asset.resolver().looks_on_disk(); }
+
 bool FixMember::changes_files_in_place() const { return options_.output.empty() || is_in_place(); }
 
 bool FixMember::replaces_asset() const {
@@ -124,6 +125,11 @@ std::optional<change::AssetWrite> FixMember::write(const NewContents& contents) 
   asset.replaced = replaced_by(contents);
   asset.referred = referred_;
   return asset;
+}
+
+std::optional<Draft> FixMember::take_draft(const NewContents& contents) {
+  if (!is_sound() || !fixed_->changes) return std::nullopt;
+  return Draft{std::move(fixed_->after), {}, replaced_by(contents)};
 }
 
 void FixMember::note(const std::optional<change::WriteFailure>& failure) {

@@ -36,8 +36,9 @@ using NewContents = std::map<FileIdentity, NewContent>;
 /// An asset, what fixes make of it, and what is said of that.
 class FixMember {
  public:
-  /// Opens the asset; `options` with its own output. Does not throw but for memory.
-  FixMember(const std::string& path, FixOptions options,
+  /// Of the asset at `path`, or why it could not be opened; `options` with its own output. Does not
+  /// throw but for memory.
+  FixMember(const std::string& path, Result<EditedAsset> opened, FixOptions options,
             std::shared_ptr<const schema::Set> schemas);
 
   /// Makes the fixes, anew where some were made before.
@@ -53,11 +54,15 @@ class FixMember {
   /// The files that the fixes change, by a path of each.
   std::map<FileIdentity, const change::ReplacedFile*> changed_files() const;
   const std::string& path() const { return report_.path; }
+  /// Whether no file of it is on a disk.
+  bool is_in_memory() const;
   /// Whether files change where they lie, or would if the run wrote something.
   bool changes_files_in_place() const;
 
   /// What is to be written; nothing where there is nothing to do. Refers to this.
   std::optional<change::AssetWrite> write(const NewContents& contents);
+  /// What write() would write where the options ask for it. Nothing is made after that.
+  std::optional<Draft> take_draft(const NewContents& contents);
   /// What became of that.
   void note(const std::optional<change::WriteFailure>& failure);
   void fail(EditProblem problem, std::string why);

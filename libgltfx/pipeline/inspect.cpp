@@ -52,8 +52,8 @@ InspectReport collect(const model::OpenedAsset& asset, const schema::Set& schema
   return report;
 }
 
-InspectReport inspect_path(const std::string& path, const InspectOptions& options) {
-  auto asset = open_asset(path, AssetBounds::of(options));
+InspectReport inspect_opened(const std::string& path, Result<model::OpenedAsset> asset,
+                             const InspectOptions& options) {
   if (!asset) return failed(path, asset.error().message);
   if (auto obstacle = find_inspection_obstacle(*asset)) {
     return failed(path, std::move(obstacle->message));
@@ -67,6 +67,10 @@ InspectReport inspect_path(const std::string& path, const InspectOptions& option
   InspectReport report = collect(*asset, *schemas, options.jobs);
   add_upgrade(std::move(upgrade), report);
   return report;
+}
+
+InspectReport inspect_path(const std::string& path, const InspectOptions& options) {
+  return inspect_opened(path, open_asset(path, AssetBounds::of(options)), options);
 }
 
 }  // namespace
@@ -96,6 +100,13 @@ void add_upgrade(UpgradeReport upgrade, InspectReport& report) {
 
 InspectReport inspect_file(const std::string& path, const InspectOptions& options) {
   return guarded(path, [&] { return inspect_path(path, options); });
+}
+
+InspectReport inspect_bytes(MemoryAsset asset, const InspectOptions& options) {
+  const std::string name = asset.name;
+  return guarded(name, [&] {
+    return inspect_opened(name, open_memory(std::move(asset), options.root), options);
+  });
 }
 
 void inspect_files(const std::vector<std::string>& paths, const InspectOptions& options,

@@ -33,6 +33,12 @@ BakeReport bake_asset(validate::ValidatedAsset asset, const BakeOptions&) {
 
 BakeReport bake_file(const std::string& path, const BakeOptions&) { return refusal(path); }
 
+BakedBytes bake_bytes(MemoryAsset asset, const BakeOptions&) {
+  BakedBytes baked;
+  baked.report = refusal(asset.name);
+  return baked;
+}
+
 std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions&,
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume) {
   for (const BakeInput& input : inputs) consume(refusal(input.path));

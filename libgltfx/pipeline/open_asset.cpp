@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "container/memory_asset.hpp"
 #include "model/memory_budget.hpp"
 
 namespace gltfx {
@@ -61,6 +62,14 @@ Result<model::OpenedAsset> open_asset(const std::string& path, const AssetBounds
   if (!container) return container.error();
   return model::OpenedAsset(path, *std::move(container),
                             resolver_for(std::filesystem::path(path).parent_path(), bounds.root));
+}
+
+Result<model::OpenedAsset> open_memory(MemoryAsset asset, const std::string& root) {
+  if (!root.empty()) return Error{"an asset in memory has no folder: root is for files"};
+  container::Container opened =
+      container::open_memory(std::move(asset.bytes), asset.name, asset.format);
+  container::Resolver resolver = container::resolver_of(asset, {});
+  return model::OpenedAsset(std::move(asset.name), std::move(opened), std::move(resolver));
 }
 
 std::optional<Error> find_obstacle(const model::OpenedAsset& asset) {

@@ -2,6 +2,7 @@
 /// How every verb opens a file, and where its references may lead.
 #pragma once
 
+#include <gltfx/memory_asset.hpp>
 #include <gltfx/searched_folders.hpp>
 
 #include <filesystem>
@@ -31,6 +32,10 @@ Result<container::File> open_asset_file(const std::string& path, const AssetBoun
 
 /// Opens, reads nothing of it yet.
 Result<model::OpenedAsset> open_asset(const std::string& path, const AssetBounds& bounds);
+
+/// The same for an asset in memory, for verbs that read no file: an Error where `root` names a
+/// folder.
+Result<model::OpenedAsset> open_memory(MemoryAsset asset, const std::string& root);
 
 /// Why nothing but a report can be made of the asset, as half a sentence: its container has no text
 /// of a document, or nothing can be made of that text. Nothing when something can.

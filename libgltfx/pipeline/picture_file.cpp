@@ -57,6 +57,12 @@ Result<codec::EncodedImage> encode_picture(const preview::Picture& picture, Enco
   return std::get<codec::EncodedImage>(std::move(result));
 }
 
+Result<std::string> encode_png(const preview::Picture& picture) {
+  const auto encoded = encode_picture(picture, EncodedFormat::png);
+  if (!encoded) return encoded.error();
+  return std::string(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size());
+}
+
 std::optional<Error> write_picture(const preview::Picture& picture, const std::string& path) {
   const auto format = picture_format(path);
   if (!format) return format.error();

@@ -25,6 +25,9 @@ bool holds_alpha(codec::EncodedFormat format);
 Result<codec::EncodedImage> encode_picture(const preview::Picture& picture,
                                            codec::EncodedFormat format);
 
+/// The same of a PNG, as text.
+Result<std::string> encode_png(const preview::Picture& picture);
+
 /// Encodes and writes, whole or not at all. Makes the folder.
 std::optional<Error> write_picture(const preview::Picture& picture, const std::string& path);
 

@@ -50,9 +50,11 @@ bool is_free(const OpenedAsset& asset, const std::string& output, const std::str
   const container::Resolved here = asset.resolver().open(path);
   if (here.error == container::ResolveError::none
           ? here.bytes.text() != content
-          : here.error != container::ResolveError::not_found) {
+          : here.error != container::ResolveError::not_found &&
+                here.error != container::ResolveError::no_root) {
     return false;
   }
+  if (!asset.resolver().looks_on_disk()) return true;
   const fs::path there = change::target_folder(asset.name(), output) / path;
   std::error_code error;
   return !fs::exists(fs::symlink_status(there, error)) ||

@@ -90,7 +90,8 @@ void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
   add_upgrade(std::move(rehearsal.report), page.inspection);
   if (bake == nullptr || kept.recall(page)) return;
   page.picture = picture_of(bake_asset(std::move(asset), *bake));
-  if (rehearsal.after) page.upgraded = picture_of(bake_asset(*std::move(rehearsal.after), *bake));
+  if (rehearsal.after)
+    page.upgraded = picture_of(bake_asset(std::move(rehearsal.after->asset), *bake));
   kept.keep(page);
 }
 

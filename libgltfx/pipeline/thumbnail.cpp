@@ -35,19 +35,18 @@ class Embedding {
         before_(std::move(opened.asset), default_judgement(schemas)),
         png_(std::make_shared<const std::string>(std::move(png))) {}
 
-  std::optional<Error> run() {
-    if (auto trouble = find_trouble()) return trouble;
+  Result<Draft> run(const EditOptions& options) {
+    if (auto trouble = find_trouble()) return *std::move(trouble);
     graph_.emplace(document(), *schemas_);
     auto change = make_change();
     if (!change) return Error{"the asset is put together in a way that leaves no room"};
     FolderIndex folders;
-    EditOptions options;
-    options.in_place = true;
     EditOutcome outcome;
-    const auto draft = carry_out(
+    auto draft = carry_out(
         {before_, state_, options, schemas_, folders}, *std::move(change),
         [this](const ValidatedAsset& after) { return find_error(after); }, outcome);
-    return draft ? std::nullopt : std::optional<Error>(Error{outcome.error});
+    if (!draft) return Error{outcome.error};
+    return *std::move(draft);
   }
 
  private:
@@ -138,16 +137,23 @@ class Embedding {
 
 }  // namespace
 
+Result<Draft> embed_thumbnail(EditedAsset asset, const BakedPixels& pixels,
+                              const EditOptions& options) {
+  auto png = encode_png({pixels.width, pixels.height, pixels.channels, pixels.bytes, {}});
+  if (!png) return png.error();
+  const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
+  return Embedding(std::move(asset), schemas, *std::move(png)).run(options);
+}
+
 std::optional<Error> embed_thumbnail(const std::string& path, const BakedPixels& pixels,
                                      const BakeOptions& options) {
-  const preview::Picture picture{pixels.width, pixels.height, pixels.channels, pixels.bytes, {}};
-  const auto encoded = encode_picture(picture, codec::EncodedFormat::png);
-  if (!encoded) return encoded.error();
-  std::string png(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size());
   auto opened = open_to_edit(path, AssetBounds::of(options));
   if (!opened) return opened.error();
-  const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
-  return Embedding(*std::move(opened), schemas, std::move(png)).run();
+  EditOptions in_place;
+  in_place.in_place = true;
+  in_place.schemas = options.schemas;
+  const auto draft = embed_thumbnail(*std::move(opened), pixels, in_place);
+  return draft ? std::nullopt : std::optional<Error>(draft.error());
 }
 
 }  // namespace gltfx

@@ -15,7 +15,7 @@
 #include "base/file_state.hpp"
 #include "base/material_table.hpp"
 #include "pipeline/asset_verbs.hpp"
-#include "pipeline/edit_asset.hpp"
+#include "pipeline/edit_bytes.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
@@ -153,26 +153,31 @@ UpgradeReport copy(const OpenedAsset& asset, const FileState& state, UpgradeRepo
   return written(std::move(report), copied);
 }
 
-UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options,
-                           FolderIndex& folders) {
-  auto opened = open_to_edit(path, AssetBounds::of(options));
-  if (!opened) return unreadable(path, opened.error().message);
-  OpenedAsset& asset = opened->asset;
-  const FileState& state = opened->state;
-  if (auto report = find_old_container(asset, options)) return *std::move(report);
-  if (const auto obstacle = find_obstacle(asset)) return unreadable(path, obstacle->message);
+Rehearsal upgrade_opened(EditedAsset opened, const UpgradeOptions& options, FolderIndex& folders) {
+  OpenedAsset& asset = opened.asset;
+  const FileState& state = opened.state;
+  const std::string path = asset.name();
+  if (auto report = find_old_container(asset, options)) return {*std::move(report), {}};
+  if (const auto obstacle = find_obstacle(asset)) return {unreadable(path, obstacle->message), {}};
   const SchemaSet schemas = schemas_of(options);
   if (!upgrade::names_legacy(asset.document(), *schemas)) {
-    return copy(asset, state, report_on(path), options);
+    return {copy(asset, state, report_on(path), options), {}};
   }
   ValidatedAsset before = validated(std::move(asset), schemas);
   PlannedUpgrade planned =
       plan_upgrade(before, options, schemas, [&before] { before.forget_large_document(); });
-  if (planned.report.problem != EditProblem::none) return std::move(planned.report);
+  if (planned.report.problem != EditProblem::none) return {std::move(planned.report), {}};
   if (!planned.report.changes) {
-    return copy(before.asset(), state, std::move(planned.report), options);
+    return {copy(before.asset(), state, std::move(planned.report), options), {}};
   }
-  return carry_out(before, state, std::move(planned), schemas, options, folders).report;
+  return carry_out(before, state, std::move(planned), schemas, options, folders);
+}
+
+UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options,
+                           FolderIndex& folders) {
+  auto opened = open_to_edit(path, AssetBounds::of(options));
+  if (!opened) return unreadable(path, opened.error().message);
+  return upgrade_opened(*std::move(opened), options, folders).report;
 }
 
 }  // namespace
@@ -206,6 +211,16 @@ UpgradeReport rehearse_upgrade(OpenedAsset& asset, const UpgradeOptions& options
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
   FolderIndex folders;
   return guarded(path, [&] { return upgrade_path(path, options, folders); });
+}
+
+EditedBytes<UpgradeReport> upgrade_bytes(MemoryAsset asset, const UpgradeOptions& options) {
+  return edit_bytes<UpgradeReport>(
+      std::move(asset), options, [&](EditedAsset opened, UpgradeReport& report) {
+        FolderIndex folders;
+        Rehearsal upgraded = upgrade_opened(std::move(opened), options, folders);
+        report = std::move(upgraded.report);
+        return std::move(upgraded.after);
+      });
 }
 
 void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& options,

@@ -28,6 +28,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/diagnostic.hpp", "base"},
     {"gltfx/version.hpp", "base"},
     {"gltfx/searched_folders.hpp", "base"},
+    {"gltfx/edited_bytes.hpp", "base"},
     {"gltfx/memory_asset.hpp", "container"},
     {"gltfx/decoders.hpp", "codec"},
     {"gltfx/schema.hpp", "schema"},

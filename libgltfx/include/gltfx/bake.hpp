@@ -4,11 +4,13 @@
 /// <gltfx/pipeline.hpp>.
 #pragma once
 
+#include <gltfx/edited_bytes.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/searched_folders.hpp>
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -167,6 +169,13 @@ struct BakeReport {
   std::vector<std::string> written;         ///< paths of files
   bool embedded = false;                    ///< the asset has the picture now
   BakedPixels pixels;                       ///< the first picture
+};
+
+/// What became of an asset in memory. Owns all of it. `bytes` and `files` are those of the asset
+/// with its thumbnail where that is embedded, else empty.
+struct BakedBytes : EditedBytes<BakeReport> {
+  /// PNG files, by what bake_file() puts before the ending of their names: "", "-000", "-albedo".
+  std::map<std::string, std::string> pictures;
 };
 
 /// How much two pictures of one size differ.

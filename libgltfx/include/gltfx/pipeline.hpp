@@ -6,6 +6,7 @@
 #include <gltfx/bake.hpp>
 #include <gltfx/decoders.hpp>
 #include <gltfx/deletion.hpp>
+#include <gltfx/edited_bytes.hpp>
 #include <gltfx/fix.hpp>
 #include <gltfx/inspect.hpp>
 #include <gltfx/memory_asset.hpp>
@@ -61,6 +62,11 @@ void validate_files(std::span<const ValidateInput> inputs, unsigned jobs,
 /// files.
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options = {});
 
+/// The same for an asset in memory: no file is read or written, and options that ask for one are
+/// refused. `read` and `files` of the asset give what it refers to, always the same; a file that
+/// neither has is missing.
+EditedBytes<UpgradeReport> upgrade_bytes(MemoryAsset asset, const UpgradeOptions& options = {});
+
 /// Upgrades many files on `jobs` threads (at least 1) and hands over the reports in the order of
 /// `inputs`, one at a time.
 void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& options,
@@ -72,6 +78,10 @@ void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& o
 /// were validated. Buffers that change are written before the file that refers to them. Never
 /// throws. Safe to call from several threads for different files.
 FixReport fix_file(const std::string& path, const FixOptions& options = {});
+
+/// The same for an asset in memory, as upgrade_bytes(). Only the asset itself is looked at, not
+/// what else reads its files. Misspelt names of files are searched for among `files`.
+EditedBytes<FixReport> fix_bytes(MemoryAsset asset, const FixOptions& options = {});
 
 /// Fixes many files on `jobs` threads (at least 1) and hands over the reports in the order of
 /// `inputs`, one at a time.
@@ -86,6 +96,9 @@ std::string fix_example(const RuleDescription& rule, std::string_view example);
 /// bytes were validated. Never throws. Safe to call from several threads for different files.
 DeleteReport delete_objects(const std::string& path, const DeleteOptions& options);
 
+/// The same for an asset in memory, as upgrade_bytes().
+EditedBytes<DeleteReport> delete_objects_in_bytes(MemoryAsset asset, const DeleteOptions& options);
+
 /// The same for many files on `jobs` threads (at least 1), which hands over the reports in the
 /// order of `inputs`, one at a time.
 void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
@@ -94,6 +107,9 @@ void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteO
 /// Draws the file at `path` and writes what the options ask for. Never throws; files are written
 /// whole or not at all. Safe to call from several threads for different files.
 BakeReport bake_file(const std::string& path, const BakeOptions& options = {});
+
+/// Draws an asset in memory, as upgrade_bytes(). Of files, only an environment is read.
+BakedBytes bake_bytes(MemoryAsset asset, const BakeOptions& options = {});
 
 /// A file and where its picture goes; `output` as in BakeOptions.
 struct BakeInput {
@@ -114,6 +130,9 @@ BakeComparison bake_comparison(const std::string& first, const std::string& seco
 /// What is in the file at `path`, valid or not. Never throws; nothing is written. Safe to call from
 /// several threads.
 InspectReport inspect_file(const std::string& path, const InspectOptions& options = {});
+
+/// What is in an asset in memory, as upgrade_bytes().
+InspectReport inspect_bytes(MemoryAsset asset, const InspectOptions& options = {});
 
 /// The same for many files on `jobs` threads (at least 1); hands over the reports in the order of
 /// `paths`, one at a time.
