@@ -12,7 +12,8 @@
 namespace gltfx {
 
 /// Gives the bytes of a resource by the URI that an asset names it with, as reports print it;
-/// nothing when there are none. Threads may call it at once unless ValidateOptions::jobs is 1.
+/// nothing when there are none. A call may ask for the same more than once, and gets the same each
+/// time. Threads may call it at once unless `jobs` of the options is 1.
 using ReadResource = std::function<std::optional<std::string>(const std::string& uri)>;
 
 /// What an asset in memory is taken for; `detect`: what its first bytes say.
@@ -23,8 +24,8 @@ struct MemoryAsset {
   std::string bytes;                         ///< of the .gltf or .glb itself
   std::string name;                          ///< as the report names it
   AssetFormat format = AssetFormat::detect;  ///< what the bytes are taken for
-  /// Where resources come from that are not among `files`. Empty: from the folder `root` of the
-  /// options, or nowhere.
+  /// Where resources come from that are not among `files`. Empty: nowhere, or from the
+  /// folder `root` of the options where the call takes one.
   ReadResource read = {};
   /// Forms of the names of resources.
   enum class Names : std::uint8_t {
