@@ -111,6 +111,7 @@ void Users::find_overlaps() {
 bool remove_stride(Fixing& fixing, std::uint32_t view) {
   const model::BufferView& strided = fixing.views().buffer_views[view];
   const json::NodeId member = fixing.document().find(strided.node, "byteStride");
+  if (fixing.is_claimed(member)) return fixing.claim(member);
   const Users& users = fixing.table<Users>();
   if (member == json::kNoNode || users.has_others(view)) return false;
   const auto& accessors = users.accessors_in(view);
@@ -167,9 +168,13 @@ std::optional<std::uint64_t> common_stride(const model::Views& views,
   return common;
 }
 
-}  // namespace
+/// By buffer view: whether its stride is corrected. Many accessors of one view ask for that.
+struct CorrectedStrides {
+  explicit CorrectedStrides(const Fixing&) {}
+  std::map<std::uint32_t, bool> views;
+};
 
-bool mend_stride(Fixing& fixing, std::uint32_t index) {
+bool correct_stride(Fixing& fixing, std::uint32_t index) {
   const model::BufferView& view = fixing.views().buffer_views[index];
   const json::NodeId member = fixing.document().find(view.node, "byteStride");
   const Users& users = fixing.table<Users>();
@@ -188,6 +193,16 @@ bool mend_stride(Fixing& fixing, std::uint32_t index) {
       accessors.size() > 1 && fixing.views().usage.view(index).has(ViewUse::vertices);
   if (!shared) return fixing.remove_member(member);
   return *packed % 4 == 0 && fixing.replace_scalar(member, std::to_string(*packed));
+}
+
+}  // namespace
+
+bool mend_stride(Fixing& fixing, std::uint32_t index) {
+  const auto [view, is_new] = fixing.table<CorrectedStrides>().views.try_emplace(index, false);
+  if (is_new) return view->second = correct_stride(fixing, index);
+  if (!view->second) return false;
+  const json::NodeId object = fixing.views().buffer_views[index].node;
+  return fixing.claim(fixing.document().find(object, "byteStride"));
 }
 
 }  // namespace gltfx::validate
