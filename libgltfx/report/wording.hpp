@@ -62,7 +62,7 @@ std::string left_out_note(std::uint64_t left_out);
 /// "12 findings not shown, on lines that did not change (--diff-base)".
 std::string unchanged_note(std::uint64_t unchanged);
 
-/// "3 of these can be fixed: gltfx fix lamp.gltf", with the profile where it finds more.
+/// "3 of these have a fix: gltfx fix lamp.gltf", with the profile where it finds more.
 /// Neutralised.
 std::string fixable_note(const RunSummary& summary, std::string_view profile);
 
