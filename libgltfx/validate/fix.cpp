@@ -127,11 +127,14 @@ std::uint32_t Fixing::index_of(json::NodeId object) {
   return tree().root_element(object) == object ? tree().position(object) : UINT32_MAX;
 }
 
+bool Fixing::is_claimed(json::NodeId node) {
+  const bool claimed = node < claimed_.nodes.size() && claimed_.nodes[node];
+  claimed_.was_met = claimed_.was_met || claimed;
+  return claimed;
+}
+
 bool Fixing::claim(json::NodeId node) {
-  if (is_claimed(node)) {
-    claimed_.was_met = true;
-    return false;
-  }
+  if (is_claimed(node)) return false;
   claimed_.nodes.resize(document_.node_count());
   claimed_.nodes[node] = true;
   return true;

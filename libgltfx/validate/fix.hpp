@@ -62,12 +62,11 @@ class Fixing {
   json::NodeId node_around(Span place) const { return validate::node_around(document_, place); }
   /// The object or array that holds a value or key; json::kNoNode for the root.
   json::NodeId parent(json::NodeId node) { return tree().parent(node); }
-  /// Whether nobody has changed the value in this run; from now on somebody has.
+  /// Whether no fix has changed the value in this run; from now on one has.
   bool claim(json::NodeId node);
-  bool is_claimed(json::NodeId node) const {
-    return node < claimed_.nodes.size() && claimed_.nodes[node];
-  }
-  /// Whether a fix found a value changed by another one, since the last call of this.
+  /// Whether a fix has changed the value in this run.
+  bool is_claimed(json::NodeId node);
+  /// Whether claim() or is_claimed() met a changed value since the last call of this.
   bool take_was_claimed() { return std::exchange(claimed_.was_met, false); }
   /// The position of an object in the array of the root that it is an element of, or UINT32_MAX.
   std::uint32_t index_of(json::NodeId object);

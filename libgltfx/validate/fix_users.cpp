@@ -2,6 +2,8 @@
 #include "validate/fix_users.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <tuple>
 
 #include "base/checked.hpp"
@@ -108,10 +110,27 @@ void Users::find_overlaps() {
   }
 }
 
+std::vector<const model::Primitive*> primitives_with(Fixing& fixing, std::uint32_t accessor) {
+  const graph::Tree& tree = fixing.tree();
+  std::vector<const model::Primitive*> found;
+  for (const graph::Use& use : fixing.graph().users(fixing.views().accessors[accessor].node)) {
+    const json::NodeId attributes = tree.parent(use.at.node);
+    const json::NodeId mesh = tree.root_element(attributes);
+    const std::uint32_t index = fixing.index_of(mesh);
+    if (index >= fixing.views().meshes.size()) continue;
+    const model::Mesh& of = fixing.views().meshes[index];
+    const std::uint32_t position = tree.position(tree.parent(attributes));
+    const bool is_primitive = of.node == mesh && position < of.primitives.size() &&
+                              of.primitives[position].attributes_node == attributes;
+    if (is_primitive) found.push_back(&of.primitives[position]);
+  }
+  return found;
+}
+
 bool remove_stride(Fixing& fixing, std::uint32_t view) {
   const model::BufferView& strided = fixing.views().buffer_views[view];
   const json::NodeId member = fixing.document().find(strided.node, "byteStride");
-  if (fixing.is_claimed(member)) return fixing.claim(member);
+  if (fixing.is_claimed(member)) return false;
   const Users& users = fixing.table<Users>();
   if (member == json::kNoNode || users.has_others(view)) return false;
   const auto& accessors = users.accessors_in(view);

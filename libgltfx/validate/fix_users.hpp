@@ -55,6 +55,9 @@ class Users {
   std::set<json::NodeId> sparse_objects_;  ///< with the views of sparse accessors
 };
 
+/// Primitives with an attribute of that accessor, but for those of morph targets.
+std::vector<const model::Primitive*> primitives_with(Fixing& fixing, std::uint32_t accessor);
+
 /// Takes the byteStride of a buffer view away where that moves no element. Whether it did.
 bool remove_stride(Fixing& fixing, std::uint32_t view);
 /// Corrects the byteStride of a buffer view that nobody can follow, 0 or less than an element:

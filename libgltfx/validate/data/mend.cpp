@@ -6,7 +6,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include "model/accessor_data.hpp"
@@ -183,21 +182,6 @@ bool normalize_weights(Fixing& fixing, Span place) {
 
 namespace {
 
-/// Primitives by the accessors of their joints.
-struct JointUsers {
-  explicit JointUsers(const Fixing& fixing) {
-    for (const model::Mesh& mesh : fixing.views().meshes) {
-      for (const model::Primitive& primitive : mesh.primitives) {
-        for (const model::Attribute& attribute : primitive.attributes) {
-          if (!attribute.accessor || !attribute.name.starts_with("JOINTS_")) continue;
-          primitives[*attribute.accessor].push_back(&primitive);
-        }
-      }
-    }
-  }
-  std::unordered_map<std::uint32_t, std::vector<const model::Primitive*>> primitives;
-};
-
 std::optional<std::uint32_t> find_attribute(const model::Primitive& primitive,
                                             std::string_view name) {
   for (const model::Attribute& attribute : primitive.attributes) {
@@ -212,12 +196,11 @@ bool clear_unweighted_joints(Fixing& fixing, Span place) {
   const Use use = use_at(fixing, place);
   if (!use.name.starts_with("JOINTS_")) return false;
   // Many primitives may share the accessor.
-  const json::NodeId accessor = fixing.views().accessors[use.accessor].node;
-  if (fixing.is_claimed(accessor)) return fixing.claim(accessor);
+  if (fixing.is_claimed(fixing.views().accessors[use.accessor].node)) return false;
   const std::string weights_name = "WEIGHTS_" + use.name.substr(7);
   // A joint may have a weight in another primitive.
   std::optional<std::uint32_t> weights;
-  for (const model::Primitive* primitive : fixing.table<JointUsers>().primitives[use.accessor]) {
+  for (const model::Primitive* primitive : primitives_with(fixing, use.accessor)) {
     if (find_attribute(*primitive, use.name) != use.accessor) continue;
     const auto own = find_attribute(*primitive, weights_name);
     if (!own || (weights && weights != own)) return false;

@@ -90,7 +90,7 @@ std::optional<std::uint32_t> accessor_at(Fixing& fixing, Span place) {
 // Behind the samplers of an animation the place is the input itself.
 bool write_bounds(Fixing& fixing, const Accessor& accessor) {
   // Many primitives may share the accessor.
-  if (fixing.is_claimed(accessor.node)) return fixing.claim(accessor.node);
+  if (fixing.is_claimed(accessor.node)) return false;
   const auto bounds = read_bounds(fixing, accessor);
   if (!bounds || !fixing.claim(accessor.node)) return false;
   const auto write = [&](std::string_view member, const std::vector<double>& values) {

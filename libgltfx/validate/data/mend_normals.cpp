@@ -51,24 +51,6 @@ bool is_stored_elsewhere(const json::Document& document, const model::Primitive&
   return false;
 }
 
-// Primitives with an attribute of that accessor.
-std::vector<const model::Primitive*> primitives_with(Fixing& fixing, std::uint32_t accessor) {
-  const graph::Tree& tree = fixing.tree();
-  std::vector<const model::Primitive*> found;
-  for (const graph::Use& use : fixing.graph().users(fixing.views().accessors[accessor].node)) {
-    const json::NodeId attributes = tree.parent(use.at.node);
-    const json::NodeId mesh = tree.root_element(attributes);
-    const std::uint32_t index = fixing.index_of(mesh);
-    if (index >= fixing.views().meshes.size()) continue;
-    const model::Mesh& of = fixing.views().meshes[index];
-    const std::uint32_t position = tree.position(tree.parent(attributes));
-    const bool is_primitive = of.node == mesh && position < of.primitives.size() &&
-                              of.primitives[position].attributes_node == attributes;
-    if (is_primitive) found.push_back(&of.primitives[position]);
-  }
-  return found;
-}
-
 /// The sum of the directions of the faces around each vertex, weighted by their angle there.
 class Faces {
  public:
