@@ -3,7 +3,9 @@
 /// decides, and a later one of another kind is an error (specification section 3.6.1).
 #pragma once
 
+#include <bit>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -36,15 +38,19 @@ struct Uses {
   std::uint8_t kinds = 0;              ///< a bit each: of all uses by indices
   bool used() const { return kinds != 0; }
   bool has(Kind wanted) const { return (kinds >> static_cast<unsigned>(wanted) & 1U) != 0; }
-  bool has_only(Kind wanted) const { return kinds == 1U << static_cast<unsigned>(wanted); }
+  /// That of all of them; nothing where there is none, or they differ.
+  std::optional<Kind> only() const {
+    if (!std::has_single_bit(kinds)) return std::nullopt;
+    return static_cast<Kind>(std::countr_zero(kinds));
+  }
   void note(Kind other, json::NodeId at) {
     if (kind == Kind::none) kind = other, place = at;
     kinds = static_cast<std::uint8_t>(kinds | 1U << static_cast<unsigned>(other));
   }
 };
 
-/// First uses by index, as core members make them, in the order images, sparse accessors come
-/// before, then meshes, skins, animations. Immutable.
+/// Uses by index, as core members make them. The first one is that of an image or a sparse
+/// accessor, then of a mesh, a skin, an animation. Immutable.
 class Usage {
  public:
   Usage() = default;

@@ -105,7 +105,7 @@ bool sort_sparse(Fixing& fixing, Span place) {
   const model::BufferView& values = fixing.views().buffer_views[*sparse->values.buffer_view];
   for (const auto view : {*sparse->indices.buffer_view, *sparse->values.buffer_view}) {
     const bool alone = users.lies_apart(view) &&
-                       fixing.views().usage.view(view).has_only(model::ViewUse::other) &&
+                       fixing.views().usage.view(view).only() == model::ViewUse::other &&
                        users.accessors_in(view).empty() && users.sparse_parts_in(view).size() == 1;
     const model::BufferView& part = fixing.views().buffer_views[view];
     const bool compressed = fixing.document().find(part.node, "extensions") != json::kNoNode;

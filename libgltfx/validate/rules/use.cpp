@@ -2,8 +2,6 @@
 // One buffer view, one accessor: one kind of data.
 #include "validate/rules/use.hpp"
 
-#include <bit>
-
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
@@ -71,13 +69,6 @@ std::optional<std::uint32_t> view_behind(Fixing& fixing, Span place) {
   return accessor ? fixing.views().accessors[*accessor].buffer_view : std::nullopt;
 }
 
-// What all users of a view agree upon, or nothing.
-std::optional<model::ViewUse> only_use(Fixing& fixing, std::uint32_t view) {
-  const auto& uses = fixing.views().usage.view(view);
-  if (!std::has_single_bit(uses.kinds)) return std::nullopt;
-  return static_cast<model::ViewUse>(std::countr_zero(uses.kinds));
-}
-
 std::string_view target_of(model::ViewUse use) {
   if (use == model::ViewUse::vertices) return "34962";
   return use == model::ViewUse::indices ? "34963" : "";
@@ -85,7 +76,7 @@ std::string_view target_of(model::ViewUse use) {
 
 bool add_target(Fixing& fixing, Span place) {
   const auto view = view_behind(fixing, place);
-  const auto use = view ? only_use(fixing, *view) : std::nullopt;
+  const auto use = view ? fixing.views().usage.view(*view).only() : std::nullopt;
   if (!use || target_of(*use).empty()) return false;
   const json::NodeId object = fixing.views().buffer_views[*view].node;
   const json::NodeId invalid = fixing.document().find(object, "target");
@@ -97,7 +88,7 @@ bool add_target(Fixing& fixing, Span place) {
 // The target follows the use: it says what the view is for, and changes nothing of that.
 bool correct_target(Fixing& fixing, Span place) {
   const auto view = view_behind(fixing, place);
-  const auto use = view ? only_use(fixing, *view) : std::nullopt;
+  const auto use = view ? fixing.views().usage.view(*view).only() : std::nullopt;
   if (!use) return false;
   const json::NodeId target =
       fixing.document().find(fixing.views().buffer_views[*view].node, "target");
