@@ -85,13 +85,7 @@ class Proposals {
     if (!changed) return nullptr;
     const ValidatedAsset after(*std::move(changed), judgement_);
     if (!worse_codes(before(), after.report()).empty()) return nullptr;
-    ProposedFix fix;
-    fix.description = rule.fix_does;
-    const json::LineIndex lines(*asset.container().json);
-    for (const json::Edit& edit : planned.change.edits) {
-      fix.replacements.push_back({lines.locate(edit.span), edit.text});
-    }
-    return std::make_shared<const ProposedFix>(std::move(fix));
+    return proposed_fix(std::string(rule.fix_does), asset, planned.change.edits);
   }
 
  private:
@@ -111,6 +105,14 @@ class Proposals {
   std::optional<FindingsByCode> before_;
 };
 
+void propose(Proposals proposals, FileReport& report) {
+  std::set<std::string_view> done;
+  for (Diagnostic& finding : report.diagnostics) {
+    if (!finding.fixable || finding.fix || !done.insert(finding.code).second) continue;
+    finding.fix = proposals.propose(*find_rule(finding.code));
+  }
+}
+
 }  // namespace
 
 void mark_fixable(ValidatedAsset& validated, const ValidateOptions& asked) {
@@ -124,14 +126,23 @@ void mark_fixable(ValidatedAsset& validated, const ValidateOptions& asked) {
     if (planned[i]) places.insert(place_of(sites[i], container.json_offset));
   }
   report.fixable = static_cast<std::uint64_t>(std::count(planned.begin(), planned.end(), true));
-  const bool proposes = asked.propose_fixes && container.format == container::Format::gltf;
-  Proposals proposals(validated, planned, asked);
-  std::set<std::string_view> done;
   for (Diagnostic& finding : report.diagnostics) {
     finding.fixable = places.contains(place_of(finding));
-    if (!proposes || !finding.fixable || finding.fix || !done.insert(finding.code).second) continue;
-    finding.fix = proposals.propose(*find_rule(finding.code));
   }
+  const bool is_text = container.format == container::Format::gltf;
+  if (asked.propose_fixes && is_text) propose(Proposals(validated, planned, asked), report);
+}
+
+std::shared_ptr<const ProposedFix> proposed_fix(std::string description,
+                                                const model::OpenedAsset& asset,
+                                                const std::vector<json::Edit>& edits) {
+  ProposedFix fix;
+  fix.description = std::move(description);
+  const json::LineIndex lines(*asset.container().json);
+  for (const json::Edit& edit : edits) {
+    fix.replacements.push_back({lines.locate(edit.span), edit.text});
+  }
+  return std::make_shared<const ProposedFix>(std::move(fix));
 }
 
 }  // namespace gltfx

@@ -4,6 +4,11 @@
 
 #include <gltfx/validate.hpp>
 
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "json/edit.hpp"
 #include "validate/validated_asset.hpp"
 
 namespace gltfx {
@@ -13,5 +18,10 @@ namespace gltfx {
 /// validated with. With `propose_fixes` the first marked finding of each rule gets the fix of all,
 /// where it is one of a text file and brings no new finding, as Diagnostic::fix.
 void mark_fixable(validate::ValidatedAsset& validated, const ValidateOptions& asked);
+
+/// Edits of the text of an asset, as a finding proposes them.
+std::shared_ptr<const ProposedFix> proposed_fix(std::string description,
+                                                const model::OpenedAsset& asset,
+                                                const std::vector<json::Edit>& edits);
 
 }  // namespace gltfx

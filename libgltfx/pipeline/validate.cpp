@@ -24,7 +24,6 @@
 #include "change/apply.hpp"
 #include "container/container.hpp"
 #include "container/memory_asset.hpp"
-#include "json/lines.hpp"
 #include "json/parse.hpp"
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/cached_verb.hpp"
@@ -72,16 +71,6 @@ std::string description_of(const upgrade::Plan& plan) {
       done, plan.actions.size(), plan.actions.size() == 1 ? "" : "s");
 }
 
-ProposedFix fix_of(const upgrade::Plan& plan, std::string_view text) {
-  ProposedFix fix;
-  fix.description = description_of(plan);
-  const json::LineIndex lines(text);
-  for (const json::Edit& edit : plan.change.edits) {
-    fix.replacements.push_back({lines.locate(edit.span), edit.text});
-  }
-  return fix;
-}
-
 bool is_sound(const container::Container& container, const json::Parsed& parsed) {
   return parsed.ok() && container.errors.empty() && container.late_errors.empty() &&
          container.format == container::Format::gltf;
@@ -106,8 +95,7 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
   if (!fixed) return;
   const validate::ValidatedAsset after(*std::move(fixed), default_judgement(schemas));
   if (!new_findings(validated, after, schemas).error.empty()) return;
-  const std::string_view text = *asset.container().json;
-  validated.propose(*finding, std::make_shared<const ProposedFix>(fix_of(plan, text)));
+  validated.propose(*finding, proposed_fix(description_of(plan), asset, plan.change.edits));
 }
 
 void add(HashParts& parts, const Budgets& budgets) {
