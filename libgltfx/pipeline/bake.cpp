@@ -150,11 +150,6 @@ class Baker {
   std::size_t pictures_ = 0, done_ = 0;
 };
 
-// A copy, whose bytes are shared.
-EditedAsset to_embed(const model::OpenedAsset& asset) {
-  return {{asset.name(), without_zero_padding(asset.container()), asset.resolver()}, {}};
-}
-
 void embed_in(EditedAsset asset, const BakeOptions& options, BakedBytes& baked) {
   EditOptions edit;
   edit.schemas = options.schemas;
@@ -184,7 +179,7 @@ void bake_in_memory(Result<model::OpenedAsset> opened, const BakeOptions& option
     codec::Client::shared().prepare_images();
     BakeOptions drawn = options;
     drawn.embed = false;
-    EditedAsset asset = to_embed(*opened);
+    EditedAsset asset = to_edit(*opened);
     auto scene = load_bake_scene(validate_to_bake(*std::move(opened), options), options);
     report = Baker(std::move(scene), drawn, &baked.pictures).run();
     if (options.embed && report.problem == BakeProblem::none) {

@@ -6,14 +6,17 @@
 
 namespace gltfx {
 
+EditedAsset to_edit(const model::OpenedAsset& asset) {
+  return {{asset.name(), without_zero_padding(asset.container()), asset.resolver()}, {}};
+}
+
 Result<EditedAsset> open_to_edit(MemoryAsset asset, const EditOptions& options) {
   if (writes(options) || options.backup) {
     return Error{"an asset in memory is not written: in_place, backup and output are for files"};
   }
   auto opened = open_memory(std::move(asset), options.root);
   if (!opened) return opened.error();
-  return EditedAsset{
-      {opened->name(), without_zero_padding(opened->container()), opened->resolver()}, {}};
+  return to_edit(*opened);
 }
 
 Result<std::string> bytes_of(const Draft& draft) {

@@ -17,6 +17,9 @@
 
 namespace gltfx {
 
+/// To be edited in memory. The bytes are shared.
+EditedAsset to_edit(const model::OpenedAsset& asset);
+
 /// Opens an asset to edit it. An Error where the options ask for files.
 Result<EditedAsset> open_to_edit(MemoryAsset asset, const EditOptions& options);
 
