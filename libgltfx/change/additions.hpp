@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a change puts behind the elements of the document's root arrays. Indices are known at once,
-/// bytes and their places only when all is placed (`change/place.hpp`).
+/// What a change appends to the root arrays of a document. Indices are known at once, bytes and
+/// their places only when all is placed (`change/place.hpp`).
 #pragma once
 
 #include <cstdint>

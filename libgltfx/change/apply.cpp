@@ -12,7 +12,7 @@ using container::Bytes;
 using container::Container;
 using model::OpenedAsset;
 
-// Whether two JSON texts are the same but for blanks behind them, as a GLB has them.
+// Whether two JSON texts are the same but for blanks at the end, as a GLB has them.
 bool same_but_for_padding(std::string_view one, std::string_view other) {
   const auto content = [](std::string_view json) {
     return json.substr(0, json.find_last_not_of(' ') + 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where new bytes come to stand: in the BIN chunk of a GLB, in new files beside the old ones, or
-/// in data URIs where the old ones stand in such. Contents of buffers stay where the old ones are.
+/// Where new bytes go: into the BIN chunk of a GLB, into new files beside the old ones, or into
+/// data URIs where the old ones are in such. New contents of a buffer replace the old ones.
 #pragma once
 
 #include <functional>

@@ -24,7 +24,7 @@ void append_number(std::string& bytes, T number) {
 /// Elements of an accessor that is neither sparse nor of matrices.
 class AccessorWriter {
  public:
-  /// The first element lies at `begin`, each other one `stride` bytes behind the one before.
+  /// Element i lies at `begin` + i * `stride`.
   /// Precondition: `content` lives as long and has all of them; the components are of glTF 2.0.
   AccessorWriter(std::string& content, const Format& format, std::uint64_t count,
                  std::uint64_t begin, std::uint64_t stride)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The bytes behind buffers and images of an asset, read when they are asked for.
+/// The bytes of the buffers and images of an asset, read when they are asked for.
 #pragma once
 
 #include <cstdint>

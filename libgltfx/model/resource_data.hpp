@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The bytes behind buffers and images, opened once and kept for everything that reads data.
+/// The bytes of buffers and images, opened once and kept for everything that reads data.
 #pragma once
 
 #include <cstdint>

@@ -109,7 +109,7 @@ struct Context {
       takeovers;                             ///< by the carrier's object, the last one counts
   std::set<std::string, std::less<>> names;  ///< see interned()
   std::unordered_map<json::NodeId, std::uint64_t> sizes;  ///< of arrays that somebody asked for
-  std::optional<graph::Graph> graph;                      ///< once somebody asked
+  std::optional<graph::Graph> graph;                      ///< made when it is needed
   std::vector<MaterialSplit> splits;
   std::map<std::string, std::uint64_t> new_textures;  ///< images and textures by what they are
   // What animated copies have got: accessors by what they are cut from, samplers by the old one and
