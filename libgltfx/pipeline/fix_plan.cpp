@@ -103,6 +103,7 @@ PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const sche
   auto stage = first_stage(sites, wanted, FixStage::container);
   while (stage) {
     planned.fixed.assign(sites.size(), false);
+    planned.shared.assign(sites.size(), json::kNoNode);
     Fixing fixing(asset, schemas, content_bytes);
     for (std::size_t i = 0; i < sites.size(); ++i) {
       if (!wanted[i]) continue;
@@ -111,6 +112,7 @@ PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const sche
       const bool more = entry.unsafe != nullptr && allows_unsafe(options, entry.code);
       planned.fixed[i] =
           entry.fix(fixing, sites[i].span) || (more && entry.unsafe(fixing, sites[i].span));
+      planned.shared[i] = fixing.take_shared();
     }
     auto change = fixing.take();
     if (change) {

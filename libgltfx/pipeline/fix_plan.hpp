@@ -31,6 +31,8 @@ ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas,
 struct PlannedFixes {
   change::Change change;
   std::vector<bool> fixed;
+  /// A value with which the fix is one with others that share it, or json::kNoNode.
+  std::vector<json::NodeId> shared;
   std::string obstacle;  ///< why there are no changes; a sentence without stop, empty: none is due
 };
 

@@ -2,6 +2,7 @@
 #include "pipeline/fix_rounds.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
 #include <string_view>
@@ -78,16 +79,23 @@ std::uint64_t affordable_trials(const OpenedAsset& asset) {
   return std::clamp(kTrialBytes / size, kLeast, kMost);
 }
 
-// Halves; where there are several codes, the sites of each.
-std::vector<Positions> parts_of(const Positions& group, const Sites& sites) {
+// Halves that share no value; where there are several codes, the sites of each.
+std::vector<Positions> parts_of(const Positions& group, const Sites& sites,
+                                const std::vector<json::NodeId>& shared) {
   std::map<Code, Positions> by_code;
   for (const std::size_t i : group) by_code[sites[i].code].push_back(i);
   std::vector<Positions> parts;
   if (by_code.size() > 1) {
     for (auto& [code, part] : by_code) parts.push_back(std::move(part));
   } else {
-    const auto middle = group.begin() + static_cast<std::ptrdiff_t>(group.size() / 2);
-    parts = {{group.begin(), middle}, {middle, group.end()}};
+    Positions begins;  // where a half may begin
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      const json::NodeId value = shared[group[i]];
+      if (i == 0 || value == json::kNoNode || value != shared[group[i - 1]]) begins.push_back(i);
+    }
+    const auto middle = group.begin() + static_cast<std::ptrdiff_t>(begins[begins.size() / 2]);
+    if (middle != group.begin()) parts.emplace_back(group.begin(), middle);
+    parts.emplace_back(middle, group.end());
   }
   return parts;
 }
@@ -207,13 +215,12 @@ class Rounds {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       if (planned.fixed[i]) made.push_back(i);
     }
+    const std::vector<json::NodeId> shared = std::move(planned.shared);
     auto trial = judge(std::move(planned));
     if (trial) {
       accept(*std::move(trial));
-    } else if (made.size() == 1) {
-      drop(made, trial.error().message);
     } else {
-      settle(made, trial.error().message);
+      settle(made, shared, trial.error().message);
     }
     return true;
   }
@@ -291,8 +298,10 @@ class Rounds {
   }
 
   // Takes over as many of the fixes as bring nothing new, and drops the others.
-  void settle(const Positions& made, const std::string& why) {
-    std::vector<Positions> groups = parts_of(made, asset_.sites());
+  void settle(const Positions& made, const std::vector<json::NodeId>& shared,
+              const std::string& why) {
+    std::vector<Positions> groups = parts_of(made, asset_.sites(), shared);
+    if (groups.size() == 1) return drop(made, why);
     std::vector<bool> good(asset_.sites().size());
     std::optional<Trial> best;
     while (!groups.empty()) {
@@ -309,10 +318,10 @@ class Rounds {
       if (trial) {
         good = std::move(wanted);
         best.emplace(*std::move(trial));
-      } else if (group.size() == 1) {
+      } else if (auto parts = parts_of(group, asset_.sites(), shared); parts.size() == 1) {
         drop(group, trial.error().message);
       } else {
-        for (Positions& part : parts_of(group, asset_.sites())) groups.push_back(std::move(part));
+        std::move(parts.begin(), parts.end(), std::back_inserter(groups));
       }
     }
     if (best && !best->planned.change.empty()) accept(*std::move(best));

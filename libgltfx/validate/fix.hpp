@@ -68,6 +68,10 @@ class Fixing {
   bool is_claimed(json::NodeId node);
   /// Whether claim() or is_claimed() met a changed value since the last call of this.
   bool take_was_claimed() { return std::exchange(claimed_.was_met, false); }
+  /// Says that this fix is the same as all others that say so of `node`: one is made with all.
+  void share(json::NodeId node) { shared_ = node; }
+  /// What share() was told since the last call of this, or json::kNoNode.
+  json::NodeId take_shared() { return std::exchange(shared_, json::kNoNode); }
   /// The position of an object in the array of the root that it is an element of, or UINT32_MAX.
   std::uint32_t index_of(json::NodeId object);
 
@@ -112,6 +116,7 @@ class Fixing {
     std::vector<bool> nodes;  ///< empty until a value is claimed
     bool was_met = false;
   } claimed_;
+  json::NodeId shared_ = json::kNoNode;
   std::set<std::string> deleted_;  ///< JSON pointers
   template <class Table>
   static constexpr char kTableKey = 0;  ///< its address tells tables apart

@@ -45,6 +45,25 @@ std::string members_after_fix(std::string_view members, const char* code = nullp
   return text.size() > begin ? text.substr(begin, text.size() - begin - 1) : text;
 }
 
+// A list is corrected as a whole or not at all, and one that cannot be keeps no other from it.
+TEST(FixIndices, OfOneListStayTogether) {
+  const TempFolder folder;
+  const auto path = folder.write(
+      "a.gltf", asset_of_members(R"("scenes": [{"nodes": ["0", "0", "0"]}, {"nodes": ["0", "1"]}],
+                                     "nodes": [{"name": "a"}, {"name": "b"}])"));
+  FixOptions options;
+  options.in_place = true;
+  const FixReport report = fix_file(path.native(), options);
+  EXPECT_TRUE(report.changes);
+  ASSERT_EQ(report.actions.size(), 2U);
+  EXPECT_TRUE(report.actions[0].done);
+  EXPECT_EQ(report.actions[0].count, 2U);
+  EXPECT_FALSE(report.actions[1].done);
+  EXPECT_EQ(report.actions[1].count, 3U);
+  EXPECT_EQ(report.actions[1].why_not,
+            "the new file would have the new finding DUPLICATE_ELEMENTS");
+}
+
 TEST(FixNull, GoesFromMembersThatNeedNotBeThere) {
   EXPECT_EQ(members_after_fix(
                 R"("nodes": [{"skin": null, "name": "a", "children": null}], "cameras": null)"),

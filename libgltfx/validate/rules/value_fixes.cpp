@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -79,12 +80,7 @@ bool write_any_type(Fixing& fixing, Span place) {
   return value != json::kNoNode && write_meant(fixing, value);
 }
 
-// All elements of a list that are of the wrong type, or none: one of them may have been reported.
-bool correct_elements(Fixing& fixing, Span place) {
-  const json::NodeId node = fixing.node_around(place);
-  const json::NodeId list = node == json::kNoNode ? node : fixing.parent(node);
-  if (node != json::kNoNode && write_bound(fixing, node)) return true;
-  if (list == json::kNoNode || fixing.document().kind(list) != json::Kind::array) return false;
+bool correct_list(Fixing& fixing, json::NodeId list) {
   const schema::Shape* shape = shape_of(fixing, list);
   if (shape == nullptr || shape->items == schema::kNone) return false;
   const schema::Shape& items = fixing.schemas().shape(shape->items);
@@ -100,6 +96,24 @@ bool correct_elements(Fixing& fixing, Span place) {
     if (!fixing.is_claimed(element)) fixing.replace(element, text);
   }
   return !meant.empty();
+}
+
+struct CorrectedLists {
+  explicit CorrectedLists(const Fixing& /*fixing*/) {}
+  std::map<json::NodeId, bool> done;
+};
+
+// All elements of a list that are of the wrong type, or none: one of them may have been reported.
+bool correct_elements(Fixing& fixing, Span place) {
+  const json::NodeId node = fixing.node_around(place);
+  const json::NodeId list = node == json::kNoNode ? node : fixing.parent(node);
+  if (node != json::kNoNode && write_bound(fixing, node)) return true;
+  if (list == json::kNoNode || fixing.document().kind(list) != json::Kind::array) return false;
+  fixing.share(list);
+  auto& done = fixing.table<CorrectedLists>().done;
+  const auto known = done.find(list);
+  return known != done.end() ? known->second
+                             : done.emplace(list, correct_list(fixing, list)).first->second;
 }
 
 bool correct_length(Fixing& fixing, Span place) {
