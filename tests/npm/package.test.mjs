@@ -43,14 +43,14 @@ for (const [name, [file, head]] of Object.entries(users)) {
       const bytes = new TextEncoder().encode('{"asset":{"version":"2.0"},"scene":1}');
       (async () => {
         const found = [await g.validate(bytes), await c.validateBytes(bytes), await g.validateBytes(bytes)];
-        const facts = await g.inspect(bytes), upgraded = await g.upgrade(bytes);
+        const facts = await g.inspect(bytes), upgraded = await g.upgrade(bytes), fixed = await g.fix(bytes);
         console.log(JSON.stringify([found[0].counts.errors, found[0].findings[0].code,
           found[1].issues.messages[0].code, found[2].issues.numErrors, facts.version,
-          upgraded.asset.length]));
+          upgraded.asset.length, fixed.asset.length]));
       })();`,
     );
     const printed = execFileSync("node", [file], { cwd: folder });
-    assert.deepEqual(JSON.parse(printed), [1, "UNRESOLVED_REFERENCE", "UNRESOLVED_REFERENCE", 1, "2.0", 37]);
+    assert.deepEqual(JSON.parse(printed), [1, "UNRESOLVED_REFERENCE", "UNRESOLVED_REFERENCE", 1, "2.0", 37, 27]);
   });
 }
 
@@ -153,6 +153,30 @@ test("upgrade and inspect: the asset of before is left alone, the new one is upg
   await assert.rejects(upgrade(new Uint8Array(4)), Error);
 });
 
+test("fix and edit: new bytes, and what became of each finding and object", async () => {
+  const { edit, fix, validate } = await importFrom(folder, "gltfx/index.mjs");
+  const text = '{"asset": {"version": "2.0"}, "scenes": [{"nodes": ["0"]}], "nodes": [{"name": "a"}, {"name": "b"}]}';
+  const before = new TextEncoder().encode(text);
+  const fixed = await fix(before);
+  assert.equal(new TextDecoder().decode(fixed.asset), text.replace('"0"', "0"));
+  assert.deepEqual(fixed.report.actions, [
+    { code: "INVALID_INDEX", fix: "safe", count: 1, pointers: ["/scenes/0/nodes/0"], done: true },
+  ]);
+  assert.equal(new TextDecoder().decode(before), text);
+  assert.equal((await validate(fixed.asset)).counts.errors, 0);
+  const left = await fix(before, { skip: ["INVALID_INDEX"] });
+  assert.deepEqual([left.report.changes, left.asset], [false, before]);
+
+  const refused = await edit(fixed.asset, { delete: ["/nodes/0"] });
+  assert.equal(refused.report.problem, "refused");
+  assert.equal(refused.report.obstacles[0].pointer, "/scenes/0/nodes/0");
+  assert.deepEqual(refused.asset, fixed.asset);
+  const { asset, report } = await edit(fixed.asset, { delete: ["/nodes/1"] });
+  assert.deepEqual(JSON.parse(new TextDecoder().decode(asset)).nodes, [{ name: "a" }]);
+  assert.deepEqual(report.deleted, [{ pointer: "/nodes/1" }]);
+  await assert.rejects(fix(new Uint8Array(4)), Error);
+});
+
 // Modules that are reachable from a file, with the names that no file stands behind.
 function reachable(file, found = new Map()) {
   if (found.has(file)) return found;
@@ -214,7 +238,7 @@ test("types", (t) => {
   writeFileSync(
     join(folder, "user.ts"),
     `
-    import gltfx, { inspect, upgrade, validate, validateBytes } from "gltfx";
+    import gltfx, { edit, fix, inspect, upgrade, validate, validateBytes } from "gltfx";
     import * as compat from "gltfx/compat";
     import validator from "gltfx/compat";
     async function run(bytes: Uint8Array): Promise<number> {
@@ -223,6 +247,8 @@ test("types", (t) => {
       const three = await compat.validateString("{}", { severityOverrides: { A: 3 } });
       await validateBytes(bytes, { externalResourceFunction: async () => bytes });
       const { asset, files } = await upgrade(bytes, { only: ["X"] });
+      const count: number = (await fix(asset, { profile: "strict" })).report.actions[0].count;
+      const cause: string | undefined = (await edit(asset, { delete: ["/a"] })).report.deleted[0].cause;
       await inspect(asset);
       await gltfx.inspect(asset, { resources: (path) => bytes });
       const named: string = gltfx.version() + validator.version() + validator.supportedExtensions().length;

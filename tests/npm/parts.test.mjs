@@ -155,19 +155,27 @@ test("resources are asked for by path, once, and what is not there is reported",
   await assert.rejects(validate(asset, { resources: () => "text" }), TypeError);
 });
 
-test("upgrade and inspect get the files by the same paths", async () => {
+test("verbs get the files by the same paths, and options become words", async () => {
   const engine = fakeEngine();
-  const { inspect, upgrade } = createApi(async () => engine);
+  const { edit, fix, inspect, upgrade } = createApi(async () => engine);
   const asset = new TextEncoder().encode("sub/a b.bin,gone.bin");
   const resources = new Map([["sub/a b.bin", new Uint8Array(4)]]);
   const done = await upgrade(asset, { resources, unsafe: true, only: ["X"], to: ["Y", "Z"] });
   assert.equal(new TextDecoder().decode(done.asset), "new");
   assert.deepEqual([...done.files.keys()], ["x.png"]);
   assert.deepEqual(await inspect(asset, { resources }), { version: "2.0" });
+  await fix(asset, { resources, profile: "strict", unsafe: true, only: ["A"], skip: ["B", "C"] });
+  await edit(asset, { resources, delete: ["/meshes/0", "/nodes/1"], cascade: true });
+  await assert.rejects(edit(asset, { resources }), { name: "TypeError", message: /options.delete/ });
+  await assert.rejects(edit(asset, { delete: "/meshes/0" }), TypeError);
+  await assert.rejects(fix(asset, { only: "A" }), TypeError);
+  const got = ["asset.gltf", "sub/a b.bin"];
   const head = "asset.gltf --isolated --format json";
   assert.deepEqual(engine.runs, [
-    [`upgrade ${head} --in-place --unsafe --only X --to Y --to Z`, ["asset.gltf", "sub/a b.bin"]],
-    [`inspect ${head} --top 0`, ["asset.gltf", "sub/a b.bin"]],
+    [`upgrade ${head} --in-place --unsafe --only X --to Y --to Z`, got],
+    [`inspect ${head} --top 0`, got],
+    [`fix ${head} --in-place --unsafe --profile strict --only A --skip B --skip C`, got],
+    [`edit ${head} --in-place --cascade --delete /meshes/0 --delete /nodes/1`, got],
   ]);
 });
 

@@ -217,37 +217,39 @@ async function downloadsAreThoseOfTheProgram(one, url, native) {
     withoutFolder(readFileSync(join(native.place, "log.sarif"), "utf8")),
   );
   await ended(page);
-  await upgradesAreThoseOfTheProgram(one, page, native);
+  await changesAreThoseOfTheProgram(one, page, native, "upgrade", "upgraded", 2);
+  await ended(page);
+  await changesAreThoseOfTheProgram(one, page, native, "fix", "fixed", 2);
   assert.deepEqual(page.complaints, []);
   await page.close();
 }
 
-/** Two files change: an archive, which another program unpacks. */
-async function upgradesAreThoseOfTheProgram(one, page, native) {
-  assert.equal(await page.$eval("#get-upgraded", (button) => button.textContent), "2 upgraded files");
-  const zip = await download(one, page, "#get-upgraded");
-  assert.equal(zip.name, "upgraded.zip");
-  const place = mkdtempSync(join(native.place, "upgraded_"));
-  writeFileSync(join(place, "upgraded.zip"), zip.bytes);
-  const unpacked = spawnSync("python3", ["-m", "zipfile", "-e", "upgraded.zip", "."], {
-    cwd: place,
-    encoding: "utf8",
-  });
-  assert.equal(unpacked.status, 0, unpacked.stderr);
-  cpSync(native.folder, join(place, "expected", "assets"), { recursive: true });
-  spawnSync(native.program, ["upgrade", "assets", "--in-place", "--isolated"], {
-    cwd: join(place, "expected"),
-  });
-  const files = readdirSync(join(place, "assets"), { recursive: true, withFileTypes: true })
+const filesBelow = (place) =>
+  readdirSync(place, { recursive: true, withFileTypes: true })
     .filter((entry) => entry.isFile())
     .map((entry) => relative(place, join(entry.parentPath ?? entry.path, entry.name)))
     .sort();
-  assert.deepEqual(files, ["assets/legacy/awning.gltf", "assets/legacy/lantern.glb"]);
-  for (const path of files) {
-    const bytes = readFileSync(join(place, path));
-    assert.ok(bytes.equals(readFileSync(join(place, "expected", path))), path);
-    assert.ok(!bytes.equals(readFileSync(join(native.place, path))), path);
-  }
+
+/** Several files change: an archive, which another program unpacks. `count`: assets that can be changed. */
+async function changesAreThoseOfTheProgram(one, page, native, verb, kind, count) {
+  const button = `#get-${kind}`;
+  assert.equal(await page.$eval(button, ({ textContent }) => textContent), `${count} ${kind} files`);
+  const zip = await download(one, page, button);
+  assert.equal(zip.name, `${kind}.zip`);
+  const place = mkdtempSync(join(native.place, `${kind}_`));
+  writeFileSync(join(place, "made.zip"), zip.bytes);
+  const unpacked = spawnSync("python3", ["-m", "zipfile", "-e", "made.zip", "got"], { cwd: place, encoding: "utf8" });
+  assert.equal(unpacked.status, 0, unpacked.stderr);
+  cpSync(native.folder, join(place, "expected", "assets"), { recursive: true });
+  spawnSync(native.program, [verb, "assets", "--in-place", "--isolated"], { cwd: join(place, "expected") });
+  const bytesOf = (folder, path) => readFileSync(join(folder, path));
+  const changed = filesBelow(join(place, "expected")).filter(
+    (path) => !bytesOf(join(place, "expected"), path).equals(bytesOf(native.place, path)),
+  );
+  assert.ok(changed.length > 1);
+  assert.deepEqual(filesBelow(join(place, "got")), changed);
+  for (const path of changed)
+    assert.ok(bytesOf(join(place, "got"), path).equals(bytesOf(join(place, "expected"), path)), path);
 }
 
 async function oneUpgradeIsAFile(one, url, native) {

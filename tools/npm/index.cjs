@@ -6,9 +6,9 @@ const compat = require("./compat.cjs");
 const loading = import("./index.mjs");
 loading.catch(() => {}); // each call reports it
 
-exports.validate = (asset, options) => loading.then((loaded) => loaded.validate(asset, options));
-exports.upgrade = (asset, options) => loading.then((loaded) => loaded.upgrade(asset, options));
-exports.inspect = (asset, options) => loading.then((loaded) => loaded.inspect(asset, options));
+for (const name of ["validate", "fix", "upgrade", "edit", "inspect"]) {
+  exports[name] = (asset, options) => loading.then((loaded) => loaded[name](asset, options));
+}
 exports.version = compat.version;
 exports.supportedExtensions = compat.supportedExtensions;
 exports.validateBytes = compat.validateBytes;

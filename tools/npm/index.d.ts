@@ -53,6 +53,34 @@ export interface Report {
   info?: AssetInfo;
 }
 
+/** What a verb makes of an asset. */
+export interface Changed<R> {
+  /** The new bytes; the given ones where nothing changes. */
+  asset: Uint8Array;
+  /** New files, and those that have other bytes than before, by path from the folder of the asset. */
+  files: Map<string, Uint8Array>;
+  report: R;
+}
+
+export interface ChangeReport {
+  problem: "none" | "refused" | "not written";
+  error?: string;
+  changes: boolean;
+}
+
+export interface FixOptions {
+  resources?: Resources;
+  profile?: "default" | "strict" | "khronos";
+  unsafe?: boolean;
+  only?: string[];
+  skip?: string[];
+}
+
+export interface FixReport extends ChangeReport {
+  actions: { code: string; fix: "safe" | "unsafe"; count: number; pointers: string[]; done: boolean; why?: string }[];
+  changedFiles: string[];
+}
+
 export interface UpgradeOptions {
   resources?: Resources;
   unsafe?: boolean;
@@ -62,15 +90,25 @@ export interface UpgradeOptions {
   to?: string[];
 }
 
-export interface Upgrade {
-  asset: Uint8Array;
-  /** Files that belong beside the asset now, by relative path. */
-  files: Map<string, Uint8Array>;
-  report: {
-    problem: string;
-    changes: boolean;
-    actions: { pointer: string; from: string; to: string; done: boolean }[];
-  };
+export interface UpgradeReport extends ChangeReport {
+  actions: { pointer: string; from: string; to: string; done: boolean }[];
+}
+
+export interface EditOptions {
+  resources?: Resources;
+  /** JSON pointers. */
+  delete: string[];
+  /** Deletes what refers to it, too. */
+  cascade?: boolean;
+}
+
+export interface EditReport extends ChangeReport {
+  deleted: { pointer: string; cause?: string }[];
+  obstacles: { pointer: string; target: string; mustHave: boolean }[];
+  renumbered: number;
+  /** That were cut out of the BIN chunk. */
+  bytes: number;
+  newWarnings: string[];
 }
 
 export function validate(
@@ -78,7 +116,9 @@ export function validate(
   options: ValidateOptions & { profile: "khronos" },
 ): Promise<KhronosReport>;
 export function validate(asset: Uint8Array, options?: ValidateOptions): Promise<Report>;
-export function upgrade(asset: Uint8Array, options?: UpgradeOptions): Promise<Upgrade>;
+export function fix(asset: Uint8Array, options?: FixOptions): Promise<Changed<FixReport>>;
+export function upgrade(asset: Uint8Array, options?: UpgradeOptions): Promise<Changed<UpgradeReport>>;
+export function edit(asset: Uint8Array, options: EditOptions): Promise<Changed<EditReport>>;
 export function inspect(
   asset: Uint8Array,
   options?: { resources?: Resources },
@@ -87,7 +127,9 @@ export function inspect(
 /** All of them, with those of gltfx/compat. */
 declare const gltfx: typeof compat & {
   validate: typeof validate;
+  fix: typeof fix;
   upgrade: typeof upgrade;
+  edit: typeof edit;
   inspect: typeof inspect;
 };
 export default gltfx;

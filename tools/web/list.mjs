@@ -6,6 +6,7 @@ const ROWS_AT_ONCE = 100;
 const byId = (id) => document.getElementById(id);
 const size = (asset) => (asset.facts ? asset.facts.bytes.total : 0);
 const triangles = (asset) => (asset.facts ? asset.facts.counts.triangles : 0);
+export const isFixable = (asset) => asset.findings.some((finding) => finding.fixable);
 export const toUpgrade = (asset) => asset.upgrade.filter((step) => step.done).length;
 
 export function verdictOf(asset) {

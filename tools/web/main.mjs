@@ -2,7 +2,7 @@
 // The page: files in, a run of checks, downloads out.
 import { Checks } from "./checks.mjs";
 import { fromDrop, fromFiles, titleOf } from "./dropped.mjs";
-import { add, clear, finish, showLeftOut, startList, toUpgrade, verdict } from "./list.mjs";
+import { add, clear, finish, isFixable, showLeftOut, startList, toUpgrade, verdict } from "./list.mjs";
 
 const MOST_ARCHIVES = 3; // that the verdict names; the list of what is left out has all
 const byId = (id) => document.getElementById(id);
@@ -11,10 +11,10 @@ globalThis.report = { rules: Object.create(null) }; // the rules that found some
 let checks = null;
 let title = "";
 let done = 0;
-let upgradable = 0;
+const changes = { fixed: 0, upgraded: 0 }; // assets that have some
 let paths = []; // of all assets
 let leftOut = []; // {path, why, isArchive, mayHideAssets}
-let upgradedAddress = "";
+let address = ""; // of the last file that was made
 
 function say(words, quiet = false) {
   byId("status").textContent = words;
@@ -40,7 +40,7 @@ function begin(dropped) {
   if (dropped.length === 0) return say("Nothing in it can be read.", true);
   checks?.stop();
   title = titleOf(dropped);
-  done = upgradable = 0;
+  done = changes.fixed = changes.upgraded = 0;
   paths = [];
   leftOut = [];
   clear();
@@ -76,7 +76,8 @@ function hear(said) {
     showProgress();
   } else if (said.asset) {
     Object.assign(report.rules, said.rules);
-    if (toUpgrade(said.asset) > 0) ++upgradable;
+    if (isFixable(said.asset)) ++changes.fixed;
+    if (toUpgrade(said.asset) > 0) ++changes.upgraded;
     ++done;
     add(said.asset);
     showProgress();
@@ -88,9 +89,12 @@ function hear(said) {
       return say(cause ? notChecked(cause) : "There is no .gltf, .glb or .vrm file in it.");
     }
     byId("downloads").hidden = false;
-    byId("get-upgraded").hidden = upgradable === 0;
-    byId("get-upgraded").textContent =
-      upgradable === 1 ? "Upgraded file" : `${grouped(upgradable)} upgraded files`;
+    for (const [kind, count] of Object.entries(changes)) {
+      const button = byId(`get-${kind}`);
+      button.hidden = count === 0;
+      const name = count === 1 ? `${kind} file` : `${grouped(count)} ${kind} files`;
+      button.textContent = name[0].toUpperCase() + name.slice(1);
+    }
     end(verdictOfAll());
   } else if (said.broken) {
     stop(`The checks ended early: ${visible(said.broken)}.`);
@@ -104,9 +108,9 @@ function deliver({ made, name, why }) {
   showBusy("");
   if (made === null) return say(`It cannot be written: ${visible(why)}`, true);
   say(verdictOfAll());
-  if (upgradedAddress) URL.revokeObjectURL(upgradedAddress);
-  upgradedAddress = URL.createObjectURL(made);
-  make("a", { href: upgradedAddress, download: name }).click();
+  if (address) URL.revokeObjectURL(address);
+  address = URL.createObjectURL(made);
+  make("a", { href: address, download: name }).click();
 }
 
 function stop(words) {
@@ -154,7 +158,7 @@ function start() {
   startList();
   startFields();
   byId("stop").addEventListener("click", () => stop("Stopped."));
-  for (const kind of ["html", "sarif", "upgraded"]) {
+  for (const kind of ["html", "sarif", "fixed", "upgraded"]) {
     byId(`get-${kind}`).addEventListener("click", () => {
       showBusy("Writing");
       checks.make(kind, title);

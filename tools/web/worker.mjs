@@ -3,7 +3,7 @@
 // comes from the folder of its build.
 //
 //   in   {open: [{path, file}], wasm}            out  {assets, leftOut}, {asset, rules}..., {checked: true}
-//   in   {make: "html" | "sarif" | "upgraded"}   out  {made: Blob, name} or {made: null, why}
+//   in   {make: "html" | "sarif" | "fixed" | "upgraded"}  out  {made: Blob, name} or {made: null, why}
 import { createEngine } from "../npm/wasm/engine.mjs";
 import loader from "gltfx-wasm.mjs";
 import { openFolder, Reading } from "./files.mjs";
@@ -12,7 +12,7 @@ import { writeZip } from "./zip.mjs";
 const COMMON = ["--isolated", "--quiet"];
 let engine = null;
 let folder = null;
-let upgradable = []; // paths of assets
+const toChange = { fix: [], upgrade: [] }; // paths of assets by verb
 
 /** Runs a verb over assets and gives the files it wrote. Options come from `options(place)`. */
 async function run(verb, paths, options) {
@@ -62,7 +62,8 @@ async function check(path) {
       assets: [asset],
       rules,
     } = dataOf(await writePage([path], path));
-    if (asset.upgrade.some((step) => step.done)) upgradable.push(path);
+    if (asset.findings.some((finding) => finding.fixable)) toChange.fix.push(path);
+    if (asset.upgrade.some((step) => step.done)) toChange.upgrade.push(path);
     return { asset, rules };
   } catch (error) {
     return { asset: unchecked(path, error.message), rules: {} };
@@ -79,15 +80,12 @@ async function open(dropped, wasm) {
 
 // --- Downloads ---
 
-async function upgrade() {
-  const changed = new Map();
-  for (const path of upgradable) {
-    const { written } = await run("upgrade", [path], () => ["--in-place"]);
-    for (const [one, bytes] of written) changed.set(one, bytes);
-  }
-  if (changed.size === 0) throw new Error("no file changes");
-  const files = [...changed];
-  if (files.length > 1) return { made: writeZip(files), name: "upgraded.zip" };
+async function change(verb, name) {
+  // In one run, which knows the files that assets share.
+  const { written } = await run(verb, toChange[verb], () => ["--in-place"]);
+  if (written.size === 0) throw new Error("no file changes");
+  const files = [...written];
+  if (files.length > 1) return { made: writeZip(files), name: `${name}.zip` };
   return { made: new Blob([files[0][1]]), name: files[0][0].split("/").pop() };
 }
 
@@ -108,7 +106,8 @@ const MAKERS = {
       name: "gltfx.sarif",
     };
   },
-  upgraded: upgrade,
+  fixed: () => change("fix", "fixed"),
+  upgraded: () => change("upgrade", "upgraded"),
 };
 
 async function make(kind, title) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// validate(), upgrade() and inspect() over bytes.
+// validate(), fix(), upgrade(), edit() and inspect() over bytes.
 import { checkAreCodes, checkOptions } from "./api_options.mjs";
 import { isBytes } from "./compat_options.mjs";
 
@@ -47,14 +47,37 @@ async function runOver(engine, asset, options, words) {
   return { report: JSON.parse(new TextDecoder().decode(done.stdout)), files: done.files, name };
 }
 
-function wordsOfUpgrade({ unsafe, strict, prune, only = [], to = [] }) {
-  const words = ["--in-place"];
-  if (unsafe) words.push("--unsafe");
-  if (strict) words.push("--strict");
-  if (prune) words.push("--prune");
-  for (const name of only) words.push("--only", name);
-  for (const name of to) words.push("--to", name);
-  return words;
+const repeated = (word, values = []) => values.flatMap((value) => [word, value]);
+const flags = (options, names) => names.filter((name) => options[name]).map((name) => `--${name}`);
+
+/** The words of a verb that changes an asset, by its options. */
+const WORDS = {
+  fix: (options) => [
+    ...flags(options, ["unsafe"]),
+    ...(options.profile ? ["--profile", options.profile] : []),
+    ...repeated("--only", options.only),
+    ...repeated("--skip", options.skip),
+  ],
+  upgrade: (options) => [
+    ...flags(options, ["unsafe", "strict", "prune"]),
+    ...repeated("--only", options.only),
+    ...repeated("--to", options.to),
+  ],
+  edit: (options) => [...flags(options, ["cascade"]), ...repeated("--delete", options.delete)],
+};
+
+/** A function that runs a verb over bytes and gives the new ones. */
+function changing(getEngine, verb) {
+  return async (asset, options = {}) => {
+    const known = checkOptions(verb, asset, options);
+    const words = [verb, "--in-place", ...WORDS[verb](known)];
+    const { report, files, name } = await runOver(await getEngine(), asset, known, words);
+    const [done] = report.files;
+    if (done.problem === "unreadable") throw new Error(done.error);
+    const changed = files.get(name) ?? asset;
+    files.delete(name);
+    return { asset: changed, files, report: done };
+  };
 }
 
 export function createApi(getEngine) {
@@ -67,16 +90,9 @@ export function createApi(getEngine) {
       const { report } = await validateAll(engine, asset, known);
       return report.files?.[0] ?? report; // the report of a run has a list of files
     },
-    async upgrade(asset, options = {}) {
-      const known = checkOptions("upgrade", asset, options);
-      const words = ["upgrade", ...wordsOfUpgrade(known)];
-      const { report, files, name } = await runOver(await getEngine(), asset, known, words);
-      const [done] = report.files;
-      if (done.problem === "unreadable") throw new Error(done.error);
-      const upgraded = files.get(name) ?? asset;
-      files.delete(name);
-      return { asset: upgraded, files, report: done };
-    },
+    fix: changing(getEngine, "fix"),
+    upgrade: changing(getEngine, "upgrade"),
+    edit: changing(getEngine, "edit"),
     async inspect(asset, options = {}) {
       const known = checkOptions("inspect", asset, options);
       const { report } = await runOver(await getEngine(), asset, known, ["inspect", "--top", "0"]);

@@ -25,7 +25,9 @@ const OPTIONS = {
     severityOverrides: anything,
     resources,
   },
+  fix: { resources, profile: oneOf(PROFILES), unsafe: flag, only: names, skip: names },
   upgrade: { resources, unsafe: flag, strict: flag, prune: flag, only: names, to: names },
+  edit: { resources, delete: names, cascade: flag },
   inspect: { resources },
 };
 
@@ -53,6 +55,7 @@ export function checkOptions(verb, asset, options) {
     if (!isRight(value)) throw misuse(`options.${name} must be ${form}`);
   }
   const checked = Object.fromEntries(set);
+  if (verb === "edit" && !checked.delete?.length) throw misuse("options.delete must name what is deleted");
   return verb === "validate" ? { ...checked, ...engineOptionsOf(checked) } : checked;
 }
 
