@@ -50,7 +50,7 @@ for (const [name, [file, head]] of Object.entries(users)) {
       })();`,
     );
     const printed = execFileSync("node", [file], { cwd: folder });
-    assert.deepEqual(JSON.parse(printed), [1, "UNRESOLVED_REFERENCE", "UNRESOLVED_REFERENCE", 1, "2.0", 37, 27]);
+    assert.deepEqual(JSON.parse(printed), [1, "UNRESOLVED_REFERENCE", "UNRESOLVED_REFERENCE", 1, "2.0", 37, 37]);
   });
 }
 
