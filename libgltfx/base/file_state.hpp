@@ -3,12 +3,12 @@
 /// would lose when another one takes its place.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tuple>
 
 #include "base/result.hpp"
 
@@ -29,7 +29,11 @@ struct FileState {
 struct FileIdentity {
   std::uint64_t device = 0, inode = 0;
   std::string path;  ///< where there is no inode: a file in memory
-  friend auto operator<=>(const FileIdentity&, const FileIdentity&) = default;
+  // Emscripten's libc++ has no three-way comparison of strings.
+  friend bool operator<(const FileIdentity& a, const FileIdentity& b) {
+    return std::tie(a.device, a.inode, a.path) < std::tie(b.device, b.inode, b.path);
+  }
+  friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
 };
 /// `path` identifies a file that is not on a disk.
 FileIdentity identity_of(const FileState& state, std::string_view path);
