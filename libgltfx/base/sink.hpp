@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where phases leave what they find. Modules below `validate` know codes, not severities: those
+/// Where phases leave what they find. Modules below `rules` know codes, not severities: those
 /// are decided by the rule registry and the user's options behind this interface.
 #pragma once
 

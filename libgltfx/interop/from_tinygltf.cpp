@@ -14,7 +14,7 @@
 #include "container/container.hpp"
 #include "interop/model_text.hpp"
 #include "interop/stored_bytes.hpp"
-#include "validate/validated_asset.hpp"
+#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 namespace {

@@ -14,9 +14,9 @@
 #include "interop/model_text.hpp"
 #include "model/fields.hpp"
 #include "model/resource_data.hpp"
+#include "rules/validated_asset.hpp"
+#include "rules/validator.hpp"
 #include "schema/compile.hpp"
-#include "validate/validated_asset.hpp"
-#include "validate/validator.hpp"
 
 namespace gltfx {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "model/opened_asset.hpp"
 #include "pipeline/edit_asset.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/set.hpp"
-#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "pipeline/cached_picture.hpp"
-#include "validate/validated_asset.hpp"
+#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 

@@ -13,7 +13,7 @@
 #include "render/bvh.hpp"
 #include "render/scene.hpp"
 #include "render/view.hpp"
-#include "validate/validated_asset.hpp"
+#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 

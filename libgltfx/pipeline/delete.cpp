@@ -20,8 +20,8 @@
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
 #include "report/wording.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
-#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 namespace {

@@ -18,8 +18,8 @@
 #include "model/opened_asset.hpp"
 #include "pipeline/named_files.hpp"
 #include "pipeline/open_asset.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/set.hpp"
-#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 

@@ -6,7 +6,7 @@
 
 #include "change/companions.hpp"
 #include "pipeline/open_asset.hpp"
-#include "validate/files_read.hpp"
+#include "rules/files_read.hpp"
 
 namespace gltfx {
 namespace {

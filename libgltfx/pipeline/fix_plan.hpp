@@ -13,9 +13,9 @@
 
 #include "json/edit.hpp"
 #include "model/opened_asset.hpp"
+#include "rules/fix.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/set.hpp"
-#include "validate/fix.hpp"
-#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 

@@ -15,8 +15,8 @@
 #include "base/pages.hpp"
 #include "change/apply.hpp"
 #include "json/parse.hpp"
-#include "validate/collector.hpp"
-#include "validate/context.hpp"
+#include "rules/collector.hpp"
+#include "rules/context.hpp"
 
 namespace gltfx {
 namespace {

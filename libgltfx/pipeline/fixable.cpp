@@ -16,9 +16,9 @@
 #include "change/rewrite.hpp"
 #include "json/lines.hpp"
 #include "pipeline/fix_plan.hpp"
+#include "rules/context.hpp"
+#include "rules/fix.hpp"
 #include "schema/compile.hpp"
-#include "validate/context.hpp"
-#include "validate/fix.hpp"
 
 namespace gltfx {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "json/edit.hpp"
-#include "validate/validated_asset.hpp"
+#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "validate/validator.hpp"
+#include "rules/validator.hpp"
 
 namespace gltfx {
 namespace {

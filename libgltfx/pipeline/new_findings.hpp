@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rules/validated_asset.hpp"
 #include "schema/set.hpp"
-#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 

@@ -12,7 +12,7 @@
 #include "preview/framing.hpp"
 #include "preview/picture.hpp"
 #include "render/view.hpp"
-#include "validate/validated_asset.hpp"
+#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 

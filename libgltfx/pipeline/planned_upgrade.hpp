@@ -11,7 +11,7 @@
 
 #include "change/apply.hpp"
 #include "change/change.hpp"
-#include "validate/validated_asset.hpp"
+#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 

@@ -7,8 +7,8 @@
 
 #include "preview/framing.hpp"
 #include "render/scene.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/set.hpp"
-#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 

@@ -16,8 +16,8 @@
 #include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_file.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
-#include "validate/validated_asset.hpp"
 
 namespace gltfx {
 namespace {

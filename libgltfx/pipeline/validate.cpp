@@ -33,11 +33,11 @@
 #include "pipeline/open_asset.hpp"
 #include "pipeline/validation_key.hpp"
 #include "report/packed.hpp"
+#include "rules/validated_asset.hpp"
+#include "rules/validator.hpp"
 #include "schema/compile.hpp"
 #include "schema/set.hpp"
 #include "upgrade/plan.hpp"
-#include "validate/validated_asset.hpp"
-#include "validate/validator.hpp"
 
 namespace gltfx {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What the Khronos validator does differently from the specification in the walk over schemas.
-/// validate/khronos/deviations.hpp has the rest.
+/// rules/khronos/deviations.hpp has the rest.
 #pragma once
 
 namespace gltfx::schema {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "validate/fix_entry.hpp"
+#include "rules/fix_entry.hpp"
 
 namespace gltfx {
 namespace {

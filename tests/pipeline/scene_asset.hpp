@@ -7,8 +7,8 @@
 #include "model/bytes_asset.hpp"
 #include "model/packed_bytes.hpp"
 #include "pipeline/scene_builder.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
-#include "validate/validated_asset.hpp"
 
 namespace gltfx::test {
 

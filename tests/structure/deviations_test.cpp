@@ -23,19 +23,18 @@ const std::map<std::string, std::pair<std::size_t, std::string>, std::less<>> kP
     {"libgltfx/pipeline/example.cpp", {2, "examples raise their rule in one of two profiles"}},
     {"libgltfx/pipeline/fix_plan.cpp", {1, "what is new is looked for among hints, too"}},
     {"libgltfx/pipeline/validate.cpp", {1, "the Khronos validator says nothing of fixes"}},
-    {"libgltfx/validate/collector.cpp",
-     {4, "codes, hints and severities by profile; its deviations"}},
-    {"libgltfx/validate/context.hpp", {1, "hands the deviations down"}},
-    {"libgltfx/validate/phase_json.cpp", {1, "runs before there is a context"}},
-    {"libgltfx/validate/registry.cpp", {2, "the level of pixels by profile"}},
-    {"libgltfx/validate/validated_asset.cpp", {1, "whether a report is that of the defaults"}},
-    {"libgltfx/validate/validator.cpp", {1, "runs before there is a context"}},
+    {"libgltfx/rules/collector.cpp", {4, "codes, hints and severities by profile; its deviations"}},
+    {"libgltfx/rules/context.hpp", {1, "hands the deviations down"}},
+    {"libgltfx/rules/phase_json.cpp", {1, "runs before there is a context"}},
+    {"libgltfx/rules/registry.cpp", {2, "the level of pixels by profile"}},
+    {"libgltfx/rules/validated_asset.cpp", {1, "whether a report is that of the defaults"}},
+    {"libgltfx/rules/validator.cpp", {1, "runs before there is a context"}},
     {"tools/gltfx/validation_options.cpp", {3, "the names of profiles"}},
     {"tools/gltfx/options_validate.cpp", {3, "the words for profiles"}},
 };
 constexpr std::size_t kMost = 27;
 
-constexpr std::string_view kModule = "libgltfx/validate/khronos/";
+constexpr std::string_view kModule = "libgltfx/rules/khronos/";
 
 // Places of whole words in code.
 std::vector<std::size_t> find_words(std::string_view code, std::string_view word) {
@@ -90,10 +89,10 @@ TEST(Deviations, FewPlacesAskForTheProfile) {
 }
 
 TEST(Deviations, AnotherPlaceIsFound) {
-  EXPECT_THAT(check_places({"libgltfx/validate/rules/a.cpp",
+  EXPECT_THAT(check_places({"libgltfx/rules/rules/a.cpp",
                             "void a() {\n  if (options.profile == Profile::khronos) return;\n}\n"}),
               ElementsAre(HasSubstr("a.cpp:2: asks for the profile")));
-  EXPECT_THAT(check_places({"libgltfx/validate/context.hpp",
+  EXPECT_THAT(check_places({"libgltfx/rules/context.hpp",
                             "auto a = deviations_of(profile);\nbool khronos() const;\n"}),
               SizeIs(1));
 }
@@ -101,7 +100,7 @@ TEST(Deviations, AnotherPlaceIsFound) {
 TEST(Deviations, AreAskedFor) {
   std::string rest;
   std::vector<std::string> names;
-  for (const Source& source : cpp_below({"libgltfx/schema", "libgltfx/validate"})) {
+  for (const Source& source : cpp_below({"libgltfx/schema", "libgltfx/rules"})) {
     const bool module =
         source.path.starts_with(kModule) && source.path.find("/deviations.") != std::string::npos;
     if (module || source.path == "libgltfx/schema/deviations.hpp") {

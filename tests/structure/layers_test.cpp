@@ -17,10 +17,10 @@ using testing::IsEmpty;
 
 // What a file may include: headers of its own module, and of modules on layers below.
 const std::map<std::string, int, std::less<>> kLayers{
-    {"base", 0},     {"json", 1},    {"codec", 1},    {"image", 2},   {"container", 2},
-    {"schema", 2},   {"report", 2},  {"target", 2},   {"model", 3},   {"graph", 3},
-    {"shader", 1},   {"render", 2},  {"preview", 3},  {"change", 4},  {"inspect", 4},
-    {"validate", 5}, {"upgrade", 5}, {"pipeline", 6}, {"interop", 6}, {"tools", 7},
+    {"base", 0},   {"json", 1},    {"codec", 1},    {"image", 2},   {"container", 2},
+    {"schema", 2}, {"report", 2},  {"target", 2},   {"model", 3},   {"graph", 3},
+    {"shader", 1}, {"render", 2},  {"preview", 3},  {"change", 4},  {"inspect", 4},
+    {"rules", 5},  {"upgrade", 5}, {"pipeline", 6}, {"interop", 6}, {"tools", 7},
 };
 
 // The module a public header belongs to.
@@ -34,10 +34,10 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/schema.hpp", "schema"},
     {"gltfx/report.hpp", "report"},
     {"gltfx/targets.hpp", "target"},
-    {"gltfx/validate.hpp", "validate"},
+    {"gltfx/validate.hpp", "rules"},
     {"gltfx/upgrade.hpp", "upgrade"},
     {"gltfx/edited_file.hpp", "change"},
-    {"gltfx/fix.hpp", "validate"},
+    {"gltfx/fix.hpp", "rules"},
     {"gltfx/deletion.hpp", "pipeline"},
     {"gltfx/pipeline.hpp", "pipeline"},
     {"gltfx/mapping.hpp", "container"},
@@ -190,7 +190,7 @@ TEST(Layers, AnUpwardIncludeIsFound) {
   EXPECT_THAT(check_layers({"libgltfx/json/a.cpp", "\n#include \"model/mesh.hpp\"\n"}),
               ElementsAre("libgltfx/json/a.cpp:2: json must not include model (model/mesh.hpp)"));
   EXPECT_THAT(check_layers({"libgltfx/report/a.cpp", "#include <gltfx/validate.hpp>\n"}),
-              ElementsAre(HasSubstr("report must not include validate")));
+              ElementsAre(HasSubstr("report must not include rules")));
 }
 
 TEST(Layers, AModuleOnTheSameLayerIsFound) {
@@ -212,9 +212,9 @@ TEST(Layers, AFileOrHeaderWithoutModuleIsFound) {
 }
 
 TEST(Layers, WhatIsBelowMayBeIncluded) {
-  EXPECT_THAT(check_layers({"libgltfx/validate/a.cpp",
+  EXPECT_THAT(check_layers({"libgltfx/rules/a.cpp",
                             "#include <gltfx/report.hpp>\n#include \"json/parse.hpp\"\n"
-                            "#include \"validate/b.hpp\"\n#include <vector>\n"}),
+                            "#include \"rules/b.hpp\"\n#include <vector>\n"}),
               IsEmpty());
 }
 

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "container/temp_folder.hpp"
+#include "rules/selected.hpp"
 #include "target/builtin.hpp"
 #include "target/choice.hpp"
 #include "target/target_file.hpp"
-#include "validate/selected.hpp"
 
 namespace gltfx::test {
 namespace {

@@ -17,7 +17,7 @@
 #include "progress.hpp"
 #include "read_input.hpp"
 #include "report_targets.hpp"
-#include "validate/validator.hpp"
+#include "rules/validator.hpp"
 #include "validation_options.hpp"
 
 namespace gltfx::tool {

@@ -11,8 +11,8 @@ foreach(file ${FILES})
     string(APPEND items "          ${name}(),\n")
   endforeach()
 endforeach()
-set(text "// Written by CMake from validate/rules/*.cpp.
-#include \"validate/context.hpp\"
+set(text "// Written by CMake from rules/rules/*.cpp.
+#include \"rules/context.hpp\"
 
 namespace gltfx::validate {
 

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   std::string out =
       "// Written by gltfx_rule_compiler from schema/rules/.\n#include <gltfx/validate.hpp>\n\n"
       "#include <string_view>\n\n#include \"base/codes.hpp\"\n#include "
-      "\"validate/context.hpp\"\n\nnamespace gltfx {\nnamespace "
+      "\"rules/context.hpp\"\n\nnamespace gltfx {\nnamespace "
       "{\n\nusing "
       "namespace std::string_view_literals;\n\n"
       "constexpr RuleDescription kRules[]{\n";

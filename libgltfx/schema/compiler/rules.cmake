@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# What schema/rules/CODE.md and validate/ yield: base/codes.hpp, the table of rules and the
+# What schema/rules/CODE.md and rules/ yield: base/codes.hpp, the table of rules and the
 # list of families.
 set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
 
@@ -15,8 +15,8 @@ function(gltfx_rule_sources target)
     COMMAND gltfx_rule_compiler ${table} ${rule_pages}
     DEPENDS gltfx_rule_compiler ${rule_pages}
     COMMENT "Embedding the pages of rules" VERBATIM)
-  set(validate ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../validate)
-  file(GLOB families CONFIGURE_DEPENDS ${validate}/*.cpp ${validate}/data/*.cpp ${validate}/rules/*.cpp)
+  set(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../rules)
+  file(GLOB families CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/data/*.cpp ${folder}/rules/*.cpp)
   set(list ${generated}/families.cpp)
   add_custom_command(OUTPUT ${list}
     COMMAND ${CMAKE_COMMAND} -DOUT=${list} "-DFILES=${families}"

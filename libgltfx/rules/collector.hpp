@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Gathers what the phases find into a report: severities, filters, folding, order, places.
+#pragma once
+
+#include <gltfx/report.hpp>
+#include <gltfx/validate.hpp>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "base/shared_text.hpp"
+#include "base/sink.hpp"
+#include "base/span.hpp"
+#include "json/document.hpp"
+#include "json/lines.hpp"
+#include "model/fields.hpp"
+#include "rules/fix_entry.hpp"
+#include "rules/khronos/deviations.hpp"
+#include "rules/suppressions.hpp"
+
+namespace gltfx::validate {
+
+class ChangedLines {
+ public:
+  /// `lines` in any order; those behind the end of the text are none. Lines end as in
+  /// json::LineIndex. Time is linear in the text.
+  ChangedLines(const std::vector<LineRange>& lines, std::string_view text);
+
+  /// Whether a place in the text touches one; what has no place (an empty span at 0) does when
+  /// anything changed.
+  bool touches(Span span) const;
+
+ private:
+  bool any_ = false;
+  bool last_line_ = false;   ///< changed
+  std::uint32_t size_ = 0;   ///< of the text
+  std::vector<Span> spans_;  ///< sorted, apart from each other
+};
+
+/// The order of a report. Within a phase findings stand as they were found.
+enum class Phase : std::uint8_t { container, json, schema, reference, container_end, resources };
+inline constexpr std::size_t kPhaseCount = 6;
+static_assert(kPhaseCount <= Suppressions::kMostPhases);
+
+/// Whether the options ask for findings of that code and severity.
+bool accepts(const ValidateOptions& options, Code code, Severity severity);
+
+/// Whether a rule would be heard as loud as its table says, or as the options say instead: what
+/// nobody hears need not be computed.
+bool is_enabled(const ValidateOptions& options, Code code);
+
+/// Findings of one asset. One about how objects go together that has no help of its own gets the
+/// rule's help. A repeat of a code at the same place, but for array indices, is folded
+/// into the first (unless Deviations::each_finding_is_listed), so a million errors cost a counter;
+/// the first thousands of repeats are kept beside it, unless max_issues asks for less. So are those
+/// of one code at ever new places, once very many have been listed: nobody reads on there.
+class Collector {
+ public:
+  explicit Collector(const ValidateOptions& options);
+  Collector(const Collector&) = delete;
+  Collector& operator=(const Collector&) = delete;
+
+  /// The sink of a phase; lives as long as the collector.
+  Sink& sink(Phase phase) { return phases_[static_cast<std::size_t>(phase)].sink; }
+  /// A finding on the container, at a byte of the file.
+  void report_offset(Phase phase, std::uint64_t offset, Finding finding);
+  /// A finding that belongs to no value: about the file as a whole, or about its text.
+  void report_file(Phase phase, Finding finding);
+  /// The JSON text that spans refer to, before they come; may be null.
+  void keep_text(SharedText text);
+  /// What the asset asks to leave out from now on; null: nothing. Outlives the collector's phases.
+  void suppress(Suppressions* suppressions) { suppressions_ = suppressions; }
+
+  /// What findings of rules that have a fix mark, of all phases; the first million of each.
+  Sites take_sites();
+
+  /// Moves everything into `report`: diagnostics in order, counts, and for those with a place in
+  /// the text its line, column, excerpt and name. `document` may be empty. `json_offset` is where
+  /// the text begins in the file. Call once.
+  void finish(FileReport& report, const json::Document& document, std::uint64_t json_offset);
+
+ private:
+  static constexpr std::size_t kMostPlaces = 1000;
+  static constexpr std::size_t kMostRepeats = 5000;
+
+  struct Entry {
+    Diagnostic diagnostic;
+    Span span;
+    std::vector<Entry> repeats = {};  ///< the first of those that are folded into it
+  };
+  /// Where a code was found at one severity, but for array indices.
+  struct Places {
+    std::size_t count = 0;
+    std::size_t last = 0;  ///< the last one that is listed: position in entries of its phase
+  };
+  class PhaseSink final : public Sink {
+   public:
+    void bind(Collector& collector, Phase phase);
+    void report(const Path& path, Finding finding) override;
+
+   private:
+    Collector* collector_ = nullptr;
+    Phase phase_ = Phase::schema;
+  };
+
+  struct PhaseFindings {
+    PhaseSink sink;
+    Sites sites;
+    std::vector<Entry> entries;
+    Counts left_out;                                        ///< by max_issues
+    std::unordered_map<std::uint64_t, std::size_t> listed;  ///< positions in entries by fold key
+    std::unordered_map<std::uint64_t, Places> places;       ///< by code and severity
+  };
+
+  void add(Phase phase, const Path& path, Finding finding);
+  bool wants(const Finding& finding, Severity severity);
+  void keep_site(Phase phase, Severity severity, const Finding& finding);
+  bool leave_out(Phase phase, Severity severity, const Finding& finding);
+  bool fold(Phase phase, Severity severity, const Path& path, Finding& finding);
+  Severity severity_of(const Finding& finding) const;
+  Entry entry_of(Phase phase, Severity severity, Finding finding, std::string pointer) const;
+  void store(Phase phase, Severity severity, Finding finding, std::string pointer,
+             std::optional<std::uint64_t> offset);
+  void move_to(FileReport& report, std::vector<Entry>& entries) const;
+  void locate(std::vector<Entry>& entries, const json::Document& document,
+              std::uint64_t json_offset);
+  void locate(Entry& entry, const json::Document& document, std::uint64_t json_offset);
+  std::size_t last_place() const;
+
+  const ValidateOptions& options_;
+  const Deviations& deviations_;
+  std::array<PhaseFindings, kPhaseCount> phases_;
+  SharedText text_;
+  std::optional<ChangedLines> changed_;
+  std::uint64_t unchanged_ = 0;   ///< findings on other lines than `changed_`
+  std::size_t repeats_kept_ = 0;  ///< in all entries
+  Suppressions* suppressions_ = nullptr;
+  std::optional<json::LineIndex> lines_;
+  std::optional<model::ArrayLookup> arrays_;
+};
+
+}  // namespace gltfx::validate

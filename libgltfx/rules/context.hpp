@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a rule is given, and how rules are hung into the phases.
+#pragma once
+
+#include <gltfx/validate.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "base/json_pointer.hpp"
+#include "base/sink.hpp"
+#include "container/container.hpp"
+#include "container/opened_files.hpp"
+#include "container/uri.hpp"
+#include "json/document.hpp"
+#include "model/asset.hpp"
+#include "model/scene_graph.hpp"
+#include "model/views.hpp"
+#include "rules/data_uris.hpp"
+#include "rules/fix_entry.hpp"
+#include "rules/khronos/deviations.hpp"
+#include "rules/khronos/link_order.hpp"
+#include "schema/check.hpp"
+#include "schema/set.hpp"
+
+namespace gltfx::validate {
+
+/// Everything a rule may look at. Lives for one asset; rules do not keep it.
+struct Context {
+  const container::Container& container;
+  container::OpenedFiles& files;
+  const json::Document& document;
+  const schema::Set& schemas;
+  const model::Asset& asset;
+  const ValidateOptions& options;
+  /// What the schema walk learned. Complete for link rules; empty while object rules run.
+  schema::CheckResult checked;
+  /// Phase 3, and phase 4 which is reported behind it.
+  Sink& schema_sink;
+  Sink& link_sink;
+  /// Accessors, buffer views and their first uses. Complete for link rules; empty before.
+  model::Views views{};
+  /// Who is whose parent. Likewise.
+  model::SceneGraph graph{};
+  /// Deviations::reading_order: behind `link_sink`, with the broken references that are yet to be
+  /// reported.
+  LinkOrder* order = nullptr;
+  /// Filled by the phases that look at data: URIs, of which no two run at once.
+  DataUris* data_uris = nullptr;
+
+  /// Of the profile, which rules do not ask.
+  const Deviations& deviations = deviations_of(options.profile);
+
+  container::UriReading uri_reading() const {
+    return deviations.uris_are_repaired ? container::UriReading::lenient
+                                        : container::UriReading::strict;
+  }
+};
+
+/// A rule about the members of one object, run right behind its members have been checked. Reports
+/// to `schema_sink`.
+using ObjectRule = void (*)(const Context& context, json::NodeId object, const Path& path);
+
+/// A rule about how objects refer to each other, run once when all of them are known. Reports to
+/// `link_sink`.
+using LinkRule = void (*)(const Context& context);
+
+/// Deviations::reading_order may need a rule of its own in place of one that sees all members.
+enum class Runs : std::uint8_t { always, in_reading_order, otherwise };
+
+struct ObjectRuleEntry {
+  std::string_view type;  ///< object type name: "node", "mesh.primitive"
+  ObjectRule rule;
+  /// Reading order: the member behind whose place the rule runs; empty: behind all members.
+  std::string_view behind = {};
+  Runs runs = Runs::always;
+};
+
+/// Reading order: what is made of a member before its form is judged. Findings go to `schema_sink`.
+using MemberRule = schema::Reading (*)(const Context& context, json::NodeId object,
+                                       json::NodeId value, const Path& object_path);
+struct MemberRuleEntry {
+  std::string_view type, member;
+  MemberRule rule;
+};
+
+/// Reading order: a rule about one member of an object that maps names to indices.
+using MapRule = void (*)(const Context& context, std::string_view name, json::NodeId value,
+                         const Path& map_path);
+
+/// What a file of rules/ contributes to the walk over the objects and to the phase of links. It
+/// defines `const Family& NAME_family()`, which the build finds.
+struct Family {
+  /// Rules of one kind run by ascending order of their families: the parts of the specification
+  /// from the bottom up, then extensions, then what depends on them all.
+  unsigned order = 0;
+  /// Deviations::no_additional_rules leaves its link rules out.
+  bool additional = false;
+  std::span<const ObjectRuleEntry> object_rules = {};
+  std::span<const LinkRule> link_rules = {};
+  std::span<const MemberRuleEntry> member_rules = {};
+  std::span<const MapRule> map_rules = {};
+  /// What of its findings can be fixed (rules/fix.hpp).
+  std::span<const FixEntry> fixes = {};
+};
+
+/// All families, sorted by their order.
+std::span<const Family> families();
+/// As the build lists them, in no order of meaning.
+std::vector<Family> all_families();
+
+/// What is known of a rule.
+const RuleDescription& description(Code code);
+/// Its severity in the profile `strict`.
+Severity strict_severity(Code code);
+
+/// Span of a member's value, or of the first character of the object when it has no such member.
+Span member_span(const json::Document& document, json::NodeId object, std::string_view member);
+/// The first character of a value: keeps the caret short where a whole object is meant.
+Span first_character(const json::Document& document, json::NodeId value);
+
+}  // namespace gltfx::validate

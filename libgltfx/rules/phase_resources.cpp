@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// Buffers: where their bytes come from, and whether there are enough of them.
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/checked.hpp"
+#include "base/codes.hpp"
+#include "container/content.hpp"
+#include "container/mapping.hpp"
+#include "container/opened_files.hpp"
+#include "container/uri.hpp"
+#include "model/fields.hpp"
+#include "rules/fix.hpp"
+#include "rules/phases.hpp"
+#include "rules/resource_fetch.hpp"
+#include "rules/rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using container::Bytes;
+
+// Whether an extension of the buffer says that its bytes are only needed where the extension is not
+// known, and need not be there.
+bool is_fallback(const Context& context, json::NodeId buffer) {
+  const json::Document& document = context.document;
+  const json::NodeId extensions = model::object_member(document, buffer, "extensions");
+  if (extensions == json::kNoNode || context.deviations.unsupported_extensions_are_skipped) {
+    return false;
+  }
+  for (const auto extension : document.members(extensions)) {
+    if (!document.is_object(extension.value)) continue;
+    if (model::true_member(document, extension.value, "fallback")) return true;
+  }
+  return false;
+}
+
+std::uint64_t padded(std::uint64_t length) { return length + (4 - length % 4) % 4; }
+
+// What fills the chunk up is behind the bytes of the buffer.
+void check_bin_padding(const Resource& resource, std::string_view chunk, std::uint64_t declared) {
+  if (chunk.size() <= declared || chunk.size() > padded(declared)) return;
+  const std::size_t at = chunk.find_first_not_of('\0', static_cast<std::size_t>(declared));
+  if (at == std::string_view::npos) return;
+  resource.find(Code::GLB_BIN_PADDING, "",
+                fmt::format("The BIN chunk is padded with 0x{:02x}; it must be padded with zeros.",
+                            static_cast<unsigned char>(chunk[at])));
+}
+
+// Buffer 0 of a GLB without a uri is the BIN chunk.
+std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared) {
+  const container::Container& glb = resource.context.container;
+  resource.info.storage = "glb";
+  if (!glb.bin) {
+    if (!glb.cut_short) {
+      resource.find(Code::BUFFER_MISSING_GLB_DATA, "",
+                    "The buffer has no uri and the GLB has no BIN chunk.");
+    }
+    return std::nullopt;
+  }
+  if (glb.bin->length > padded(declared)) {
+    resource.find(Code::BUFFER_GLB_CHUNK_TOO_BIG, "",
+                  fmt::format("The BIN chunk is {} bytes longer than the padded buffer.",
+                              glb.bin->length - padded(declared)));
+  }
+  Bytes chunk = glb.bytes.part(static_cast<std::size_t>(glb.bin->offset),
+                               static_cast<std::size_t>(glb.bin->length));
+  check_bin_padding(resource, chunk.text(), declared);
+  return chunk;
+}
+
+// Buffers, by index, of which extensions say where the bytes of all views are, as those of
+// compressed data do.
+std::vector<bool> stored_elsewhere(const Context& context) {
+  const auto& views = context.asset.elements(model::RootArray::buffer_views);
+  const std::size_t count = context.asset.elements(model::RootArray::buffers).size();
+  std::vector<bool> extended(count);
+  std::vector<bool> plain(count);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const auto buffer = context.views.buffer_views[i].buffer;
+    if (views[i] == json::kNoNode || !buffer || *buffer >= count) continue;
+    const bool has =
+        model::object_member(context.document, views[i], "extensions") != json::kNoNode;
+    (has ? extended : plain)[*buffer] = true;
+  }
+  for (std::size_t i = 0; i < count; ++i) extended[i] = extended[i] && !plain[i];
+  return extended;
+}
+
+// An extension of the buffer may say where its data is, or that it has none.
+void report_missing_data(const Resource& resource, std::size_t index) {
+  const json::Document& document = resource.context.document;
+  if (model::object_member(document, resource.object, "extensions") != json::kNoNode) return;
+  const bool text = resource.context.container.format != container::Format::glb;
+  resource.find(Code::BUFFER_WITHOUT_DATA, "",
+                text && index == 0
+                    ? "The buffer has no uri; a .gltf file has no BIN chunk that could be its data."
+                    : "The buffer has no uri; only the first buffer of a GLB can be the BIN chunk.",
+                "write the data to a file and add its name as uri");
+}
+
+std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uint64_t declared,
+                                 bool cut_short) {
+  resource.info.byte_length = bytes.size();
+  if (bytes.size() >= declared) return bytes;
+  if (cut_short) return std::nullopt;  // said of the container
+  const json::NodeId member = resource.context.document.find(resource.object, "byteLength");
+  Finding finding(Code::BUFFER_BYTE_LENGTH_MISMATCH);
+  finding.message =
+      fmt::format("byteLength is {}, but the data has only {} bytes.", declared, bytes.size());
+  finding.span = resource.context.document.span(member);
+  if (const auto found = container::name_content(bytes.text()).name;
+      !found.empty() && resource.info.storage == "external") {
+    finding.help = fmt::format("replace the file: it is {}", found);
+  }
+  resource.sink.report(resource.path, std::move(finding));
+  const bool kept =
+      resource.context.deviations.short_data_uris_are_kept && resource.info.storage == "data-uri";
+  return kept ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+// What a data URI holds is kept whatever the buffer declares, but not listed.
+std::optional<Bytes> undeclared_bytes(const Resource& resource) {
+  const json::Document& document = resource.context.document;
+  const std::string uri = model::string_member(document, resource.object, "uri");
+  if (!resource.context.deviations.short_data_uris_are_kept ||
+      container::classify_uri(uri).kind != container::UriKind::data) {
+    return std::nullopt;
+  }
+  ResourceInfo unlisted = resource.info;
+  return fetch_uri(
+      {resource.context, resource.sink, resource.report, resource.path, resource.object, unlisted});
+}
+
+std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index, bool elsewhere) {
+  const json::Document& document = resource.context.document;
+  resource.info.mime_type = "application/gltf-buffer";
+  const bool has_uri = document.holds(resource.object, "uri");
+  const container::Container& container = resource.context.container;
+  const bool glb = !has_uri && index == 0 && container.format == container::Format::glb;
+  if (!has_uri && !glb && !elsewhere) report_missing_data(resource, index);
+  const auto declared = model::unsigned_member(document, resource.object, "byteLength");
+  if (!declared || *declared == 0) return undeclared_bytes(resource);
+  if (glb && !container.bin && is_fallback(resource.context, resource.object)) return std::nullopt;
+  auto bytes = glb ? glb_bytes(resource, *declared) : fetch_uri(resource);
+  if (!bytes) return std::nullopt;
+  return long_enough(resource, *std::move(bytes), *declared, glb && container.cut_short);
+}
+
+void load_buffers(const Context& context, Sink& sink, FileReport& report, Resources& resources) {
+  const Path root;
+  const Path array(root, "buffers");
+  const auto& objects = context.asset.elements(model::RootArray::buffers);
+  resources.data.buffers.resize(objects.size());
+  const std::vector<bool> elsewhere = stored_elsewhere(context);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i] == json::kNoNode) continue;
+    const Path path(array, static_cast<std::uint64_t>(i));
+    ResourceInfo info;
+    info.pointer = path.pointer();
+    resources.data.buffers[i] =
+        load_buffer({context, sink, report, path, objects[i], info}, i, elsewhere[i]);
+    resources.listed.push_back(std::move(info));
+  }
+}
+
+// What a bufferView holds is torn with its buffer.
+bool is_torn_file(const Context& context, json::NodeId object, bool buffer,
+                  const std::optional<Bytes>& bytes) {
+  if (!bytes || !container::is_torn(*bytes)) return false;
+  return buffer || context.document.find(object, "uri") != json::kNoNode;
+}
+
+void report_torn(const Context& context, model::RootArray array, std::size_t index, Sink& sink) {
+  report_element(
+      sink, context, array, index, Code::IO_ERROR,
+      "The file became shorter while it was read; the missing bytes are treated as zeros.");
+}
+
+// --- Fixes ---
+
+// The bytes behind a buffer, whatever it declares; nothing where there are none.
+std::optional<Bytes> bytes_of(Fixing& fixing, json::NodeId buffer) {
+  const std::string uri = model::string_member(fixing.document(), buffer, "uri");
+  if (!uri.empty()) {
+    auto bytes = container::fetch(fixing.opened().resolver(), uri);
+    return bytes ? std::optional(*std::move(bytes)) : std::nullopt;
+  }
+  const container::Container& glb = fixing.opened().container();
+  if (!glb.bin || fixing.document().holds(buffer, "uri")) return std::nullopt;
+  return glb.bytes.part(glb.bin->offset, glb.bin->length);
+}
+
+/// What buffer views need of each buffer.
+struct NeededBytes {
+  explicit NeededBytes(Fixing& fixing) : of(fixing.elements().count(model::RootArray::buffers)) {
+    for (const model::BufferView& view : fixing.views().buffer_views) {
+      if (!view.buffer) continue;
+      std::uint64_t& needed = of[*view.buffer];
+      needed = std::max(needed,
+                        saturating_add(view.byte_offset.value_or(0), view.byte_length.value_or(0)));
+    }
+  }
+  std::vector<std::uint64_t> of;
+};
+
+// Less is enough where no buffer view needs more.
+bool declare_actual_length(Fixing& fixing, Span place) {
+  const json::NodeId length = fixing.node_at(place);
+  if (length == json::kNoNode) return false;
+  const json::NodeId buffer = fixing.parent(length);
+  const auto bytes = bytes_of(fixing, buffer);
+  if (!bytes || bytes->empty()) return false;
+  const auto& needed = fixing.table<NeededBytes>().of;
+  const std::uint32_t index = fixing.index_of(buffer);
+  if (index >= needed.size() || needed[index] > bytes->size()) return false;
+  return fixing.replace_scalar(length, std::to_string(bytes->size()));
+}
+
+// `place` is the buffer.
+bool declare_whole_chunk(Fixing& fixing, Span place) {
+  const json::NodeId buffer = fixing.node_at(place);
+  const json::NodeId length = fixing.document().find(buffer, "byteLength");
+  const auto& bin = fixing.opened().container().bin;
+  return length != json::kNoNode && bin &&
+         fixing.replace_scalar(length, std::to_string(bin->length));
+}
+
+bool pad_with_zeros(Fixing& fixing, Span place) {
+  const auto declared =
+      model::unsigned_member(fixing.document(), fixing.node_at(place), "byteLength");
+  std::string* const chunk = fixing.content(0);
+  if (!declared || chunk == nullptr || chunk->size() < *declared) return false;
+  std::fill(chunk->begin() + static_cast<std::ptrdiff_t>(*declared), chunk->end(), '\0');
+  return true;
+}
+
+constexpr FixEntry kBufferFixes[] = {{Code::BUFFER_BYTE_LENGTH_MISMATCH, declare_actual_length},
+                                     {Code::BUFFER_GLB_CHUNK_TOO_BIG, declare_whole_chunk},
+                                     {Code::GLB_BIN_PADDING, pad_with_zeros}};
+
+}  // namespace
+
+const Family& buffers_family() {
+  static constexpr Family family{.fixes = kBufferFixes};
+  return family;
+}
+
+void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink) {
+  const auto& buffers = context.asset.elements(model::RootArray::buffers);
+  for (std::size_t i = 0; i < resources.buffers.size(); ++i) {
+    if (is_torn_file(context, buffers[i], true, resources.buffers[i])) {
+      report_torn(context, model::RootArray::buffers, i, sink);
+    }
+  }
+  const auto& images = context.asset.elements(model::RootArray::images);
+  for (std::size_t i = 0; i < resources.images.size(); ++i) {
+    if (is_torn_file(context, images[i], false, resources.images[i].bytes)) {
+      report_torn(context, model::RootArray::images, i, sink);
+    }
+  }
+}
+
+Resources load_resources(const Context& context, Sink& sink, FileReport& report) {
+  Resources resources;
+  resources.data.origin = context.files.resolver().origin();
+  load_buffers(context, sink, report, resources);
+  load_images(context, sink, report, resources);
+  return resources;
+}
+
+}  // namespace gltfx::validate

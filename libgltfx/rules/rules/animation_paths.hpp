@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The places at which the Khronos validator finds things in animations. Behind a channel without a
+/// sampler index it goes on as if it were still in it, so that pointers carry steps along, even
+/// behind the animations.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+
+#include "model/animation.hpp"
+#include "rules/context.hpp"
+
+namespace gltfx::validate {
+
+/// Whether a channel has an index of a sampler, be it of one that is not there.
+bool has_sampler_index(const Context& context, const model::AnimationChannel& channel);
+
+/// Whether references from the animation are followed: that validator needs both of its lists.
+bool is_linked(const Context& context, const model::Animation& animation);
+
+/// A path that is added to and taken from, from /animations on.
+class AnimationPaths {
+ public:
+  AnimationPaths() { push("animations"); }
+
+  const Path& path() const { return steps_.empty() ? root_ : steps_.back(); }
+  template <typename Step>
+  void push(Step step) {
+    if (steps_.size() < kMost) {
+      steps_.emplace_back(path(), step);
+    } else {
+      ++beyond_;
+    }
+  }
+  void pop() {
+    if (beyond_ > 0) {
+      --beyond_;
+    } else if (!steps_.empty()) {
+      steps_.pop_back();
+    }
+  }
+
+ private:
+  static constexpr std::size_t kMost = 32;  // enough to know them by
+  Path root_;
+  std::deque<Path> steps_;
+  std::size_t beyond_ = 0;
+};
+
+}  // namespace gltfx::validate

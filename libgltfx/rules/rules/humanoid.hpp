@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The bones of humanoid avatars.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/node.hpp"
+#include "rules/context.hpp"
+
+namespace gltfx::validate {
+
+struct HumanBone {
+  std::string name;
+  std::string place;                   ///< of that index, below `humanBones`: "hips/node"
+  json::NodeId value = json::kNoNode;  ///< the index of its node, as it stands in the text
+  model::NodeIndex node = 0;
+};
+
+/// Those of `humanoid`.`humanBones` that have a node; `extension` is the object that has the
+/// humanoid. Both forms are read: an object of bones, and the list of VRM 0.x.
+std::vector<HumanBone> read_human_bones(const Context& context, json::NodeId extension);
+
+}  // namespace gltfx::validate

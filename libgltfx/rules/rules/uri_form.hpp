@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The form of URIs, wherever they are.
+#pragma once
+
+#include "rules/context.hpp"
+
+namespace gltfx::validate {
+
+/// Reports what is wrong with the string `value` as a reference to a file. Data URIs are none.
+void check_uri_form(const Context& context, Sink& sink, json::NodeId value, const Path& path);
+
+}  // namespace gltfx::validate

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rules/validated_asset.hpp"
+
+#include "rules/validator.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+bool is_unlimited(const Budgets& budgets) {
+  const auto& [texture_size, total_pixels, triangles, draw_calls, file_size] = budgets;
+  return (texture_size | total_pixels | triangles | draw_calls | file_size) == 0;
+}
+
+// Taken apart by name: a member that is added to the options has to be decided upon here.
+bool judges_by_default(const ValidateOptions& options) {
+  const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, searched, max_issues,
+               changed_lines, propose_fixes, targets, jobs, select, ignore, severity, schemas,
+               cache] = options;
+  // Where files come from and what is known of glTF is a matter of the asset, not of taste.
+  static_cast<void>(root);
+  static_cast<void>(searched);
+  static_cast<void>(schemas);
+  static_cast<void>(propose_fixes);
+  static_cast<void>(jobs);
+  static_cast<void>(cache);
+  return profile == Profile::standard &&
+         pixels.value_or(PixelLevel::headers) == PixelLevel::headers && is_unlimited(budgets) &&
+         lfs == LfsPolicy::skip && !inline_suppressions && targets.empty() && max_issues == 0 &&
+         !changed_lines && select.empty() && ignore.empty() && severity.empty();
+}
+
+}  // namespace
+
+ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, const ValidateOptions& options)
+    : asset_(std::move(asset)),
+      report_(validate(asset_, options, &sites_)),
+      by_default_(judges_by_default(options)) {}
+
+ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, FileReport report,
+                               const ValidateOptions& options)
+    : asset_(std::move(asset)),
+      report_(std::move(report)),
+      by_default_(judges_by_default(options)) {}
+
+}  // namespace gltfx::validate

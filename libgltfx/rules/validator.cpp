@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rules/validator.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "base/codes.hpp"
+#include "base/fork.hpp"
+#include "base/parallel.hpp"
+#include "base/work_count.hpp"
+#include "model/info.hpp"
+#include "rules/collector.hpp"
+#include "rules/context.hpp"
+#include "rules/phases.hpp"
+#include "rules/rules/interactivity_draft.hpp"
+#include "rules/rules_of_types.hpp"
+#include "schema/compile.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// Object rules by type, so that the walk asks once per object.
+using ObjectRules = RulesByName<std::vector<ObjectRuleEntry>>;
+
+ObjectRules make_object_rules(bool reading_order) {
+  const Runs never = reading_order ? Runs::otherwise : Runs::in_reading_order;
+  ObjectRules rules;
+  for (const Family& family : families()) {
+    for (const ObjectRuleEntry& entry : family.object_rules) {
+      const bool on_the_way = reading_order && !entry.behind.empty();
+      if (entry.runs != never && !on_the_way) rules.to(entry.type).push_back(entry);
+    }
+  }
+  return rules;
+}
+
+// Those that run behind all members of an object.
+const ObjectRules& object_rules(bool reading_order) {
+  static constinit MadeOnce<ObjectRules> tables[2];
+  return tables[reading_order ? 1 : 0].get([=] { return make_object_rules(reading_order); });
+}
+
+// Bytes of JSON above which a second thread is worth its start.
+constexpr std::size_t kLargeText = std::size_t{1} << 20U;
+
+unsigned jobs_for(const Context& context) {
+  return context.document.text().size() < kLargeText ? 1 : context.options.jobs;
+}
+
+// Phase 5 and those that need its bytes. The Khronos validator does not come this far with a GLB
+// that ends too early, nor with an asset whose version it cannot tell.
+void check_bytes(const Context& context, Sink& sink, FileReport& report) {
+  const container::Container& container = context.container;
+  const bool is_short = container.cut_short || container.ends_in_empty_chunk;
+  if (context.deviations.data_of_short_files_is_skipped && is_short) return;
+  Resources resources = load_resources(context, sink, report);
+  decode_views(context, resources.data, sink);
+  check_data(context, resources.data, sink, report);
+  check_image_based_lights(context, resources.data, sink);
+  check_thumbnails(context, resources.data, sink);
+  check_light_profiles(context, resources.data, sink, report);
+  check_scene_extent(context, resources.data, sink);
+  check_torn(context, resources.data, sink);
+  report.info = model::asset_info(context.asset, context.views);
+  check_targets(context, resources.data, sink);
+  check_budgets(context, resources.data, *report.info, resources.listed, sink);
+  report.info->resources = std::move(resources.listed);
+}
+
+// Phase 3: the schema walk with object rules at its heels. `own` is the document of a profile that
+// hides broken members.
+schema::CheckResult check_objects(Context& context, json::Document& own) {
+  const ObjectRules& rules = object_rules(context.deviations.reading_order);
+  TypeCache<const std::vector<ObjectRuleEntry>*> known;
+  const auto rules_of = [&](const schema::ObjectType& type) { return &rules.of(type.name); };
+  const auto visit = [&](const schema::ObjectType& type, json::NodeId object, const Path& path) {
+    for (const ObjectRuleEntry& entry : *known.of(type, rules_of)) {
+      entry.rule(context, object, path);
+    }
+  };
+  if (context.order != nullptr) return check_as_khronos(context, own, *context.order, visit);
+  return schema::check(context.document, context.schemas, {}, context.schema_sink,
+                       context.link_sink, visit);
+}
+
+// Phase 4.
+void check_links(const Context& context) {
+  for (const Family& family : families()) {
+    if (family.additional && context.deviations.no_additional_rules) continue;
+    for (const LinkRule rule : family.link_rules) rule(context);
+  }
+}
+
+// Phases 3 to 7. Each phase reports to a sink of its own, so that two of them can run at once:
+// what they share is only read, unless phase 3 hides broken members of the document.
+// Returns whether all of them could run.
+bool check_document(Context& context, json::Document& own, Collector& collector,
+                    FileReport& report) {
+  const unsigned jobs = jobs_for(context);
+  schema::CheckResult checked;
+  model::Views views;
+  model::SceneGraph graph;
+  run_both(
+      context.deviations.broken_values_are_absent ? 1 : jobs,
+      [&] { checked = check_objects(context, own); },
+      [&] {
+        views = model::Views(context.asset);
+        graph = model::SceneGraph(context.asset, views.nodes);
+      });
+  if (checked.stopped_at_asset || !context.document.is_object(context.document.root())) {
+    return false;
+  }
+  context.checked = std::move(checked);
+  context.views = std::move(views);
+  context.graph = std::move(graph);
+  run_both(
+      jobs, [&] { check_links(context); },
+      [&] { check_bytes(context, collector.sink(Phase::resources), report); });
+  return true;
+}
+
+}  // namespace
+
+FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, Sites* sites) {
+  ++work_count.validated;
+  const Deviations& deviations = deviations_of(options.profile);
+  const bool literal = deviations.mistakes_of_glbs_are_not_named;
+  const container::Container container =
+      literal ? container::literal_reading(opened.container()) : opened.container();
+  const bool hides = deviations.broken_values_are_absent;
+  FileReport report;
+  report.path = opened.name();
+  Collector collector(options);
+  const bool has_text = check_container(container, opened.name(), report, collector);
+  // Members that are hidden here are seen by others.
+  json::Document own;
+  if (has_text && hides) own = opened.document();
+  const json::Document& document = has_text && !hides ? opened.document() : own;
+  const bool readable = has_text && check_text(container.json, opened.parsed(), options, collector);
+  if (readable) {
+    const auto set = options.schemas ? options.schemas : schema::builtin_set();
+    Sink& forms = collector.sink(Phase::schema);
+    Sink& links = collector.sink(Phase::reference);
+    const bool additions = !deviations.no_additional_rules;
+    const model::Asset asset(document, !additions);  // one of which limits the objects
+    const bool earlier = additions && !earlier_interactivity(document).empty();
+    OutsideInteractivity outside_forms(forms);
+    OutsideInteractivity outside_links(links);
+    Sink& heard_links = earlier ? static_cast<Sink&>(outside_links) : links;
+    std::optional<LinkOrder> order;
+    if (deviations.reading_order) order.emplace(links);
+    container::OpenedFiles files(opened.resolver());
+    Context context{container,
+                    files,
+                    document,
+                    *set,
+                    asset,
+                    options,
+                    {},
+                    earlier ? static_cast<Sink&>(outside_forms) : forms,
+                    order ? static_cast<Sink&>(*order) : heard_links};
+    if (order) context.order = &*order;
+    DataUris data_uris(context.uri_reading());
+    context.data_uris = &data_uris;
+    Suppressions suppressions;
+    if (options.inline_suppressions && additions) suppressions = Suppressions(document);
+    if (!suppressions.empty()) collector.suppress(&suppressions);
+    if (check_identity(context, collector) && check_document(context, own, collector, report)) {
+      suppressions.report(options, links);
+      if (!hides) opened.keep_views(std::move(context.views));
+    }
+    report.left_out = suppressions.total();
+  }
+  report.mime_type = mime_type(container, readable && document.is_object(document.root()));
+  if (sites != nullptr) *sites = collector.take_sites();
+  collector.finish(report, document, container.json_offset);
+  return report;
+}
+
+FileReport unreadable(const std::string& name, const std::string& reason,
+                      const ValidateOptions& options) {
+  FileReport report;
+  report.path = name;
+  report.readable = false;
+  Collector collector(options);
+  Finding finding(Code::IO_ERROR);
+  finding.message = reason;
+  collector.report_file(Phase::container, std::move(finding));
+  collector.finish(report, json::Document(), 0);
+  return report;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Assets with data, put together accessor by accessor.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/packed_bytes.hpp"
+#include "rules/selected.hpp"
+
+namespace gltfx::test {
+
+enum Component { kInt8 = 5120, kUint8, kInt16, kUint16, kUint32 = 5125, kFloat };
+
+class DataAsset {
+ public:
+  /// Adds an accessor with `bytes` in a view of its own and gives its index. Without bytes it has
+  /// no view. `more` are further members, each begun with a comma.
+  std::size_t accessor(const std::string& type, Component component, std::size_t count,
+                       const std::string& bytes, const std::string& more = {},
+                       const std::string& view_more = {}) {
+    std::string text = R"({"type": ")" + type + R"(", "componentType": )" +
+                       std::to_string(component) + R"(, "count": )" + std::to_string(count);
+    if (!bytes.empty()) {
+      text += R"(, "bufferView": )" + std::to_string(view(bytes, view_more));
+    }
+    accessors_.push_back(text + more + "}");
+    return accessors_.size() - 1;
+  }
+
+  std::size_t view(const std::string& bytes, const std::string& more = {}) {
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    views_.push_back(R"({"buffer": 0, "byteOffset": )" + std::to_string(bytes_.size()) +
+                     R"(, "byteLength": )" + std::to_string(bytes.size()) + more + "}");
+    bytes_ += bytes;
+    return views_.size() - 1;
+  }
+
+  /// The text of the asset, with further `members` of its root.
+  std::string text(const std::string& members = {}) const {
+    const auto list = [](const std::string& name, const std::vector<std::string>& items) {
+      std::string joined;
+      for (const std::string& item : items) joined += (joined.empty() ? "" : ", ") + item;
+      return items.empty() ? std::string() : ", \"" + name + "\": [" + joined + "]";
+    };
+    std::string buffers;
+    if (!bytes_.empty()) {
+      buffers = R"(, "buffers": [{"byteLength": )" + std::to_string(bytes_.size()) +
+                R"(, "uri": ")" + buffer_uri(bytes_) + R"("}])";
+    }
+    return R"({"asset": {"version": "2.0"})" + list("accessors", accessors_) +
+           list("bufferViews", views_) + buffers + (members.empty() ? "" : ", " + members) + "}";
+  }
+
+ private:
+  std::vector<std::string> accessors_, views_;
+  std::string bytes_;
+};
+
+/// One mesh of one primitive: its members.
+inline std::string mesh(const std::string& attributes, const std::string& more = {}) {
+  return R"("meshes": [{"primitives": [{"attributes": {)" + attributes + "}" + more + "}]}]";
+}
+
+inline const std::set<std::string, std::less<>>& data_codes() {
+  static const std::set<std::string, std::less<>> codes{
+      "ACCESSOR_ANIMATION_INPUT_NEGATIVE",
+      "ACCESSOR_ANIMATION_INPUT_NON_INCREASING",
+      "ACCESSOR_ANIMATION_SAMPLER_OUTPUT_NON_NORMALIZED_QUATERNION",
+      "ACCESSOR_DATA_NOT_CHECKED",
+      "ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND",
+      "ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND",
+      "ACCESSOR_INDEX_OOB",
+      "ACCESSOR_INDEX_PRIMITIVE_RESTART",
+      "ACCESSOR_INDEX_TRIANGLE_DEGENERATE",
+      "ACCESSOR_INVALID_FLOAT",
+      "ACCESSOR_INVALID_IBM",
+      "ACCESSOR_INVALID_SIGN",
+      "ACCESSOR_JOINTS_INDEX_DUPLICATE",
+      "ACCESSOR_JOINTS_INDEX_OOB",
+      "ACCESSOR_JOINTS_USED_ZERO_WEIGHT",
+      "ACCESSOR_MAX_MISMATCH",
+      "ACCESSOR_MIN_MISMATCH",
+      "ACCESSOR_NON_CLAMPED",
+      "ACCESSOR_SPARSE_INDEX_OOB",
+      "ACCESSOR_SPARSE_INDICES_NON_INCREASING",
+      "ACCESSOR_VECTOR3_NON_UNIT",
+      "ACCESSOR_WEIGHTS_NEGATIVE",
+      "ACCESSOR_WEIGHTS_NON_NORMALIZED",
+  };
+  return codes;
+}
+
+/// What is said about the data of an asset.
+inline Lines about_data(const std::string& asset, Profile profile = Profile::standard) {
+  return selected(asset, data_codes(), profile);
+}
+
+}  // namespace gltfx::test

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the specification and its extensions demand of assets: each row of a table in musts/ breaks
+// one demand of an asset that is sound otherwise, and names the error. HACKING.md has the format.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "rules/data_asset.hpp"
+#include "rules/textured.hpp"
+
+namespace gltfx::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::filesystem::path kMusts = GLTFX_SOURCE_DIR "/tests/rules/musts";
+
+Json read_table(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return Json::parse(file);
+}
+
+std::string deep_png(PngColor color, const std::string& texel) {
+  return encode_png({1, 1, color, 16, texel, {}});
+}
+
+std::string picture_of(const std::string& name) {
+  static const std::map<std::string, std::string> pictures{
+      {"rgb8", rgb_png()},
+      {"rgba8", rgba_png()},
+      {"grey8", grey_png()},
+      {"rgb16", deep_png(PngColor::rgb, "\x10\x80\xF0\x10\x80\xF0")},
+      {"rgba16", deep_png(PngColor::rgba, "\x10\x80\xF0\x10\x80\xF0\x40\x40")},
+      {"grey16", deep_png(PngColor::grey, "\x10\x80")},
+      {"jpeg", jpeg_header()},
+      {"cmyk", jpeg_header(4)},
+      {"webp", webp_header(false)},
+  };
+  return pictures.at(name);
+}
+
+// --- Edits: JSON pointers and values; null takes out ---
+
+void edit_value(Json& document, const std::string& pointer, const Json& value) {
+  const Json::json_pointer place(pointer);
+  if (!value.is_null()) {
+    document[place] = value;
+    return;
+  }
+  Json& holder = document.at(place.parent_pointer());
+  if (holder.is_array()) {
+    holder.erase(std::stoul(place.back()));
+  } else {
+    ASSERT_EQ(holder.erase(place.back()), 1U) << pointer;
+  }
+}
+
+void edit_all(Json& document, const Json& row, const char* edits) {
+  if (!row.contains(edits)) return;
+  for (const auto& [pointer, value] : row.at(edits).items()) edit_value(document, pointer, value);
+}
+
+// --- Bytes: accessors have `values`, views have `bytes` or a `picture` ---
+
+void append_little_endian(std::string& out, std::uint32_t bits, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) out += static_cast<char>((bits >> (8 * i)) & 0xFFU);
+}
+
+void append_component(std::string& out, const Json& value, int type) {
+  if (type == kFloat) {
+    const float number =
+        value.is_string() ? std::stof(value.get<std::string>()) : value.get<float>();
+    return append_little_endian(out, std::bit_cast<std::uint32_t>(number), 4);
+  }
+  const std::size_t size = type == kUint32 ? 4 : type < kInt16 ? 1 : 2;
+  append_little_endian(out, static_cast<std::uint32_t>(value.get<std::int64_t>()), size);
+}
+
+std::size_t components_of(const Json& accessor) {
+  static const std::map<std::string, std::size_t> counts{
+      {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
+  return counts.at(accessor.at("type"));
+}
+
+class AssetBuilder {
+ public:
+  explicit AssetBuilder(Json document) : document_(std::move(document)) {}
+
+  Json build() {
+    if (document_.contains("bufferViews")) {
+      for (Json& view : document_["bufferViews"]) add_given(view);
+    }
+    if (document_.contains("accessors")) {
+      for (Json& accessor : document_["accessors"]) add_accessor(accessor);
+    }
+    if (!views_.empty()) document_["bufferViews"] = views_;
+    if (!bytes_.empty()) {
+      document_["buffers"][0] = {{"byteLength", bytes_.size()}, {"uri", buffer_uri(bytes_)}};
+    }
+    embed_pictures(document_);
+    return document_;
+  }
+
+  static void embed_pictures(Json& document) {
+    if (!document.contains("images")) return;
+    for (Json& image : document["images"]) {
+      if (!image.contains("picture")) continue;
+      const std::string bytes = picture_of(image["picture"]);
+      const std::string type = image.value("type", Textured::type_of(bytes));
+      image.erase("picture");
+      image.erase("type");
+      image["uri"] = "data:" + type + ";base64," + base64(bytes);
+    }
+  }
+
+ private:
+  // A view without either is kept as it is.
+  void add_given(Json& view) {
+    if (view.contains("picture")) {
+      const std::string bytes = picture_of(view["picture"]);
+      view.erase("picture");
+      add_view(bytes, view);
+    } else if (view.contains("bytes")) {
+      const std::string bytes = raw(view["bytes"]);
+      view.erase("bytes");
+      add_view(bytes, view);
+    } else {
+      views_.push_back(view);
+    }
+  }
+
+  static std::string raw(const Json& numbers) {
+    std::string bytes;
+    for (const Json& number : numbers) append_component(bytes, number, kUint8);
+    return bytes;
+  }
+
+  std::size_t add_view(const std::string& bytes, const Json& more = Json::object()) {
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    Json view{{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}};
+    view.update(more);
+    views_.push_back(std::move(view));
+    bytes_ += bytes;
+    return views_.size() - 1;
+  }
+
+  static std::string pack(const Json& values, int type, std::size_t components,
+                          std::size_t stride) {
+    std::string bytes;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      append_component(bytes, values[i], type);
+      const bool last = (i + 1) % components == 0;
+      if (last && stride != 0) bytes.resize((i + 1) / components * stride);
+    }
+    return bytes;
+  }
+
+  void add_accessor(Json& accessor) {
+    const Json more = accessor.value("view", Json::object());
+    accessor.erase("view");
+    const int type = accessor.value("componentType", 0);
+    if (accessor.contains("values")) {
+      const Json values = accessor["values"];
+      const std::size_t components = components_of(accessor);
+      accessor.erase("values");
+      if (!accessor.contains("count")) accessor["count"] = values.size() / components;
+      const std::size_t stride = more.value("byteStride", std::size_t{0});
+      accessor["bufferView"] = add_view(pack(values, type, components, stride), more);
+    }
+    if (accessor.contains("bytes")) {
+      accessor["bufferView"] = add_view(raw(accessor["bytes"]), more);
+      accessor.erase("bytes");
+    }
+    if (!accessor.contains("sparse")) return;
+    Json& indices = accessor["sparse"]["indices"];
+    indices["bufferView"] = add_view(pack(indices["values"], indices["componentType"], 1, 0));
+    indices.erase("values");
+    Json& values = accessor["sparse"]["values"];
+    values["bufferView"] = add_view(pack(values["values"], type, components_of(accessor), 0));
+    values.erase("values");
+  }
+
+  Json document_;
+  Json views_ = Json::array();
+  std::string bytes_;
+};
+
+// --- Rows ---
+
+// An asset, or another one with edits.
+Json base_of(const std::string& name, const Json& bases) {
+  const Json& base = bases.at(name);
+  if (!base.contains("from")) return base;
+  Json document = base_of(base.at("from"), bases);
+  edit_all(document, base, "given");
+  return document;
+}
+
+// `given` makes the twin of the base; `values` are edits before bytes are packed, `set` behind.
+std::string asset_of_row(const Json& row, const Json& bases, bool violating) {
+  Json document = base_of(row.at("base"), bases);
+  edit_all(document, row, "given");
+  if (violating) edit_all(document, row, "values");
+  document = AssetBuilder(std::move(document)).build();
+  if (!violating) return document.dump();
+  edit_all(document, row, "set");
+  AssetBuilder::embed_pictures(document);
+  return document.dump();
+}
+
+std::set<std::string> findings_of(const std::string& asset, Severity least) {
+  std::set<std::string> lines;
+  for (const Diagnostic& each : validate_bytes(asset, "test").diagnostics) {
+    if (each.severity <= least) lines.insert(std::string(each.code) + " " + each.pointer);
+  }
+  return lines;
+}
+
+std::set<std::string> errors_of(const Json& row) {
+  const Json& error = row.at("error");
+  if (error.is_array()) return error.get<std::set<std::string>>();
+  return {error.get<std::string>()};
+}
+
+class Musts : public testing::TestWithParam<std::string> {};
+
+TEST_P(Musts, AreErrorsWhereTheyAreBroken) {
+  const Json bases = read_table(kMusts / "bases.json");
+  std::set<std::string> names;
+  for (const Json& row : read_table(kMusts / (GetParam() + ".json"))) {
+    const std::string name = row.at("must");
+    SCOPED_TRACE(name);
+    EXPECT_TRUE(names.insert(name).second) << "is there twice";
+    EXPECT_EQ(findings_of(asset_of_row(row, bases, false), Severity::warning),
+              std::set<std::string>{});
+    const std::set<std::string> errors = errors_of(row);
+    EXPECT_FALSE(errors.empty());
+    EXPECT_EQ(findings_of(asset_of_row(row, bases, true), Severity::error), errors);
+  }
+}
+
+std::vector<std::string> table_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kMusts)) {
+    if (entry.path().stem() != "bases") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Tables, Musts, testing::ValuesIn(table_names()),
+                         [](const auto& table) { return table.param; });
+
+}  // namespace
+}  // namespace gltfx::test
