@@ -14,10 +14,10 @@
 #include "container/opened_files.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
+#include "rules/finding.hpp"
 #include "rules/fix.hpp"
 #include "rules/phases.hpp"
 #include "rules/resource_fetch.hpp"
-#include "rules/rules/finding.hpp"
 
 namespace gltfx::validate {
 namespace {

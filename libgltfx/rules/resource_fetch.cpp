@@ -11,8 +11,8 @@
 #include "container/resolve_error.hpp"
 #include "container/uri.hpp"
 #include "image/header.hpp"
-#include "rules/missing_files.hpp"
-#include "rules/rules/uri_form.hpp"
+#include "rules/core/missing_files.hpp"
+#include "rules/core/uri_form.hpp"
 
 namespace gltfx::validate {
 namespace {

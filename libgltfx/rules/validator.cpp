@@ -11,8 +11,8 @@
 #include "model/info.hpp"
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
+#include "rules/extensions/interactivity_draft.hpp"
 #include "rules/phases.hpp"
-#include "rules/rules/interactivity_draft.hpp"
 #include "rules/rules_of_types.hpp"
 #include "schema/compile.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "codec/support/jpeg_bytes.hpp"
 #include "container/base64.hpp"
-#include "rules/rules/texture_phase.hpp"
+#include "rules/payload/texture_phase.hpp"
 #include "rules/textured.hpp"
 
 namespace gltfx::test {

@@ -89,7 +89,7 @@ TEST(Deviations, FewPlacesAskForTheProfile) {
 }
 
 TEST(Deviations, AnotherPlaceIsFound) {
-  EXPECT_THAT(check_places({"libgltfx/rules/rules/a.cpp",
+  EXPECT_THAT(check_places({"libgltfx/rules/core/a.cpp",
                             "void a() {\n  if (options.profile == Profile::khronos) return;\n}\n"}),
               ElementsAre(HasSubstr("a.cpp:2: asks for the profile")));
   EXPECT_THAT(check_places({"libgltfx/rules/context.hpp",

@@ -15,8 +15,13 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::SizeIs;
 
-// Files that may name extensions, and why a schema cannot do it.
+// Rules that need more than a schema, each in a file that has the name of its extension or of a
+// family of them.
+constexpr std::string_view kRules = "libgltfx/rules/extensions/";
+
+// Other files that may name extensions, and why a schema cannot do it.
 const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/interop/model_text.hpp", "tinygltf has a list of the lights of the extension"},
     {"libgltfx/model/draco.hpp", "decodes the payload of the extension it names"},
@@ -39,86 +44,23 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/upgrade/object_textures.cpp",
      "compares what two textures show, for which the transform's members count with their "
      "defaults"},
-    {"libgltfx/rules/data/check.cpp",
+    {"libgltfx/rules/payload/check.cpp",
      "what numbers of attributes mean: the vocabulary states their formats only"},
-    {"libgltfx/rules/rules/animation_pointer.cpp",
-     "resolves pointers against the object model, which needs the whole document"},
-    {"libgltfx/rules/rules/audio.cpp",
-     "compares lists and distances of one object, and asks emitters and sound data elsewhere for "
-     "their types"},
-    {"libgltfx/rules/rules/bodies.cpp",
-     "whether a part or joint lies below the body it belongs to, the scene graph tells"},
-    {"libgltfx/rules/rules/expressions.cpp",
-     "indices of morph targets behind the mesh of a node, and lists that must be alike"},
-    {"libgltfx/rules/rules/humanoid.cpp",
-     "whether nodes lie below each other as bones do, the scene graph tells"},
-    {"libgltfx/rules/rules/humanoid_pose.cpp",
-     "where bones are, the transforms of all nodes above them tell"},
-    {"libgltfx/rules/rules/avatar.cpp",
-     "annotations that must not repeat, and one extension inside another's asset"},
-    {"libgltfx/rules/rules/node_constraint.cpp", "cycles among nodes that follow each other"},
-    {"libgltfx/rules/rules/nonvisual.cpp",
-     "mode and attributes of the primitive that carries the extension"},
-    {"libgltfx/rules/rules/spring_bone.cpp",
-     "whether joints lie below each other, and what lies between them, the scene graph tells"},
-    {"libgltfx/rules/rules/thumbnail.cpp", "the size of an image is not in the document"},
-    {"libgltfx/rules/rules/toon.cpp", "the alpha mode of the material that carries the extension"},
-    {"libgltfx/rules/rules/node_transform.cpp",
-     "the length of a quaternion: a relation between numbers"},
-    {"libgltfx/rules/rules/xmp.cpp", "names and forms of members that no schema knows"},
-    {"libgltfx/rules/rules/extension_accessors.cpp",
-     "formats of accessors that extensions refer to: the vocabulary says that a member is one, not "
-     "of what"},
-    {"libgltfx/rules/rules/interactivity.cpp",
-     "order of a graph's nodes, lengths of values, indices inside configurations"},
-    {"libgltfx/rules/rules/interactivity_draft.cpp",
-     "tells graphs of earlier drafts by their form"},
-    {"libgltfx/rules/data/edge_visibility.cpp", "edges are coded in the bits of an accessor"},
-    {"libgltfx/rules/data/expression_weights.cpp",
-     "what an animation writes as weights stands in an accessor"},
-    {"libgltfx/rules/data/manifolds.cpp", "whether a surface is closed is told by its indices"},
-    {"libgltfx/rules/data/outlines.cpp",
-     "whether two vertices have an edge, and are there, is told by indices"},
-    {"libgltfx/rules/data/volumes.cpp", "whether a surface is closed is told by its indices"},
     {"libgltfx/rules/targets/geometry_features.cpp", "unlit primitives do not ask for normals"},
     {"libgltfx/rules/targets/material_features.cpp",
      "transforms of slots and places of shaders as features of engines"},
     {"libgltfx/rules/targets/scene_features.cpp", "types of lights as features of engines"},
     {"libgltfx/pipeline/example.cpp", "an engine made up for the examples of rules"},
     {"libgltfx/inspect/metadata_facts.cpp", "counts rows, columns and bytes of tables in buffers"},
-    {"libgltfx/rules/metadata/phase.hpp",
+    {"libgltfx/rules/payload/metadata/phase.hpp",
      "rules that need a schema which may be a file of its own, and values in buffers and images"},
-    {"libgltfx/rules/metadata/schema_source.cpp",
+    {"libgltfx/rules/payload/metadata/schema_source.cpp",
      "checks the file of a schema by the same definition as one inside the asset"},
-    {"libgltfx/rules/metadata/feature_ids.cpp",
+    {"libgltfx/rules/payload/metadata/feature_ids.cpp",
      "compares ids in buffers and images with counts elsewhere"},
-    {"libgltfx/rules/light_profiles.cpp", "the head of a file in a format of its own"},
-    {"libgltfx/rules/rules/image_based_light.cpp", "sizes of images, which only their bytes tell"},
-    {"libgltfx/rules/rules/lod.cpp", "cycles among levels of detail"},
-    {"libgltfx/rules/rules/ktx2.cpp",
+    {"libgltfx/rules/payload/light_profiles.cpp", "the head of a file in a format of its own"},
+    {"libgltfx/rules/payload/ktx2.cpp",
      "which payload an extension allows in a KTX2 file is told by its bytes"},
-    {"libgltfx/rules/rules/material_lobes.cpp",
-     "lobes that hide each other: relations between the values of several extensions"},
-    {"libgltfx/rules/rules/material_needs.cpp",
-     "a tangent space is needed by a value, with or without a texture"},
-    {"libgltfx/rules/rules/mdl.cpp", "the type of what a call elsewhere returns"},
-    {"libgltfx/rules/rules/mesh_groups.cpp", "compares the primitives of a mesh"},
-    {"libgltfx/rules/rules/name_registries.cpp", "names that must be unique over a list"},
-    {"libgltfx/rules/rules/packed_geometry.cpp",
-     "compares compressed data with the primitive or buffer view it sits on"},
-    {"libgltfx/rules/rules/single_root.cpp",
-     "an extension without objects whose name promises how the scene looks"},
-    {"libgltfx/rules/rules/techniques.cpp",
-     "names of one object that must be those of another, which a third one refers to"},
-    {"libgltfx/rules/rules/timed_accessors.cpp",
-     "asks the accessors of several extensions for another one"},
-    {"libgltfx/rules/rules/splats.cpp", "attributes that must stand together"},
-    {"libgltfx/rules/rules/lights_punctual.cpp",
-     "compares the two angles of a spot light: a relation between values"},
-    {"libgltfx/rules/rules/material_extensions.cpp",
-     "rules that compare properties of one extension, or ask for tangents beside a texture"},
-    {"libgltfx/rules/rules/variants.hpp",
-     "variants are indices into an array elsewhere that must not repeat over all mappings"},
 };
 
 // "KHR", "EXT", ...: what stands before the first '_' of the extensions we have schemas of.
@@ -155,7 +97,7 @@ std::string extension_in(std::string_view text,
 // Raw literals hold example assets and help texts, which show extensions without acting on them.
 Problems check_names(const Source& source, const std::set<std::string, std::less<>>& known) {
   Problems problems;
-  if (kAllowed.count(source.path) > 0) return problems;
+  if (source.path.starts_with(kRules) || kAllowed.count(source.path) > 0) return problems;
   for (const Literal& literal : lex(source.text).literals) {
     if (literal.raw) continue;
     const std::string name = extension_in(literal.text, known);
@@ -185,6 +127,13 @@ TEST(ExtensionNames, TheListHasNoEntryThatIsNotNeeded) {
     }
     EXPECT_TRUE(needed) << path << " names no extension: take it off the list";
   }
+}
+
+TEST(ExtensionNames, RulesOfExtensionsHaveAFolder) {
+  const std::string text = "if (name == \"KHR_materials_ior\") return;\n";
+  EXPECT_THAT(check_names({"libgltfx/rules/extensions/ior.cpp", text}, {"KHR"}), IsEmpty());
+  EXPECT_THAT(check_names({"libgltfx/rules/core/material.cpp", text}, {"KHR"}), SizeIs(1));
+  for (const auto& [path, reason] : kAllowed) EXPECT_FALSE(path.starts_with(kRules)) << path;
 }
 
 TEST(ExtensionNames, ANameIsFound) {

@@ -8,8 +8,8 @@
 #include "model/accessor.hpp"
 #include "model/fields.hpp"
 #include "model/mesh.hpp"
+#include "rules/extensions/materials_variants.hpp"
 #include "rules/phases.hpp"
-#include "rules/rules/variants.hpp"
 #include "rules/rules_of_types.hpp"
 #include "schema/check.hpp"
 

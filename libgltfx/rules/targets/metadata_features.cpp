@@ -5,7 +5,7 @@
 
 #include "model/fields.hpp"
 #include "model/metadata.hpp"
-#include "rules/metadata/phase.hpp"
+#include "rules/payload/metadata/phase.hpp"
 #include "rules/targets/features.hpp"
 
 namespace gltfx::validate {

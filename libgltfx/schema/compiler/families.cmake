@@ -11,7 +11,7 @@ foreach(file ${FILES})
     string(APPEND items "          ${name}(),\n")
   endforeach()
 endforeach()
-set(text "// Written by CMake from rules/rules/*.cpp.
+set(text "// Written by CMake from rules/*/*.cpp.
 #include \"rules/context.hpp\"
 
 namespace gltfx::validate {

@@ -16,7 +16,7 @@ function(gltfx_rule_sources target)
     DEPENDS gltfx_rule_compiler ${rule_pages}
     COMMENT "Embedding the pages of rules" VERBATIM)
   set(folder ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../../rules)
-  file(GLOB families CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/data/*.cpp ${folder}/rules/*.cpp)
+  file(GLOB_RECURSE families CONFIGURE_DEPENDS ${folder}/*.cpp)
   set(list ${generated}/families.cpp)
   add_custom_command(OUTPUT ${list}
     COMMAND ${CMAKE_COMMAND} -DOUT=${list} "-DFILES=${families}"

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names of vertex attributes, and which of them go together.
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+#include "model/fields.hpp"
+#include "model/mesh.hpp"
+#include "rules/context.hpp"
+#include "rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::Attribute;
+using model::SemanticKind;
+
+// The sets of one indexed semantic that a primitive has.
+struct Sets {
+  std::uint64_t count = 0;
+  std::uint64_t highest = 0;
+  bool continuous() const { return count == 0 || highest == count - 1; }
+};
+
+Sets count_sets(const std::vector<Attribute>& attributes, SemanticKind kind) {
+  Sets sets;
+  for (const Attribute& attribute : attributes) {
+    if (attribute.semantic.kind != kind) continue;
+    ++sets.count;
+    sets.highest = std::max(sets.highest, attribute.semantic.set);
+  }
+  return sets;
+}
+
+bool has(const std::vector<Attribute>& attributes, SemanticKind kind) {
+  return std::any_of(attributes.begin(), attributes.end(),
+                     [&](const Attribute& each) { return each.semantic.kind == kind; });
+}
+
+std::string suggestion(std::string_view name) {
+  static constexpr std::array<std::string_view, 7> kNames{
+      "POSITION", "NORMAL", "TANGENT", "TEXCOORD_0", "COLOR_0", "JOINTS_0", "WEIGHTS_0"};
+  const std::string_view near = nearest(name, kNames);
+  if (!near.empty() && near != name) return fmt::format("did you mean '{}'?", near);
+  return "start the name of a custom attribute with an underscore, such as _TEMPERATURE";
+}
+
+// Extensions name attributes PREFIX_x:NAME. What one adds is in its schema file; of one without
+// such a file nothing is known, so any name of its own is taken.
+bool is_extension_attribute(const Context& context, std::string_view name, bool target) {
+  if (context.deviations.unsupported_extensions_are_skipped) return false;
+  const schema::ExtensionId id = context.schemas.find_extension(model::semantic_extension(name));
+  if (id == schema::kNone) return true;
+  const schema::Extension& extension = context.schemas.extensions()[id];
+  const auto& known = target ? extension.morph_attributes : extension.vertex_attributes;
+  return std::any_of(known.begin(), known.end(), [&](const schema::AttributeFormat& each) {
+    return model::matches_semantic(each.semantic, name);
+  });
+}
+
+void check_name(const Context& context, std::string_view name, json::NodeId value, bool target,
+                const Path& path) {
+  const SemanticKind kind = model::parse_semantic(name).kind;
+  const bool skinning = kind == SemanticKind::joints || kind == SemanticKind::weights;
+  const bool good = kind == SemanticKind::extension
+                        ? is_extension_attribute(context, name, target)
+                        : kind != SemanticKind::invalid && !(target && skinning);
+  if (good) return;
+  context.schema_sink.report(
+      Path(path, name),
+      finding_on(context, value, Code::MESH_PRIMITIVE_INVALID_ATTRIBUTE,
+                 target && skinning
+                     ? fmt::format("{} is not allowed in a morph target.", quoted(name))
+                     : fmt::format("{} is not a glTF attribute.", quoted(name)),
+                 target && skinning ? std::string() : suggestion(name)));
+}
+
+void check_names(const Context& context, const std::vector<Attribute>& attributes, bool target,
+                 const Path& path) {
+  if (context.deviations.reading_order) return;  // told name by name
+  for (const Attribute& attribute : attributes) {
+    check_name(context, attribute.name, attribute.value, target, path);
+  }
+}
+
+// In reading order: maps are `attributes` and the elements of `targets`.
+void check_entry(const Context& context, std::string_view name, json::NodeId value,
+                 const Path& map) {
+  check_name(context, name, value, map.is_index(), map);
+}
+
+// An extension that may be left out cannot be what brings the positions.
+bool may_bring_positions(const Context& context, json::NodeId primitive) {
+  const json::Document& document = context.document;
+  const json::NodeId extensions = model::object_member(document, primitive, "extensions");
+  if (extensions == json::kNoNode || context.deviations.unsupported_extensions_are_skipped) {
+    return false;
+  }
+  for (const auto member : document.members(extensions)) {
+    const schema::ExtensionId id = context.schemas.find_extension(document.key(member.key_id));
+    if (id == schema::kNone) return true;
+    const auto must = context.schemas.extensions()[id].must_be_required;
+    if (must != schema::MustBeRequired::optional) return true;
+  }
+  return false;
+}
+
+void check_presence(const Context& context, const model::Primitive& primitive, const Path& path) {
+  const auto& attributes = primitive.attributes;
+  if (!has(attributes, SemanticKind::position) && !may_bring_positions(context, primitive.node)) {
+    context.schema_sink.report(
+        path, finding_on(context, primitive.attributes_node, Code::MESH_PRIMITIVE_NO_POSITION,
+                         "The primitive has no POSITION, so nothing is drawn."));
+  }
+  const Attribute* tangent = primitive.find(SemanticKind::tangent);
+  if (tangent == nullptr || has(attributes, SemanticKind::normal)) return;
+  context.schema_sink.report(
+      Path(path, tangent->name),
+      finding_on(context, tangent->value, Code::MESH_PRIMITIVE_TANGENT_WITHOUT_NORMAL,
+                 "TANGENT is ignored because the primitive has no NORMAL."));
+}
+
+void check_continuity(const Context& context, const model::Primitive& primitive, SemanticKind kind,
+                      const Sets& sets, const Path& path) {
+  if (sets.continuous()) return;
+  const std::string_view name = model::semantic_prefix(kind);
+  context.schema_sink.report(
+      path, finding_on(context, primitive.attributes_node,
+                       Code::MESH_PRIMITIVE_INDEXED_SEMANTIC_CONTINUITY,
+                       fmt::format("The number of {0} sets is {1}, but the highest one is {0}_{2}.",
+                                   name, sets.count, sets.highest)));
+}
+
+void check_sets(const Context& context, const model::Primitive& primitive, const Path& path) {
+  const Sets colors = count_sets(primitive.attributes, SemanticKind::color);
+  const Sets joints = count_sets(primitive.attributes, SemanticKind::joints);
+  const Sets weights = count_sets(primitive.attributes, SemanticKind::weights);
+  const Sets texcoords = count_sets(primitive.attributes, SemanticKind::texcoord);
+  check_continuity(context, primitive, SemanticKind::color, colors, path);
+  check_continuity(context, primitive, SemanticKind::joints, joints, path);
+  check_continuity(context, primitive, SemanticKind::weights, weights, path);
+  check_continuity(context, primitive, SemanticKind::texcoord, texcoords, path);
+  // A gap is reported; what is missing may be just the other half.
+  const bool gap = !joints.continuous() || !weights.continuous();
+  if (gap && !context.deviations.sets_with_gaps_are_empty) return;
+  const std::uint64_t joint_sets = joints.continuous() ? joints.count : 0;
+  const std::uint64_t weight_sets = weights.continuous() ? weights.count : 0;
+  if (joint_sets == weight_sets) return;
+  context.schema_sink.report(
+      path,
+      finding_on(
+          context, primitive.attributes_node, Code::MESH_PRIMITIVE_JOINTS_WEIGHTS_MISMATCH,
+          fmt::format("The number of JOINTS sets is {}, but the number of WEIGHTS sets is {}.",
+                      joint_sets, weight_sets)));
+}
+
+void check_primitive(const Context& context, json::NodeId object, const Path& path) {
+  const model::Primitive primitive = model::read_primitive(context.asset, object);
+  const Path attributes(path, "attributes");
+  if (!primitive.attributes.empty()) {
+    check_names(context, primitive.attributes, false, attributes);
+    check_presence(context, primitive, attributes);
+    check_sets(context, primitive, attributes);
+  }
+  const Path targets(path, "targets");
+  for (std::size_t i = 0; i < primitive.targets.size(); ++i) {
+    check_names(context, model::read_attributes(context.asset, primitive.targets[i]), true,
+                Path(targets, static_cast<std::uint64_t>(i)));
+  }
+}
+
+}  // namespace
+
+const Family& attribute_names_family() {
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"mesh.primitive", check_primitive, "attributes"}};
+  static constexpr MapRule kMapRules[] = {check_entry};
+  static constexpr Family family{
+      .order = 320, .object_rules = kObjectRules, .map_rules = kMapRules};
+  return family;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Rotations of nodes and of whatever else is turned like one.
+#pragma once
+
+#include "rules/context.hpp"
+
+namespace gltfx::validate {
+
+/// An ObjectRule: the quaternion in the member `rotation`, if there is one, has the length 1.
+void check_rotation(const Context& context, json::NodeId object, const Path& path);
+
+}  // namespace gltfx::validate

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fixes of values that the walk over schemas finds wrong: null, numbers in quotes, numbers that are
+// hardly out of range, members in the wrong object.
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/codes.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "json/writer.hpp"
+#include "rules/context.hpp"
+#include "rules/fix_users.hpp"
+#include "rules/payload/mend.hpp"
+#include "schema/home.hpp"
+#include "schema/meant.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+struct Judged {
+  explicit Judged(const Fixing& fixing) : values(fixing.document()) {}
+  const schema::Values values;
+};
+
+const schema::Shape* shape_of(Fixing& fixing, json::NodeId value) {
+  const schema::ShapeId id = fixing.graph().shape(value);
+  return id == schema::kNone ? nullptr : &fixing.schemas().shape(id);
+}
+
+// The name of the member that a value is, or empty.
+std::string_view name_of_member(Fixing& fixing, json::NodeId value) {
+  const graph::Tree& tree = fixing.tree();
+  return tree.is_member(value) ? tree.name(value) : std::string_view();
+}
+
+bool is_required_member(Fixing& fixing, json::NodeId value) {
+  const schema::TypeId type = fixing.graph().type(fixing.parent(value));
+  const schema::Property* property =
+      type == schema::kNone ? nullptr
+                            : fixing.schemas().find_property(type, name_of_member(fixing, value));
+  return property != nullptr && property->required;
+}
+
+// Absent is what programs mean that write null for what they have not.
+bool remove_null(Fixing& fixing, json::NodeId value) {
+  const std::string_view name = name_of_member(fixing, value);
+  if (name.empty() || is_required_member(fixing, value)) return false;
+  if (name != "extensions" && shape_of(fixing, value) == nullptr) return false;
+  return fixing.remove_member(value);
+}
+
+bool write_meant(Fixing& fixing, json::NodeId value) {
+  const schema::Shape* shape = shape_of(fixing, value);
+  if (shape == nullptr) return false;
+  const std::string meant =
+      schema::meant_value(fixing.schemas(), fixing.table<Judged>().values, *shape, {value});
+  return !meant.empty() && fixing.replace(value, meant);
+}
+
+bool correct_value_type(Fixing& fixing, Span place) {
+  const json::NodeId value = fixing.node_at(place);
+  if (value == json::kNoNode) return false;
+  if (write_bound(fixing, value)) return true;
+  if (fixing.document().kind(value) == json::Kind::null) return remove_null(fixing, value);
+  const schema::Shape* shape = shape_of(fixing, value);
+  const bool text = shape != nullptr && shape->types == schema::kString;
+  return (text || fixing.document().is_string(value)) && write_meant(fixing, value);
+}
+
+// Readers may have passed over a number for a flag or a texture: then the picture changes.
+bool write_any_type(Fixing& fixing, Span place) {
+  const json::NodeId value = fixing.node_at(place);
+  return value != json::kNoNode && write_meant(fixing, value);
+}
+
+bool correct_list(Fixing& fixing, json::NodeId list) {
+  const schema::Shape* shape = shape_of(fixing, list);
+  if (shape == nullptr || shape->items == schema::kNone) return false;
+  const schema::Shape& items = fixing.schemas().shape(shape->items);
+  const schema::Values& values = fixing.table<Judged>().values;
+  std::vector<std::pair<json::NodeId, std::string>> meant;
+  for (const json::NodeId element : fixing.document().elements(list)) {
+    if (values.has_type({element}, items.types)) continue;
+    if (!fixing.document().is_string(element)) return false;
+    meant.emplace_back(element, schema::meant_value(fixing.schemas(), values, items, {element}));
+    if (meant.back().second.empty()) return false;
+  }
+  for (const auto& [element, text] : meant) {
+    if (!fixing.is_claimed(element)) fixing.replace(element, text);
+  }
+  return !meant.empty();
+}
+
+struct CorrectedLists {
+  explicit CorrectedLists(const Fixing& /*fixing*/) {}
+  std::map<json::NodeId, bool> done;
+};
+
+// All elements of a list that are of the wrong type, or none: one of them may have been reported.
+bool correct_elements(Fixing& fixing, Span place) {
+  const json::NodeId node = fixing.node_around(place);
+  const json::NodeId list = node == json::kNoNode ? node : fixing.parent(node);
+  if (node != json::kNoNode && write_bound(fixing, node)) return true;
+  if (list == json::kNoNode || fixing.document().kind(list) != json::Kind::array) return false;
+  fixing.share(list);
+  auto& done = fixing.table<CorrectedLists>().done;
+  const auto known = done.find(list);
+  return known != done.end() ? known->second
+                             : done.emplace(list, correct_list(fixing, list)).first->second;
+}
+
+bool correct_length(Fixing& fixing, Span place) {
+  const json::NodeId array = fixing.node_at(place);
+  if (array == json::kNoNode) return false;
+  if (write_bound(fixing, array)) return true;
+  const schema::Shape* shape = shape_of(fixing, array);
+  if (shape == nullptr) return false;
+  const std::string meant = schema::with_decimal_points(fixing.document(), array, *shape);
+  if (meant.empty() || !fixing.claim(array)) return false;
+  fixing.replace_text(fixing.document().span(array), meant);  // spaces stay
+  return true;
+}
+
+// What arithmetic in single precision leaves of a number at the limit.
+std::optional<double> nearly_at_limit(const schema::Shape& shape, double number) {
+  constexpr double kRounding = 4 * FLT_EPSILON;
+  if ((shape.types & schema::kNumber) == 0) return std::nullopt;
+  double scale = 0;
+  for (const double limit : {shape.minimum, shape.maximum}) {
+    if (std::isfinite(limit)) scale = std::max(scale, std::abs(limit));
+  }
+  const auto is_near = [&](double limit, bool excluded) {
+    return !excluded && std::abs(number - limit) <= kRounding * scale;
+  };
+  if (is_near(shape.minimum, shape.exclusive_minimum)) return shape.minimum;
+  if (is_near(shape.maximum, shape.exclusive_maximum)) return shape.maximum;
+  return std::nullopt;
+}
+
+bool clamp_rounding(Fixing& fixing, json::NodeId node, Span place) {
+  const json::Document& document = fixing.document();
+  const schema::Shape* shape = shape_of(fixing, node);
+  if (shape == nullptr || fixing.is_claimed(node)) return false;
+  if (document.is_number(node)) {
+    const auto limit = nearly_at_limit(*shape, document.number(node).value);
+    return limit && fixing.replace_scalar(node, number_text(*limit));
+  }
+  if (document.kind(node) != json::Kind::number_array || shape->items == schema::kNone) {
+    return false;
+  }
+  for (json::NumberCursor at(document, node); at.valid(); at.advance()) {
+    if (at.number().span.begin != place.begin) continue;
+    const auto limit = nearly_at_limit(fixing.schemas().shape(shape->items), at.number().value);
+    if (limit) fixing.replace_text(at.number().span, number_text(*limit));
+    return limit.has_value();
+  }
+  return false;
+}
+
+bool correct_range(Fixing& fixing, Span place) {
+  const json::NodeId node = fixing.node_around(place);
+  if (node == json::kNoNode) return false;
+  if (write_bound(fixing, node)) return true;
+  const std::string_view name = name_of_member(fixing, node);
+  const json::NodeId object = fixing.parent(node);
+  const std::uint32_t index = fixing.index_of(object);
+  const auto& views = fixing.views().buffer_views;
+  if (name == "byteStride" && index < views.size() && views[index].node == object) {
+    return mend_stride(fixing, index);
+  }
+  return clamp_rounding(fixing, node, place);
+}
+
+/// Members that were moved, by the object that has them now, and objects that were made for them.
+struct Moves {
+  explicit Moves(const Fixing&) {}
+  std::set<std::pair<json::NodeId, std::string>> members, made;
+};
+
+bool move_member(Fixing& fixing, json::NodeId value, const schema::Home& home) {
+  auto& moves = fixing.table<Moves>();
+  const std::string name(name_of_member(fixing, value));
+  const std::string text(fixing.document().raw(value));
+  const json::NodeId object = fixing.parent(value);
+  if (home.object == json::kNoNode) {
+    // Others go into the object when it is there.
+    const std::string through(home.through);
+    if (fixing.document().holds(object, through)) return false;
+    if (!moves.made.emplace(object, through).second || !fixing.remove_member(value)) return false;
+    std::string member = "{";
+    json::append_string(member, name);
+    return fixing.append_member(object, through, member + ": " + text + "}");
+  }
+  if (fixing.document().holds(home.object, name)) return false;
+  if (!moves.members.emplace(home.object, name).second || !fixing.remove_member(value)) {
+    return false;
+  }
+  return fixing.append_member(home.object, name, text);
+}
+
+bool is_misspelt(Fixing& fixing, schema::TypeId type, std::string_view name) {
+  if (type == schema::kNone) return false;
+  std::vector<std::string_view> known;
+  for (const schema::Property& property : fixing.schemas().type(type).properties) {
+    known.push_back(property.name);
+  }
+  return !nearest(name, known).empty();
+}
+
+schema::Home home_at(Fixing& fixing, json::NodeId key) {
+  const graph::Graph& graph = fixing.graph();
+  const json::NodeId object = fixing.parent(key);
+  schema::Neighbourhood around{graph.type(object), object};
+  json::NodeId above = fixing.parent(object);
+  for (; above != json::kNoNode && graph.type(above) == schema::kNone;
+       above = fixing.parent(above)) {
+    const bool list = fixing.document().is_array(above);
+    around.among_others |= list && fixing.document().array_size(above) > 1;
+  }
+  if (above != json::kNoNode) {
+    around.type_above = graph.type(above);
+    around.object_above = above;
+  }
+  const std::string_view name = fixing.document().key(fixing.document().node(key).next);
+  return is_misspelt(fixing, around.type, name)
+             ? schema::Home()
+             : schema::find_home(fixing.schemas(), fixing.document(), around, name);
+}
+
+// `place` is the name of the member. What moves into the object about the asset is drawn by nobody.
+bool move_into(Fixing& fixing, Span place, bool only_asset) {
+  const json::NodeId key = fixing.node_at(place);
+  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
+  const schema::Home home = home_at(fixing, key);
+  if (!home.is_certain) return false;
+  if (only_asset && home.type != fixing.schemas().find_type("asset")) return false;
+  return move_member(fixing, key + 1, home);
+}
+
+bool move_into_asset(Fixing& fixing, Span place) { return move_into(fixing, place, true); }
+bool move_anywhere(Fixing& fixing, Span place) { return move_into(fixing, place, false); }
+
+constexpr FixEntry kValueFixes[] = {
+    {Code::TYPE_MISMATCH, correct_value_type, FixStage::document, write_any_type},
+    {Code::ARRAY_TYPE_MISMATCH, correct_elements},
+    {Code::INVALID_INDEX, correct_elements},
+    {Code::ARRAY_LENGTH_NOT_IN_LIST, correct_length},
+    {Code::VALUE_NOT_IN_RANGE, correct_range},
+    {Code::UNEXPECTED_PROPERTY, move_into_asset, FixStage::document, move_anywhere},
+};
+
+}  // namespace
+
+const Family& value_fixes_family() {
+  static constexpr Family family{.fixes = kValueFixes};
+  return family;
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What materials ask of the meshes they are on, and which of these may have an alpha of their own.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rules/context.hpp"
+#include "rules/extension_walk.hpp"
+
+namespace gltfx::validate {
+
+/// Made once for an asset; linear in its primitives.
+class VertexAlpha {
+ public:
+  explicit VertexAlpha(const Context& context);
+  bool on(std::uint32_t material) const { return any_ || materials_.count(material) != 0; }
+
+ private:
+  void add(const Context& context, const model::Primitive& primitive);
+
+  std::set<std::uint32_t> materials_;
+  bool any_ = false;  // some primitive with such vertices may wear other materials too
+};
+
+/// The 12 of "/materials/12/normalTexture", or nothing when the slot is elsewhere.
+std::optional<std::uint64_t> material_of(std::string_view pointer);
+
+/// Whether the slot of that property holds a normal map. Schema files do not say so; names do.
+bool is_normal_map(std::string_view property);
+
+/// A texture that reads a set of texture coordinates.
+struct TexCoordNeed {
+  std::string pointer;  ///< of the texture info, or of the extension on it that names the set
+  std::uint64_t set = 0;
+};
+
+struct MaterialNeed {
+  std::vector<TexCoordNeed> texcoords;
+  bool tangent_space = false;   ///< some texture is read in tangent space
+  bool normal_texture = false;  ///< the core one, from which tangents are made up
+};
+
+/// Needs of all materials, from the texture slots the walk has met.
+class MaterialNeeds {
+ public:
+  MaterialNeeds(const Context& context, const ActiveExtensions& active);
+  const MaterialNeed& of(std::uint32_t material) const { return needs_[material]; }
+
+ private:
+  void add(const Context& context, const ActiveExtensions& active, const schema::SlotUse& use);
+  void add_directions(const Context& context);
+
+  std::vector<MaterialNeed> needs_;
+};
+
+}  // namespace gltfx::validate

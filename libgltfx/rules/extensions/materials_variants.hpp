@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Which materials a primitive has in the variants of an asset (KHR_materials_variants).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+
+#include "rules/context.hpp"
+#include "rules/extension_walk.hpp"
+
+namespace gltfx::validate {
+
+inline constexpr std::string_view kVariantsExtension = "KHR_materials_variants";
+
+/// The `mappings` array of a primitive, or json::kNoNode when it has none or they are not looked
+/// into.
+json::NodeId variant_mappings(const Context& context, const ActiveExtensions& active,
+                              json::NodeId primitive);
+
+/// Reports a mapping in an asset that has no variants, where
+/// Deviations::root_extension_is_a_dependency. True when there are some.
+bool check_variants_exist(const Context& context, json::NodeId mapping, const Path& path);
+
+/// Variants of one primitive by the index of the mapping that had them first.
+using SeenVariants = std::unordered_map<std::uint64_t, std::uint64_t>;
+
+/// Reports the variants of one mapping that an earlier one has too. `path` is that of the mapping.
+void check_unique_variants(const Context& context, json::NodeId mapping, std::uint64_t index,
+                           const Path& path, SeenVariants& seen);
+
+/// Calls `use(mapping, index, path)` for each mapping of the primitive at `path`.
+template <typename Use>
+void for_each_mapping(const Context& context, const ActiveExtensions& active,
+                      json::NodeId primitive, const Path& path, Use use) {
+  const json::NodeId mappings = variant_mappings(context, active, primitive);
+  if (mappings == json::kNoNode) return;
+  const Path extensions(path, "extensions");
+  const Path object(extensions, kVariantsExtension);
+  const Path array(object, "mappings");
+  std::uint64_t index = 0;
+  for (const json::NodeId mapping : context.document.elements(mappings)) {
+    use(mapping, index, Path(array, index));
+    ++index;
+  }
+}
+
+}  // namespace gltfx::validate

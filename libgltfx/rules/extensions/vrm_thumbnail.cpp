@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// VRMC_vrm: the picture of an avatar in lists. The sizes of images are not in the document.
+#include <fmt/format.h>
+
+#include "base/codes.hpp"
+#include "model/node.hpp"
+#include "rules/context.hpp"
+#include "rules/extension_walk.hpp"
+#include "rules/finding.hpp"
+#include "rules/payload/texture_slots.hpp"
+#include "rules/phases.hpp"
+
+namespace gltfx::validate {
+
+void check_thumbnails(const Context& context, const model::ResourceData& resources, Sink& sink) {
+  constexpr std::string_view kAvatar = "VRMC_vrm";
+  const json::Document& document = context.document;
+  const json::NodeId meta =
+      model::object_member(document, root_extension(context, kAvatar), "meta");
+  const auto image = context.asset.index(meta, "thumbnailImage", model::RootArray::images);
+  if (!image) return;
+  const auto& header = resources.images[*image].header;
+  if (!header || !header->doubt.empty()) return;
+  const bool core = header->format == image::Format::png || header->format == image::Format::jpeg;
+  if (core && header->width == header->height) return;
+  const std::string label = image_label(context, *image);
+  report_at(sink, fmt::format("/extensions/{}/meta/thumbnailImage", kAvatar),
+            finding_on(context, document.find(meta, "thumbnailImage"), Code::THUMBNAIL_NOT_SQUARE,
+                       core ? fmt::format("The size of {} is {}x{}; it must be square.", label,
+                                          header->width, header->height)
+                            : fmt::format("The type of {} is {}; it must be PNG or JPEG.", label,
+                                          image::media_type(header->format))));
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/codes.hpp"
+#include "base/text.hpp"
+#include "container/content.hpp"
+#include "container/uri.hpp"
+#include "json/writer.hpp"
+#include "model/fields.hpp"
+#include "rules/core/use.hpp"
+#include "rules/extension_walk.hpp"
+#include "rules/finding.hpp"
+#include "rules/fix.hpp"
+#include "rules/payload/texture_slots.hpp"
+#include "rules/phases.hpp"
+#include "rules/resource_fetch.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using image::Header;
+using image::HeaderError;
+using MediaTypes = std::vector<std::string_view>;
+using namespace std::literals;
+
+// What images may be: the formats of the specification and those that declared extensions bring.
+MediaTypes enabled_media_types(const Context& context) {
+  MediaTypes types{"image/jpeg", "image/png"};
+  for (const schema::Extension* extension : declared_extensions(context)) {
+    for (const std::string& type : extension->image_mime_types) types.push_back(type);
+  }
+  return types;
+}
+
+bool contains(const MediaTypes& types, std::string_view type) {
+  return std::find(types.begin(), types.end(), type) != types.end();
+}
+
+// Whether an extension that is not supported has a say in an image, which then is left alone.
+bool is_skipped(const Context& context, json::NodeId image) {
+  const json::NodeId extensions = model::object_member(context.document, image, "extensions");
+  if (extensions == json::kNoNode || !context.deviations.extended_images_are_skipped) return false;
+  const ActiveExtensions active(context);
+  for (const auto extension : context.document.members(extensions)) {
+    if (!active.contains(context.document.key(extension.key_id))) return true;
+  }
+  return false;
+}
+
+class ImageCheck {
+ public:
+  /// `user`: what may show the image and is not known here; empty where there is nothing of the
+  /// kind.
+  ImageCheck(const Resource& resource, const MediaTypes& enabled, std::string_view user)
+      : resource_(resource),
+        enabled_(enabled),
+        user_(user),
+        declared_(model::string_member(resource.context.document, resource.object, "mimeType")) {}
+
+  void check(model::ImageData& data) const {
+    const image::HeaderResult result = is_known(data.bytes->view())
+                                           ? image::read_header(data.bytes->view())
+                                           : image::HeaderError();
+    if (const auto* error = std::get_if<HeaderError>(&result)) {
+      check_unread(data, *error);
+      return;
+    }
+    data.header = std::get<Header>(result);
+    data.format = data.header->format;
+    check_format(*data.format);
+    describe(*data.header);
+    check_header(*data.header);
+  }
+
+ private:
+  // AVIF is a format like others where an extension brings it.
+  bool is_known(std::span<const std::byte> bytes) const {
+    if (image::sniff(bytes).format != image::Format::avif) return true;
+    return !deviations().few_image_formats && contains(enabled_, "image/avif");
+  }
+
+  const Deviations& deviations() const { return resource_.context.deviations; }
+
+  void check_unread(model::ImageData& data, const HeaderError& error) const {
+    const image::Sniffed sniffed = image::sniff(data.bytes->view());
+    const bool ktx2 = sniffed.known && sniffed.format == image::Format::ktx2;
+    if (ktx2 && !deviations().few_image_formats) {
+      data.format = sniffed.format;
+      resource_.info.mime_type = image::media_type(sniffed.format);
+      check_format(sniffed.format);
+      check_ktx2(data);
+      return;
+    }
+    switch (error.kind) {
+      case HeaderError::Kind::unrecognized:
+        report_unrecognized(*data.bytes);
+        break;
+      case HeaderError::Kind::unexpected_end:
+        resource_.find(
+            Code::IMAGE_UNEXPECTED_EOS, "",
+            fmt::format("The image ends after {} bytes, inside its header.", data.bytes->size()));
+        break;
+      case HeaderError::Kind::invalid:
+        resource_.find(Code::IMAGE_DATA_INVALID, "", error.problem);
+        break;
+    }
+  }
+
+  // The one format that read_header() leaves to a reader of its own.
+  void check_ktx2(model::ImageData& data) const {
+    data.ktx2 = std::make_shared<const image::Ktx2>(image::read_ktx2(data.bytes->view()));
+    for (const image::Ktx2Error& error : data.ktx2->errors) {
+      resource_.find(error.code, "", error.problem, {},
+                     error.tolerated ? std::optional(Severity::warning) : std::nullopt);
+    }
+    if (!data.ktx2->is_sound()) return;
+    data.header = image::header_of(*data.ktx2);
+    describe(*data.header);
+  }
+
+  void report_unrecognized(const container::Bytes& bytes) const {
+    constexpr Code kCode = Code::IMAGE_UNRECOGNIZED_FORMAT;
+    if (deviations().few_image_formats) {
+      resource_.find(kCode, "", "The image is not a PNG, JPEG or WebP file.");
+      return;
+    }
+    const container::Content found = container::name_content(bytes.text());
+    if (is_of_an_extension(found)) return;
+    const std::string message = fmt::format(
+        "The image is {}; it must be {}.", found.name.empty() ? "in an unknown format" : found.name,
+        join_or(std::vector<std::string>(enabled_.begin(), enabled_.end())));
+    if (!user_.empty() && (found.image || found.name.empty())) {
+      resource_.find(
+          kCode, "", message,
+          fmt::format("convert the image, unless the unknown extension {} allows the format",
+                      gltfx::quoted(user_)),
+          Severity::warning);
+      return;
+    }
+    resource_.find(kCode, "", message,
+                   found.image || found.name.empty() ? "" : "export or download the image again");
+  }
+
+  // Formats that no reader here knows, but a declared extension does: told by the type that the
+  // image says it has, where its bytes do not belie that.
+  bool is_of_an_extension(const container::Content& found) const {
+    if (!found.name.empty()) return contains(enabled_, found.media_type);
+    constexpr std::array kTold{"image/jpeg"sv,        "image/png"sv,       "image/webp"sv,
+                               "image/avif"sv,        "image/ktx2"sv,      "image/x-exr"sv,
+                               "application/x-vdb"sv, "image/vnd-ms.dds"sv};
+    return contains(enabled_, declared_) &&
+           std::find(kTold.begin(), kTold.end(), declared_) == kTold.end();
+  }
+
+  void check_format(image::Format format) const {
+    const std::string_view type = image::media_type(format);
+    if (!contains(enabled_, type)) {
+      resource_.find(Code::IMAGE_NON_ENABLED_MIME_TYPE, "",
+                     fmt::format("The image is {}, which requires an extension.", type));
+    }
+    const std::string said = declared_.empty() || declared_ == type ? uri_type() : declared_;
+    if (said.empty() || said == type) return;
+    resource_.find(Code::IMAGE_MIME_TYPE_INVALID,
+                   resource_.info.storage == "buffer-view" ? "bufferView" : "uri",
+                   fmt::format("The declared type of the image is {}, but its data is {}.",
+                               gltfx::quoted(said), type));
+  }
+
+  // The media type of a data URI, or empty.
+  std::string uri_type() const {
+    if (resource_.info.storage != "data-uri") return {};
+    const json::NodeId member = resource_.context.document.find(resource_.object, "uri");
+    std::string unescaped;
+    const auto& uri = resource_.context.data_uris->get(
+        member, resource_.context.document.string(member, unescaped));
+    return uri ? uri->media_type : std::string();
+  }
+
+  void describe(const Header& header) const {
+    resource_.info.mime_type = image::media_type(header.format);
+    ResourceInfo::Image shown;
+    shown.width = header.width;
+    shown.height = header.height;
+    shown.bits = header.bits;
+    shown.format = image::channels_name(header.channels);
+    shown.primaries = image::tag_name(header.primaries);
+    shown.transfer = image::tag_name(header.transfer);
+    resource_.info.image = std::move(shown);
+  }
+
+  void check_header(const Header& header) const {
+    const bool judged = !deviations().few_image_formats;
+    if (judged && !header.doubt.empty()) {
+      resource_.find(Code::IMAGE_DATA_INVALID, "", header.doubt);
+      return;
+    }
+    if (judged && !header.remark.empty()) {
+      resource_.find(Code::IMAGE_DATA_INVALID, "", header.remark, {},
+                     header.readers_differ ? Severity::warning : Severity::info);
+    }
+    const auto power_of_two = [](std::uint32_t size) {
+      return size != 0 && (size & (size - 1)) == 0;
+    };
+    if (!power_of_two(header.width) || !power_of_two(header.height)) {
+      resource_.find(Code::IMAGE_NPOT_DIMENSIONS, "",
+                     fmt::format("The image has {}x{} pixels.", header.width, header.height), {},
+                     Severity::hint);
+    }
+    if (header.bits == 16) {
+      resource_.find(Code::IMAGE_16_BIT, "", "The image has 16 bits per channel.");
+    }
+    if (header.interlaced) {
+      resource_.find(
+          Code::IMAGE_INTERLACED, "",
+          fmt::format("The image is {}.",
+                      header.format == image::Format::jpeg ? "progressive" : "interlaced"));
+    }
+    check_features(header);
+  }
+
+  // What is ignored when the image is shown is only worth an info.
+  void check_features(const Header& header) const {
+    const bool webp = header.format == image::Format::webp;
+    std::string features;
+    const auto add = [&](bool there, std::string_view text) {
+      if (there) features.append(features.empty() ? "" : ", ").append(text);
+    };
+    const bool all = !deviations().few_image_features;
+    const bool profile = all && header.icc_profile;
+    const bool own = header.primaries == image::Tag::custom ||
+                     header.transfer == image::Tag::custom ||
+                     (all && header.transfer == image::Tag::linear);
+    add(profile, "a color profile");
+    add(own && !profile, "a custom color space");
+    add(!header.square_pixels, "non-square pixels");
+    add(all && header.exif, "EXIF metadata");
+    add(!all && header.animated && webp, "animation");
+    if (!features.empty()) {
+      resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
+                     fmt::format("The image has {}, which glTF ignores.", features), {},
+                     Severity::info);
+    }
+    if (all && header.animated) check_animation(webp);
+  }
+
+  // A PNG has a still image beside its frames, a WebP has frames only.
+  void check_animation(bool webp) const {
+    resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
+                   webp ? "The image is animated: some loaders show its first frame, others fail."
+                        : "The image is animated; glTF only shows its still image.");
+  }
+
+  const Resource& resource_;
+  const MediaTypes& enabled_;
+  std::string_view user_;
+  std::string declared_;
+};
+
+// By image: whether a texture shows it without an extension.
+std::vector<bool> plain_images(const Context& context, std::size_t count) {
+  std::vector<bool> plain(count);
+  for (const json::NodeId texture : context.asset.elements(model::RootArray::textures)) {
+    const auto source = context.asset.index(texture, "source", model::RootArray::images);
+    if (source) plain[*source] = true;
+  }
+  return plain;
+}
+
+// The type an image says it has, else the one it has.
+std::string image_type(const Context& context, const model::ResourceData& data,
+                       std::uint32_t index) {
+  const json::NodeId image = context.asset.elements(model::RootArray::images)[index];
+  std::string declared = model::string_member(context.document, image, "mimeType");
+  if (declared.empty() && data.images[index].format) {
+    declared = image::media_type(*data.images[index].format);
+  }
+  return declared;
+}
+
+struct TextureCheck {
+  const Context& context;
+  const model::ResourceData& data;
+  const MediaTypes& enabled;
+  Sink& sink;
+
+  // `object` is the texture or an extension of it.
+  void check(json::NodeId object, const Path& path, const std::vector<std::string>& allowed) const {
+    const auto source = context.asset.index(object, "source", model::RootArray::images);
+    if (!source) return;
+    const std::string type = image_type(context, data, *source);
+    if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
+    // A format that no extension brings is an error of the image, and has been reported there.
+    if (!contains(enabled, type) && !context.deviations.consequences_are_reported) return;
+    report_member(
+        sink, context, path, object, "source", Code::TEXTURE_INVALID_IMAGE_MIME_TYPE,
+        fmt::format("The texture uses {}, which is {}; it must be {}.",
+                    image_label(context, *source), gltfx::quoted(type), join_or(allowed)));
+  }
+};
+
+// --- Fixes: what an image says it is becomes what it is ---
+
+std::string with_media_type(const std::string& uri, std::string_view type) {
+  const std::size_t end = uri.find_first_of(";,");
+  std::string text;
+  json::append_string(text, fmt::format("data:{}{}", type, std::string_view(uri).substr(end)));
+  return text;
+}
+
+bool say_type(Fixing& fixing, std::uint32_t index) {
+  const json::Document& document = fixing.document();
+  const json::NodeId image = fixing.elements().elements(model::RootArray::images)[index];
+  const auto& format = fixing.resources().images[index].format;
+  if (!format || !fixing.claim(image)) return false;
+  const std::string_view type = image::media_type(*format);
+  bool changed = false;
+  const json::NodeId declared = document.find(image, "mimeType");
+  if (declared != json::kNoNode && document.is_string(declared) &&
+      document.string(declared) != type) {
+    changed = fixing.replace_scalar(declared, fmt::format("\"{}\"", type));
+  }
+  const std::string uri = model::string_member(document, image, "uri");
+  const auto data = container::split_data_uri(uri);
+  if (container::classify_uri(uri).kind == container::UriKind::data && data &&
+      data->media_type != type) {
+    changed = fixing.replace_scalar(document.find(image, "uri"), with_media_type(uri, type));
+  }
+  return changed;
+}
+
+// `place` is a member of the image.
+bool correct_type(Fixing& fixing, Span place) {
+  const json::NodeId member = fixing.node_at(place);
+  const std::uint32_t image =
+      member == json::kNoNode ? UINT32_MAX : fixing.index_of(fixing.parent(member));
+  return image < fixing.resources().images.size() && say_type(fixing, image);
+}
+
+constexpr FixEntry kImageFixes[] = {{Code::IMAGE_MIME_TYPE_INVALID, correct_type}};
+
+}  // namespace
+
+const Family& images_family() {
+  static constexpr Family family{.fixes = kImageFixes};
+  return family;
+}
+
+void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources) {
+  const Path root;
+  const Path array(root, "images");
+  const auto& objects = context.asset.elements(model::RootArray::images);
+  if (objects.empty()) return;
+  const MediaTypes enabled = enabled_media_types(context);
+  const std::string_view user = unseen_user(context);
+  const std::vector<bool> plain = plain_images(context, objects.size());
+  resources.data.images.resize(objects.size());
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    if (objects[i] == json::kNoNode) continue;
+    const Path path(array, static_cast<std::uint64_t>(i));
+    ResourceInfo info;
+    info.pointer = path.pointer();
+    const Resource resource{context, sink, report, path, objects[i], info};
+    model::ImageData& data = resources.data.images[i];
+    if (!is_skipped(context, objects[i])) data.bytes = fetch_uri_or_view(resource, resources.data);
+    if (data.bytes) ImageCheck(resource, enabled, plain[i] ? std::string_view() : user).check(data);
+    resources.listed.push_back(std::move(info));
+  }
+}
+
+void check_textures(const Context& context, const model::ResourceData& data, Sink& sink) {
+  const Path root;
+  const Path array(root, "textures");
+  const auto& textures = context.asset.elements(model::RootArray::textures);
+  if (textures.empty()) return;
+  const MediaTypes enabled = enabled_media_types(context);
+  const TextureCheck check{context, data, enabled, sink};
+  for (std::size_t i = 0; i < textures.size(); ++i) {
+    check.check(textures[i], Path(array, static_cast<std::uint64_t>(i)),
+                {"image/jpeg", "image/png"});
+  }
+  std::vector<const schema::Extension*> extensions = declared_extensions(context);
+  std::erase_if(extensions, [](const auto* each) { return each->image_mime_types.empty(); });
+  for (std::size_t i = 0; i < textures.size() && !extensions.empty(); ++i) {
+    const Path texture(array, static_cast<std::uint64_t>(i));
+    const Path member(texture, "extensions");
+    for (const schema::Extension* extension : extensions) {
+      check.check(model::extension_object(context.document, textures[i], extension->name),
+                  Path(member, extension->name), extension->image_mime_types);
+    }
+  }
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rules/payload/mend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/accessor_data.hpp"
+#include "rules/fix_users.hpp"
+#include "rules/payload/mend_elements.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+using model::RootArray;
+
+/// The member at a place, and the accessor it leads to.
+struct Use {
+  json::NodeId value = json::kNoNode;
+  std::uint32_t accessor = UINT32_MAX;
+  std::string name;
+};
+
+Use use_at(Fixing& fixing, Span place) {
+  Use use;
+  const json::Document& document = fixing.document();
+  use.value = fixing.node_at(place);
+  if (use.value == json::kNoNode || !document.is_number(use.value)) return use;
+  const auto accessor =
+      fixing.elements().index(document.number(use.value).value, RootArray::accessors);
+  if (!accessor || !document.is_object(fixing.parent(use.value))) return use;
+  use.accessor = *accessor;
+  use.name = document.key(document.node(use.value - 1).next);
+  return use;
+}
+
+/// Changes of a list of numbers, made only when all of them can be.
+class Changes {
+ public:
+  void set(std::uint64_t element, unsigned component, double value) {
+    changes_.push_back({element, component, value});
+  }
+  bool make(Fixing& fixing, std::uint32_t accessor, Elements& elements) const {
+    if (changes_.empty()) return false;
+    for (const Change& change : changes_) {
+      elements.set(change.element, change.component, change.value);
+    }
+    follow_with_bounds(fixing, accessor, elements);
+    return true;
+  }
+
+ private:
+  struct Change {
+    std::uint64_t element;
+    unsigned component;
+    double value;
+  };
+  std::vector<Change> changes_;
+};
+
+double length_of(const Elements& elements, std::uint64_t element, unsigned components) {
+  double square = 0;
+  for (unsigned c = 0; c < components; ++c) {
+    const double value = elements.get(element, c);
+    square += value * value;
+  }
+  return std::sqrt(square);
+}
+
+// What lengths may be off by without being touched: what single precision leaves.
+constexpr double kUnit = 1e-4;
+
+// Vectors of the first `components` numbers, of those elements that `counts`.
+template <class Counts>
+bool make_unit(Fixing& fixing, std::uint32_t accessor, Elements& elements, unsigned components,
+               const Counts& counts) {
+  Changes changes;
+  for (std::uint64_t i = 0; i < elements.count(); ++i) {
+    if (!counts(i)) continue;
+    const double length = length_of(elements, i, components);
+    if (!(std::abs(length - 1) > kUnit)) {
+      if (std::isnan(length)) return false;
+      continue;
+    }
+    if (!std::isfinite(length) || length < 1e-6) return false;  // no direction
+    for (unsigned c = 0; c < components; ++c) changes.set(i, c, elements.get(i, c) / length);
+  }
+  return changes.make(fixing, accessor, elements);
+}
+
+bool all_count(std::uint64_t) { return true; }
+
+}  // namespace
+
+bool make_unit_vectors(Fixing& fixing, Span place) {
+  const Use use = use_at(fixing, place);
+  auto elements = open_elements(fixing, use.accessor, use.name);
+  if (!elements || !elements->is_float() || elements->components() < 3) return false;
+  return make_unit(fixing, use.accessor, *elements, 3, all_count);
+}
+
+bool make_signs(Fixing& fixing, Span place) {
+  const Use use = use_at(fixing, place);
+  auto elements = open_elements(fixing, use.accessor, use.name);
+  if (!elements || !elements->is_float() || elements->components() != 4) return false;
+  Changes changes;
+  for (std::uint64_t i = 0; i < elements->count(); ++i) {
+    const double sign = elements->get(i, 3);
+    if (sign == 0 || !std::isfinite(sign)) return false;
+    if (std::abs(sign) != 1) changes.set(i, 3, sign < 0 ? -1 : 1);
+  }
+  return changes.make(fixing, use.accessor, *elements);
+}
+
+bool make_unit_rotations(Fixing& fixing, Span place) {
+  const Use use = use_at(fixing, place);
+  auto elements = open_elements(fixing, use.accessor, use.name);
+  if (!elements || !elements->is_float() || elements->components() != 4) return false;
+  return make_unit(fixing, use.accessor, *elements, 4, all_count);
+}
+
+bool make_unit_keyframes(Fixing& fixing, Span place) {
+  const json::NodeId value = fixing.node_at(place);
+  for (const model::Animation& animation : fixing.views().animations) {
+    for (const model::AnimationChannel& channel : animation.channels) {
+      if (!channel.sampler || fixing.document().find(channel.object, "sampler") != value) continue;
+      const model::AnimationSampler& sampler = animation.samplers[*channel.sampler];
+      if (!sampler.output) return false;
+      auto elements = open_elements(fixing, *sampler.output, "output");
+      if (!elements || !elements->is_float() || elements->components() != 4) return false;
+      const bool cubic = sampler.interpolation == model::Interpolation::cubic_spline;
+      return make_unit(fixing, *sampler.output, *elements, 4,
+                       [cubic](std::uint64_t i) { return !cubic || i % 3 == 1; });
+    }
+  }
+  return false;
+}
+
+bool clamp(Fixing& fixing, Span place) {
+  constexpr double kNearly = 1.0 / 512;
+  const Use use = use_at(fixing, place);
+  auto elements = open_elements(fixing, use.accessor, use.name);
+  if (!elements || !elements->is_float()) return false;
+  Changes changes;
+  for (std::uint64_t i = 0; i < elements->count(); ++i) {
+    for (unsigned c = 0; c < elements->components(); ++c) {
+      const double value = elements->get(i, c);
+      if (!(value >= -kNearly && value <= 1 + kNearly)) return false;
+      if (value < 0 || value > 1) changes.set(i, c, std::clamp(value, 0.0, 1.0));
+    }
+  }
+  return changes.make(fixing, use.accessor, *elements);
+}
+
+bool normalize_weights(Fixing& fixing, Span place) {
+  constexpr double kNearly = 0.05;
+  const Use use = use_at(fixing, place);
+  const json::NodeId attributes =
+      use.value == json::kNoNode ? json::kNoNode : fixing.parent(use.value);
+  // The sum is that of all sets of a vertex.
+  if (use.name != "WEIGHTS_0" || fixing.document().find(attributes, "WEIGHTS_1") != json::kNoNode) {
+    return false;
+  }
+  auto elements = open_elements(fixing, use.accessor, use.name);
+  if (!elements || !elements->is_float() || elements->components() != 4) return false;
+  Changes changes;
+  for (std::uint64_t i = 0; i < elements->count(); ++i) {
+    double sum = 0;
+    for (unsigned c = 0; c < 4; ++c) {
+      if (!(elements->get(i, c) >= 0)) return false;
+      sum += elements->get(i, c);
+    }
+    if (!(std::abs(sum - 1) <= kNearly)) return false;
+    if (std::abs(sum - 1) <= 1e-7) continue;
+    for (unsigned c = 0; c < 4; ++c) changes.set(i, c, elements->get(i, c) / sum);
+  }
+  return changes.make(fixing, use.accessor, *elements);
+}
+
+namespace {
+
+std::optional<std::uint32_t> find_attribute(const model::Primitive& primitive,
+                                            std::string_view name) {
+  for (const model::Attribute& attribute : primitive.attributes) {
+    if (attribute.name == name) return attribute.accessor;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool clear_unweighted_joints(Fixing& fixing, Span place) {
+  const Use use = use_at(fixing, place);
+  if (!use.name.starts_with("JOINTS_")) return false;
+  // Many primitives may share the accessor.
+  if (fixing.is_claimed(fixing.views().accessors[use.accessor].node)) return false;
+  const std::string weights_name = "WEIGHTS_" + use.name.substr(7);
+  // A joint may have a weight in another primitive.
+  std::optional<std::uint32_t> weights;
+  for (const model::Primitive* primitive : primitives_with(fixing, use.accessor)) {
+    if (find_attribute(*primitive, use.name) != use.accessor) continue;
+    const auto own = find_attribute(*primitive, weights_name);
+    if (!own || (weights && weights != own)) return false;
+    weights = own;
+  }
+  if (!weights) return false;
+  const auto data =
+      model::AccessorData::open(fixing.elements(), fixing.views(), fixing.resources(),
+                                fixing.views().accessors[*weights], model::Malformed::unusable);
+  auto elements = open_elements(fixing, use.accessor, use.name);
+  if (!data || !elements || elements->is_float() || elements->components() != 4 ||
+      data->components() != 4 || data->count() != elements->count()) {
+    return false;
+  }
+  Changes changes;
+  model::with_component_type(data->format().component, [&](auto type) {
+    data->visit<decltype(type)>([&](const auto* values, std::size_t count, std::uint64_t first) {
+      for (std::size_t i = 0; i < count * 4; ++i) {
+        const auto slot = static_cast<unsigned>(i % 4);
+        const std::uint64_t vertex = first + i / 4;
+        if (values[i] == 0 && elements->get(vertex, slot) != 0) changes.set(vertex, slot, 0);
+      }
+    });
+  });
+  return changes.make(fixing, use.accessor, *elements);
+}
+
+}  // namespace gltfx::validate

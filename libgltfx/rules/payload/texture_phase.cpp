@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rules/payload/texture_phase.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <map>
+
+#include "base/codes.hpp"
+#include "base/parallel.hpp"
+#include "model/image_codec.hpp"
+#include "rules/collector.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// Images that run into a limit cost seconds each: one asset gets no more than two of them.
+constexpr int kMostCostly = 2;
+
+// Which images must be decoded, and for what.
+class PixelNeeds {
+ public:
+  PixelNeeds(const Context& context, const model::ResourceData& resources,
+             const std::vector<TextureSlot>& slots)
+      : context_(context),
+        resources_(resources),
+        slots_(slots),
+        hints_(heard(Code::TEXTURE_CONSTANT) || heard(Code::TEXTURE_ALPHA_OPAQUE)),
+        normal_maps_(heard(Code::NORMAL_MAP_NOT_UNIT) || heard(Code::NORMAL_MAP_INWARD) ||
+                     heard(Code::NORMAL_MAP_FLAT)),
+        coverage_(heard(Code::MATERIAL_ALPHA_MISSING)),
+        alpha_(heard(Code::TEXTURE_ALPHA_CONSTANT)),
+        equal_(heard(Code::TEXTURE_CHANNELS_EQUAL)) {}
+
+  std::vector<PixelSource::Request> find() {
+    const PixelLevel level = pixel_level(context_.options);
+    if (level == PixelLevel::headers) return {};
+    if (level == PixelLevel::all) {
+      for (std::size_t i = 0; i < resources_.images.size(); ++i) {
+        normals_[static_cast<std::uint32_t>(i)];
+      }
+    }
+    for (const TextureSlot& slot : slots_) add(slot);
+    add_conflicts();
+    std::vector<PixelSource::Request> requests;
+    for (const auto& [image, normals] : normals_) requests.push_back({image, normals});
+    return requests;
+  }
+
+ private:
+  bool heard(Code code) const { return is_enabled(context_.options, code); }
+
+  void add(const TextureSlot& slot) {
+    const bool normal = slot.normal_map && normal_maps_;
+    const bool alpha = slot.effective.has('a') && (slot.coverage ? coverage_ : alpha_);
+    // Only pixels tell a grey map from a coloured one.
+    const bool red = slot.property == "diffuseTransmissionTexture" && alpha;
+    const bool data = equal_ && !slot.srgb && slot.effective.colors() >= 2;
+    for (const std::uint32_t image : slot.images) {
+      const auto& header = resources_.images[image].header;
+      if (!header) continue;
+      const bool transparent = image::can_be_transparent(*header);
+      const bool grey = data && !header->grey;
+      if (hints_ || normal || red || grey || (alpha && transparent)) normals_[image];
+      if (normal) normals_[image] = true;
+    }
+  }
+
+  // Images that are read as sRGB and as linear are only invalid when they have other values than 0
+  // and 1.
+  void add_conflicts() {
+    if (!heard(Code::TEXTURE_COLOR_SPACE_CONFLICT)) return;
+    std::map<std::uint32_t, std::array<bool, 2>> read;
+    for (const TextureSlot& slot : slots_) {
+      if (slot.effective.colors() == 0) continue;
+      for (const std::uint32_t image : slot.images) {
+        auto& ways = read[image];
+        ways[slot.srgb ? 1 : 0] = true;
+        if (ways[0] && ways[1]) normals_[image];
+      }
+    }
+  }
+
+  const Context& context_;
+  const model::ResourceData& resources_;
+  const std::vector<TextureSlot>& slots_;
+  // Whether somebody wants to know what the pixels would tell.
+  const bool hints_, normal_maps_, coverage_, alpha_, equal_;
+  std::map<std::uint32_t, bool> normals_;  // by image: whether as a normal map
+};
+
+}  // namespace
+
+bool PixelSource::take(std::uint32_t index) {
+  const auto& header = resources_.images[index].header;
+  if (!model::is_decodable(resources_.images[index]) || !header->doubt.empty()) return false;
+  const std::uint64_t texels = image::texels_of(*header);
+  if (texels <= texels_left_) {
+    texels_left_ -= texels;
+    return true;
+  }
+  results_[index] = codec::DecodeError{codec::ErrorKind::too_large,
+                                       "The images of the asset exceed the limit on texels."};
+  return false;
+}
+
+codec::ImageResult PixelSource::decoded(const Request& request) const {
+  codec::ImageRequest wanted = model::image_request(resources_, request.image);
+  wanted.normals = request.normals;
+  return codec::Client::shared().decode_image(wanted);
+}
+
+void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
+  std::vector<Request> requests;
+  for (const Request& each : wanted) {
+    if (!take(each.image)) continue;
+    requests.push_back(each);
+    results_.try_emplace(each.image);  // threads only fill what is there
+  }
+  std::atomic<bool> stopped = false;
+  int costly = 0;
+  const auto decode_one = [&](std::size_t i) {
+    if (!stopped) results_.at(requests[i].image) = decoded(requests[i]);
+  };
+  // Which ones are left over does not depend on the number of threads.
+  parallel_ordered(requests.size(), jobs, decode_one, [&](std::size_t i) {
+    codec::ImageResult& result = results_.at(requests[i].image);
+    if (stopped) {
+      result = codec::DecodeError{codec::ErrorKind::unavailable,
+                                  "Other images of the asset reached the limit on decoding."};
+    }
+    const auto* error = std::get_if<codec::DecodeError>(&result);
+    if (error != nullptr && codec::is_costly(*error) && ++costly == kMostCostly) stopped = true;
+  });
+}
+
+void check_texture_slots(const Context& context, const model::ResourceData& resources, Sink& sink,
+                         FileReport& report) {
+  const bool every_image =
+      pixel_level(context.options) == PixelLevel::all && !resources.images.empty();
+  if (context.deviations.no_additional_rules) return;
+  if (context.checked.slots.empty() && !every_image) return;
+  const Animated animated(context);
+  const std::vector<TextureSlot> slots = texture_slots(context, animated);
+  PixelSource pixels(resources);
+  const auto wanted = PixelNeeds(context, resources, slots).find();
+  pixels.decode(wanted, context.options.jobs);
+  report.images_wanted += wanted.size();
+  report.images_decoded += static_cast<std::uint64_t>(std::count_if(
+      wanted.begin(), wanted.end(),
+      [&](const PixelSource::Request& request) { return pixels.of(request.image) != nullptr; }));
+  const TexturePhase phase{context, resources, sink, animated, slots, pixels};
+  check_channels(phase);
+  check_sharing(phase);
+  check_ktx2_slots(phase);
+  check_pixels(phase);
+}
+
+}  // namespace gltfx::validate

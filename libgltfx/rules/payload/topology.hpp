@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Triangles as they meet, and the rules about their edges that extensions of meshes and materials
+/// bring.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "model/mesh.hpp"
+#include "rules/payload/phases.hpp"
+
+namespace gltfx::validate {
+
+using Indices = std::vector<std::uint32_t>;
+/// The vertices of its corners, in the order of specification section 3.7.2.1.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// The numbers of an accessor of unsigned scalars. Nothing when it is of another format, has no
+/// bytes of its own or none that can be read, or more than the phase has time for.
+std::optional<Indices> read_indices(DataPhase& phase, std::uint32_t accessor);
+
+/// The triangles of a primitive that has such, with or without indices; nothing as above.
+std::optional<std::vector<Triangle>> read_triangles(DataPhase& phase,
+                                                    const model::Primitive& primitive);
+
+/// Triangles of a list, strip or fan over `indices`; none for other modes.
+std::vector<Triangle> triangles_of(model::Mode mode, const Indices& indices);
+
+/// Two vertices, whichever comes first.
+constexpr std::uint64_t edge_of(std::uint32_t a, std::uint32_t b) {
+  return a < b ? std::uint64_t{a} << 32U | b : std::uint64_t{b} << 32U | a;
+}
+
+/// The edges of triangles, sorted, each once. Edges of no length are none.
+std::vector<std::uint64_t> edges_of(const std::vector<Triangle>& triangles);
+
+/// By vertex: the first vertex at the same position, of an accessor of three floats. Nothing as for
+/// read_indices().
+std::optional<Indices> first_at_position(DataPhase& phase, std::uint32_t accessor);
+
+/// The same for positions as near as single precision leaves those that were meant to be one: by
+/// some four millionths of the extent.
+std::optional<Indices> first_near_position(DataPhase& phase, std::uint32_t accessor);
+
+/// EXT_mesh_primitive_edge_visibility: how edges are coded, lines along them, normals beside them.
+void check_edge_visibility(DataPhase& phase);
+/// CESIUM_primitive_outline: outlines follow edges. CESIUM_tile_edges: the vertices are there.
+void check_outlines(DataPhase& phase);
+/// EXT_mesh_manifold: the surface is closed, and merged vertices lie where they were.
+void check_manifolds(DataPhase& phase);
+/// KHR_materials_volume: what encloses a volume has no hole. Only where somebody wants to know.
+void check_volumes(DataPhase& phase);
+
+/// All of them.
+inline void check_mesh_edges(DataPhase& phase) {
+  if (phase.context.deviations.no_additional_rules) return;
+  check_edge_visibility(phase);
+  check_outlines(phase);
+  check_manifolds(phase);
+  check_volumes(phase);
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/codes.hpp"
+#include "rules/context.hpp"
+#include "rules/finding.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+void check_name(const Context& context, json::NodeId scene, const Path& path) {
+  if (context.document.find(scene, "name") != json::kNoNode) return;
+  context.schema_sink.report(
+      path, finding_on(context, scene, Code::ZZ_SCENE_UNNAMED, "The scene has no name."));
+}
+
+constexpr ObjectRuleEntry kObjectRules[] = {{"scene", check_name}};
+
+}  // namespace
+
+const Family& scene_name_family() {
+  static constexpr Family family{.order = 475, .object_rules = kObjectRules};
+  return family;
+}
+
+}  // namespace gltfx::validate
