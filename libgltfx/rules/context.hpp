@@ -91,11 +91,8 @@ using MapRule = void (*)(const Context& context, std::string_view name, json::No
                          const Path& map_path);
 
 /// What a file of rules/ contributes to the walk over the objects and to the phase of links. It
-/// defines `const Family& NAME_family()`, which the build finds.
+/// defines `const Family& NAME_family()`, which rules/order.cpp lists.
 struct Family {
-  /// Rules of one kind run by ascending order of their families: the parts of the specification
-  /// from the bottom up, then extensions, then what depends on them all.
-  unsigned order = 0;
   /// Deviations::no_additional_rules leaves its link rules out.
   bool additional = false;
   std::span<const ObjectRuleEntry> object_rules = {};
@@ -106,10 +103,8 @@ struct Family {
   std::span<const FixEntry> fixes = {};
 };
 
-/// All families, sorted by their order.
+/// All families, in the order in which they run (rules/order.cpp).
 std::span<const Family> families();
-/// As the build lists them, in no order of meaning.
-std::vector<Family> all_families();
 
 /// What is known of a rule.
 const RuleDescription& description(Code code);

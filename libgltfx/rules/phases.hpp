@@ -44,25 +44,11 @@ Resources load_resources(const Context& context, Sink& sink, FileReport& report)
 /// Files that became shorter while phases read them; to be called behind those.
 void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink);
 
-/// Phases 5 to 7 over `resources`: sparse indices, elements of accessors, skinning, textures.
-/// Counts the images that they decode in `report`.
-void check_data(const Context& context, const model::ResourceData& resources, Sink& sink,
-                FileReport& report);
-
 /// The media type of the report; empty for JSON text without a root object.
 std::string mime_type(const container::Container& container, bool has_root);
 
 /// Opens every image, reads its header and reports what is wrong with it. Buffers have been loaded.
 void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources);
-
-/// Textures whose image has a format that is not theirs.
-void check_textures(const Context& context, const model::ResourceData& data, Sink& sink);
-
-/// Opens what the profiles of an asset refer to and looks at the head of each: a version of LM-63
-/// that readers must know, and a kind of photometry that there is. Reports what cannot be had as
-/// for buffers and images.
-void check_light_profiles(const Context& context, const model::ResourceData& resources, Sink& sink,
-                          FileReport& report);
 
 /// Reports what exceeds the budgets of the options.
 void check_budgets(const Context& context, const model::ResourceData& resources,
@@ -70,17 +56,6 @@ void check_budgets(const Context& context, const model::ResourceData& resources,
 
 /// Reports what the targets of the options refuse or ignore.
 void check_targets(const Context& context, const model::ResourceData& resources, Sink& sink);
-
-/// EXT_lights_image_based: faces of cubes are square, of a power of two, and halve from level to
-/// level, beginning with the size that the light states.
-void check_image_based_lights(const Context& context, const model::ResourceData& resources,
-                              Sink& sink);
-
-/// VRMC_vrm: the thumbnail of an avatar is square.
-void check_thumbnails(const Context& context, const model::ResourceData& resources, Sink& sink);
-
-/// Positions are in metres: a scene that is far too small or too large for that is reported.
-void check_scene_extent(const Context& context, const model::ResourceData& resources, Sink& sink);
 
 /// Decodes each stream of meshoptimizer once and reports what is wrong with it. Elements without a
 /// plain copy go to `resources`, so that everything behind reads them as plain data; those that

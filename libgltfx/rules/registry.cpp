@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rules by code and by name with their examples, families in order, and spans that findings mark.
+// Rules by code and by name with their examples, and spans that findings mark.
 #include <gltfx/validate.hpp>
 
 #include <algorithm>
@@ -7,9 +7,7 @@
 #include <charconv>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "base/fork.hpp"
 #include "container/base64.hpp"
 #include "rules/context.hpp"
 
@@ -62,16 +60,6 @@ const RuleDescription* find_rule(std::string_view code) {
 }
 
 namespace validate {
-
-std::span<const Family> families() {
-  static constinit MadeOnce<std::vector<Family>> sorted;
-  return sorted.get([] {
-    std::vector<Family> all = all_families();
-    std::sort(all.begin(), all.end(),
-              [](const Family& a, const Family& b) { return a.order < b.order; });
-    return all;
-  });
-}
 
 const RuleDescription& description(Code code) {
   return gltfx::rules()[static_cast<std::size_t>(code)];

@@ -12,6 +12,7 @@
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
 #include "rules/extensions/interactivity_draft.hpp"
+#include "rules/payload/phases.hpp"
 #include "rules/phases.hpp"
 #include "rules/rules_of_types.hpp"
 #include "schema/compile.hpp"
@@ -47,19 +48,18 @@ unsigned jobs_for(const Context& context) {
   return context.document.text().size() < kLargeText ? 1 : context.options.jobs;
 }
 
-// Phase 5 and those that need its bytes. The Khronos validator does not come this far with a GLB
-// that ends too early, nor with an asset whose version it cannot tell.
+// Phases 5 to 7: bytes of buffers and images, and what depends on them. The Khronos validator does
+// not come this far with a GLB that ends too early, nor with an asset whose version it cannot tell.
 void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   const container::Container& container = context.container;
   const bool is_short = container.cut_short || container.ends_in_empty_chunk;
   if (context.deviations.data_of_short_files_is_skipped && is_short) return;
   Resources resources = load_resources(context, sink, report);
   decode_views(context, resources.data, sink);
-  check_data(context, resources.data, sink, report);
-  check_image_based_lights(context, resources.data, sink);
-  check_thumbnails(context, resources.data, sink);
-  check_light_profiles(context, resources.data, sink, report);
-  check_scene_extent(context, resources.data, sink);
+  DataPhase phase{context, resources.data, sink, report};
+  for (const DataRule& rule : data_rules()) {
+    if (!rule.additional || !context.deviations.no_additional_rules) rule.check(phase);
+  }
   check_torn(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
   check_targets(context, resources.data, sink);

@@ -102,7 +102,7 @@ constexpr FixEntry kLayoutFixes[] = {{Code::ACCESSOR_SMALL_BYTESTRIDE, mend_smal
 
 const Family& accessor_layout_family() {
   static constexpr LinkRule kLinkRules[] = {check_accessors};
-  static constexpr Family family{.order = 260, .link_rules = kLinkRules, .fixes = kLayoutFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kLayoutFixes};
   return family;
 }
 

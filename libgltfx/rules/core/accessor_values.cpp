@@ -182,7 +182,7 @@ const Family& accessor_values_family() {
   static constexpr FixEntry kFixes[] = {{Code::ACCESSOR_NORMALIZED_INVALID, remove_marked},
                                         {Code::INVALID_GL_VALUE, correct_bound_values}};
   static constexpr Family family{
-      .order = 250, .object_rules = kObjectRules, .member_rules = kMemberRules, .fixes = kFixes};
+      .object_rules = kObjectRules, .member_rules = kMemberRules, .fixes = kFixes};
   return family;
 }
 

@@ -295,7 +295,7 @@ const Family& animation_family() {
   static constexpr FixEntry kFixes[] = {
       {Code::ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at},
       {Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS, add_bounds}};
-  static constexpr Family family{.order = 440, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -76,7 +76,7 @@ void check_asset(const Context& context, json::NodeId asset, const Path& path) {
 
 const Family& asset_root_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"asset", check_asset}};
-  static constexpr Family family{.order = 230, .object_rules = kObjectRules};
+  static constexpr Family family{.object_rules = kObjectRules};
   return family;
 }
 

@@ -180,8 +180,7 @@ const Family& attribute_names_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"mesh.primitive", check_primitive, "attributes"}};
   static constexpr MapRule kMapRules[] = {check_entry};
-  static constexpr Family family{
-      .order = 320, .object_rules = kObjectRules, .map_rules = kMapRules};
+  static constexpr Family family{.object_rules = kObjectRules, .map_rules = kMapRules};
   return family;
 }
 

@@ -92,7 +92,7 @@ const Family& buffer_view_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
   static constexpr LinkRule kLinkRules[] = {check_extents};
   static constexpr Family family{
-      .order = 240, .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kStrideFixes};
+      .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kStrideFixes};
   return family;
 }
 

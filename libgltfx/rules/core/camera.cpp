@@ -125,8 +125,7 @@ const Family& camera_family() {
       {"camera.perspective", check_near_and_far, "znear", Runs::in_reading_order}};
   static constexpr MemberRuleEntry kMemberRules[] = {{"camera", "orthographic", read_orthographic},
                                                      {"camera", "perspective", read_perspective}};
-  static constexpr Family family{
-      .order = 370, .object_rules = kObjectRules, .member_rules = kMemberRules};
+  static constexpr Family family{.object_rules = kObjectRules, .member_rules = kMemberRules};
   return family;
 }
 

@@ -49,7 +49,7 @@ const Family& image_source_family() {
   static constexpr LinkRule kLinkRules[] = {check_images, check_textures};
   static constexpr FixEntry kFixes[] = {
       {Code::IMAGE_BUFFER_VIEW_WITH_BYTESTRIDE, remove_stride_at}};
-  static constexpr Family family{.order = 270, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

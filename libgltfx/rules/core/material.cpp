@@ -43,8 +43,7 @@ constexpr FixEntry kMaterialFixes[] = {{Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE
 const Family& material_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"material", check_alpha_cutoff, "alphaCutoff"}};
-  static constexpr Family family{
-      .order = 280, .object_rules = kObjectRules, .fixes = kMaterialFixes};
+  static constexpr Family family{.object_rules = kObjectRules, .fixes = kMaterialFixes};
   return family;
 }
 

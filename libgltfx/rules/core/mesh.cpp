@@ -61,7 +61,7 @@ void check_mesh(const Context& context, json::NodeId mesh, const Path& path) {
 
 const Family& mesh_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"mesh", check_mesh, "primitives"}};
-  static constexpr Family family{.order = 340, .object_rules = kObjectRules};
+  static constexpr Family family{.object_rules = kObjectRules};
   return family;
 }
 

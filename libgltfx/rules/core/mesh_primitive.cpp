@@ -255,7 +255,7 @@ const Family& mesh_primitive_family() {
   static constexpr LinkRule kLinkRules[] = {check_meshes};
   static constexpr FixEntry kFixes[] = {
       {Code::MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE, remove_index_stride}};
-  static constexpr Family family{.order = 350, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -256,7 +256,7 @@ void check_graph(const Context& context) { GraphCheck(context).run(); }
 const Family& node_graph_family() {
   static constexpr LinkRule kLinkRules[] = {check_graph};
   static constexpr FixEntry kFixes[] = {{Code::NODE_EMPTY, delete_marked, FixStage::deletion}};
-  static constexpr Family family{.order = 480, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -106,7 +106,7 @@ void check_nodes(const Context& context) { NodeCheck(context).run(); }
 
 const Family& node_mesh_family() {
   static constexpr LinkRule kLinkRules[] = {check_nodes};
-  static constexpr Family family{.order = 390, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

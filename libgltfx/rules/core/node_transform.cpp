@@ -317,10 +317,8 @@ const Family& node_transform_family() {
   static constexpr LinkRule kLinkRules[] = {check_scales};
   static constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_rotation, "rotation"},
                                                      {"node", check_node}};
-  static constexpr Family family{.order = 380,
-                                 .object_rules = kObjectRules,
-                                 .link_rules = kLinkRules,
-                                 .fixes = kTransformFixes};
+  static constexpr Family family{
+      .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kTransformFixes};
   return family;
 }
 

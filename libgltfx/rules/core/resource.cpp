@@ -107,7 +107,7 @@ constexpr FixEntry kUriFixes[] = {{Code::BUFFER_DATA_URI_MIME_TYPE_INVALID, say_
 const Family& resource_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"buffer", check_buffer},
                                                      {"image", check_image}};
-  static constexpr Family family{.order = 80, .object_rules = kObjectRules, .fixes = kUriFixes};
+  static constexpr Family family{.object_rules = kObjectRules, .fixes = kUriFixes};
   return family;
 }
 

@@ -83,7 +83,7 @@ bool remove_child(Fixing& fixing, Span place) {
 const Family& scene_family() {
   static constexpr LinkRule kLinkRules[] = {check_scenes};
   static constexpr FixEntry kFixes[] = {{Code::SCENE_NON_ROOT_NODE, remove_child}};
-  static constexpr Family family{.order = 470, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -144,7 +144,7 @@ const Family& skin_family() {
   static constexpr LinkRule kLinkRules[] = {check_skins};
   static constexpr FixEntry kFixes[] = {{Code::SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at},
                                         {Code::SKIN_SKELETON_INVALID, remove_marked}};
-  static constexpr Family family{.order = 430, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -180,7 +180,7 @@ const Family& unused_objects_family() {
   static constexpr LinkRule kLinkRules[] = {check_objects, check_mesh_weights};
   static constexpr FixEntry kFixes[] = {{Code::UNUSED_MESH_WEIGHTS, remove_marked},
                                         {Code::UNUSED_OBJECT, delete_unused, FixStage::deletion}};
-  static constexpr Family family{.order = 640, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

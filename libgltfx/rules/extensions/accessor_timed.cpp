@@ -118,7 +118,7 @@ void check_textures(const Context& context) {
 
 const Family& timed_accessors_family() {
   static constexpr LinkRule kLinkRules[] = {check_root, check_textures};
-  static constexpr Family family{.order = 590, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -79,7 +79,7 @@ void check_unique_names(const Context& context, const std::vector<json::NodeId>&
 
 const Family& name_registries_family() {
   static constexpr LinkRule kLinkRules[] = {check_articulations, check_panel_groups};
-  static constexpr Family family{.order = 560, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

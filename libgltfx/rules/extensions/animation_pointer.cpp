@@ -246,7 +246,7 @@ const Family& animation_pointer_family() {
   static constexpr LinkRule kLinkRules[] = {check_pointers};
   static constexpr FixEntry kFixes[] = {
       {Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE, remove_marked}};
-  static constexpr Family family{.order = 450, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

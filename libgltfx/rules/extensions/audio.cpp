@@ -163,7 +163,7 @@ void check_audio_formats(const Context& context) {
 const Family& audio_family() {
   static constexpr LinkRule kLinkRules[] = {check_audio, check_distances, check_scene_emitters,
                                             check_audio_formats};
-  static constexpr Family family{.order = 580, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -213,7 +213,7 @@ void check_visibility(const Context& context) {
 
 const Family& extension_accessors_family() {
   static constexpr LinkRule kLinkRules[] = {check_formats, check_outlines, check_visibility};
-  static constexpr Family family{.order = 570, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -272,8 +272,7 @@ constexpr FixEntry kUseFixes[] = {
 
 const Family& extension_use_family() {
   static constexpr LinkRule kLinkRules[] = {check_extension_use};
-  static constexpr Family family{
-      .order = 50, .additional = true, .link_rules = kLinkRules, .fixes = kUseFixes};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules, .fixes = kUseFixes};
   return family;
 }
 

@@ -107,7 +107,7 @@ void check_primitives(const Context& context) {
 
 const Family& fallback_family() {
   static constexpr LinkRule kLinkRules[] = {check_buffer_views, check_primitives};
-  static constexpr Family family{.order = 60, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -104,7 +104,7 @@ void check_splats(const Context& context) {
 
 const Family& splats_family() {
   static constexpr LinkRule kLinkRules[] = {check_splats};
-  static constexpr Family family{.order = 510, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -104,7 +104,7 @@ void check_instances(const Context& context) {
 
 const Family& instancing_family() {
   static constexpr LinkRule kLinkRules[] = {check_instances};
-  static constexpr Family family{.order = 520, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -318,7 +318,7 @@ void check_graphs(const Context& context) {
 
 const Family& interactivity_family() {
   static constexpr LinkRule kLinkRules[] = {check_graphs};
-  static constexpr Family family{.order = 550, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -11,8 +11,8 @@
 #include "rules/core/rotation.hpp"
 #include "rules/extension_walk.hpp"
 #include "rules/finding.hpp"
+#include "rules/payload/phases.hpp"
 #include "rules/payload/texture_slots.hpp"
-#include "rules/phases.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -77,16 +77,15 @@ class LightCheck {
 
 }  // namespace
 
-void check_image_based_lights(const Context& context, const model::ResourceData& resources,
-                              Sink& sink) {
-  const json::NodeId object = root_extension(context, kImageBasedLightExtension);
+void check_image_based_lights(DataPhase& phase) {
+  const json::NodeId object = root_extension(phase.context, kImageBasedLightExtension);
   if (object == json::kNoNode) return;
-  const LightCheck check(context, resources, sink);
+  const LightCheck check(phase.context, phase.resources, phase.sink);
   const Path root;
   const Path extensions(root, "extensions");
   const Path extension(extensions, kImageBasedLightExtension);
   const Path list(extension, "lights");
-  const auto lights = object_list(context.document, object, "lights");
+  const auto lights = object_list(phase.context.document, object, "lights");
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (lights[i] != json::kNoNode) check.check(lights[i], Path(list, i));
   }
@@ -95,7 +94,7 @@ void check_image_based_lights(const Context& context, const model::ResourceData&
 const Family& lights_image_based_family() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"EXT_lights_image_based.light", check_rotation}};
-  static constexpr Family family{.order = 385, .object_rules = kObjectRules};
+  static constexpr Family family{.object_rules = kObjectRules};
   return family;
 }
 

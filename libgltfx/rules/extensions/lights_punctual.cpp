@@ -96,8 +96,7 @@ const Family& lights_punctual_family() {
       {"KHR_lights_punctual.light", "spot", read_spot}};
   static constexpr LinkRule kLinkRules[] = {check_lights_exist};
   static constexpr FixEntry kFixes[] = {{Code::EXTRA_PROPERTY, remove_marked}};
-  static constexpr Family family{.order = 410,
-                                 .object_rules = kObjectRules,
+  static constexpr Family family{.object_rules = kObjectRules,
                                  .link_rules = kLinkRules,
                                  .member_rules = kMemberRules,
                                  .fixes = kFixes};

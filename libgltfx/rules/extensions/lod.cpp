@@ -135,7 +135,7 @@ bool remove_level_repeats(Fixing& fixing, Span place) {
 const Family& lod_family() {
   static constexpr LinkRule kLinkRules[] = {check_levels};
   static constexpr FixEntry kFixes[] = {{Code::LOD_REPEATED, remove_level_repeats}};
-  static constexpr Family family{.order = 530, .link_rules = kLinkRules, .fixes = kFixes};
+  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -274,7 +274,7 @@ const Family& material_extensions_family() {
   static constexpr FixEntry kFixes[] = {
       {Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE, remove_marked}};
   static constexpr Family family{
-      .order = 290, .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kFixes};
+      .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kFixes};
   return family;
 }
 

@@ -315,7 +315,7 @@ void check_materials(const Context& context) {
 
 const Family& material_lobes_family() {
   static constexpr LinkRule kLinkRules[] = {check_materials};
-  static constexpr Family family{.order = 300, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -53,7 +53,7 @@ void check_mdl(const Context& context) {
 
 const Family& mdl_family() {
   static constexpr LinkRule kLinkRules[] = {check_mdl};
-  static constexpr Family family{.order = 610, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -94,7 +94,7 @@ void check_toon(const Context& context) {
 
 const Family& toon_family() {
   static constexpr LinkRule kLinkRules[] = {check_toon};
-  static constexpr Family family{.order = 640, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -202,7 +202,7 @@ void check_manifolds(const Context& context) {
 
 const Family& mesh_groups_family() {
   static constexpr LinkRule kLinkRules[] = {check_restart, check_manifolds};
-  static constexpr Family family{.order = 500, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -51,7 +51,7 @@ void check_nodes(const Context& context) {
 
 const Family& quantization_family() {
   static constexpr LinkRule kLinkRules[] = {check_nodes};
-  static constexpr Family family{.order = 400, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

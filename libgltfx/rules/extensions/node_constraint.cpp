@@ -69,7 +69,7 @@ void check_constraint_cycles(const Context& context) {
 
 const Family& node_constraint_family() {
   static constexpr LinkRule kLinkRules[] = {check_constraint_cycles};
-  static constexpr Family family{.order = 620, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -140,7 +140,7 @@ void check_covariance(const Context& context) {
 const Family& nonvisual_family() {
   static constexpr LinkRule kLinkRules[] = {check_nonvisual, check_error_textures,
                                             check_covariance};
-  static constexpr Family family{.order = 660, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -191,7 +191,7 @@ void check_meshopt(const Context& context) {
 
 const Family& packed_geometry_family() {
   static constexpr LinkRule kLinkRules[] = {check_meshopt, check_draco};
-  static constexpr Family family{.order = 490, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

@@ -260,7 +260,7 @@ const Family& bodies_family() {
   static constexpr LinkRule kLinkRules[] = {check_trigger_parts, check_vehicle_parts,
                                             check_joints,        check_joint_motions,
                                             check_gravity,       check_shape_meshes};
-  static constexpr Family family{.order = 650, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

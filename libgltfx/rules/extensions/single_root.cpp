@@ -70,7 +70,7 @@ void check_single_root(const Context& context) {
 
 const Family& single_root_family() {
   static constexpr LinkRule kLinkRules[] = {check_single_root};
-  static constexpr Family family{.order = 540, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -165,7 +165,7 @@ void check_springs(const Context& context) {
 
 const Family& spring_bone_family() {
   static constexpr LinkRule kLinkRules[] = {check_springs};
-  static constexpr Family family{.order = 610, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

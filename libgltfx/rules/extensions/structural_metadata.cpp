@@ -24,7 +24,7 @@ void check_roots(const Context& context) {
 
 const Family& structural_metadata_family() {
   static constexpr LinkRule kLinkRules[] = {check_roots};
-  static constexpr Family family{.order = 630, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

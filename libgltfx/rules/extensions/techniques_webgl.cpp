@@ -127,7 +127,7 @@ void check_techniques(const Context& context) {
 
 const Family& techniques_family() {
   static constexpr LinkRule kLinkRules[] = {check_techniques};
-  static constexpr Family family{.order = 600, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

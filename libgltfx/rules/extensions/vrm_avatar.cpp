@@ -60,7 +60,7 @@ void check_texture_transforms(const Context& context) {
 
 const Family& avatar_family() {
   static constexpr LinkRule kLinkRules[] = {check_annotations, check_texture_transforms};
-  static constexpr Family family{.order = 635, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -210,7 +210,7 @@ void check_material_properties(const Context& context) {
 const Family& expressions_family() {
   static constexpr LinkRule kLinkRules[] = {check_expressions, check_first_expressions,
                                             check_material_properties};
-  static constexpr Family family{.order = 630, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

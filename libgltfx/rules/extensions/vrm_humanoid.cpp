@@ -288,7 +288,7 @@ std::vector<HumanBone> read_human_bones(const Context& context, json::NodeId ext
 const Family& humanoid_family() {
   static constexpr LinkRule kLinkRules[] = {check_humanoids, check_look_at, check_animation_paths,
                                             check_animation_alone};
-  static constexpr Family family{.order = 600, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -143,7 +143,7 @@ void check_poses(const Context& context) {
 
 const Family& humanoid_pose_family() {
   static constexpr LinkRule kLinkRules[] = {check_poses};
-  static constexpr Family family{.order = 605, .additional = true, .link_rules = kLinkRules};
+  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
   return family;
 }
 

@@ -7,29 +7,30 @@
 #include "rules/context.hpp"
 #include "rules/extension_walk.hpp"
 #include "rules/finding.hpp"
+#include "rules/payload/phases.hpp"
 #include "rules/payload/texture_slots.hpp"
-#include "rules/phases.hpp"
 
 namespace gltfx::validate {
 
-void check_thumbnails(const Context& context, const model::ResourceData& resources, Sink& sink) {
+void check_thumbnails(DataPhase& phase) {
   constexpr std::string_view kAvatar = "VRMC_vrm";
-  const json::Document& document = context.document;
+  const json::Document& document = phase.context.document;
   const json::NodeId meta =
-      model::object_member(document, root_extension(context, kAvatar), "meta");
-  const auto image = context.asset.index(meta, "thumbnailImage", model::RootArray::images);
+      model::object_member(document, root_extension(phase.context, kAvatar), "meta");
+  const auto image = phase.context.asset.index(meta, "thumbnailImage", model::RootArray::images);
   if (!image) return;
-  const auto& header = resources.images[*image].header;
+  const auto& header = phase.resources.images[*image].header;
   if (!header || !header->doubt.empty()) return;
   const bool core = header->format == image::Format::png || header->format == image::Format::jpeg;
   if (core && header->width == header->height) return;
-  const std::string label = image_label(context, *image);
-  report_at(sink, fmt::format("/extensions/{}/meta/thumbnailImage", kAvatar),
-            finding_on(context, document.find(meta, "thumbnailImage"), Code::THUMBNAIL_NOT_SQUARE,
-                       core ? fmt::format("The size of {} is {}x{}; it must be square.", label,
-                                          header->width, header->height)
-                            : fmt::format("The type of {} is {}; it must be PNG or JPEG.", label,
-                                          image::media_type(header->format))));
+  const std::string label = image_label(phase.context, *image);
+  report_at(
+      phase.sink, fmt::format("/extensions/{}/meta/thumbnailImage", kAvatar),
+      finding_on(phase.context, document.find(meta, "thumbnailImage"), Code::THUMBNAIL_NOT_SQUARE,
+                 core ? fmt::format("The size of {} is {}x{}; it must be square.", label,
+                                    header->width, header->height)
+                      : fmt::format("The type of {} is {}; it must be PNG or JPEG.", label,
+                                    image::media_type(header->format))));
 }
 
 }  // namespace gltfx::validate

@@ -286,7 +286,7 @@ void check_xmp(const Context& context) {
 
 const Family& xmp_family() {
   static constexpr LinkRule kLinkRules[] = {check_xmp};
-  static constexpr Family family{.order = 620, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

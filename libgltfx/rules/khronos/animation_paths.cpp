@@ -40,7 +40,7 @@ bool is_linked(const Context& context, const model::Animation& animation) {
 
 const Family& animation_paths_family() {
   static constexpr LinkRule kLinkRules[] = {leave_animations};
-  static constexpr Family family{.order = 460, .link_rules = kLinkRules};
+  static constexpr Family family{.link_rules = kLinkRules};
   return family;
 }
 

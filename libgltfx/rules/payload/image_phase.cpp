@@ -17,6 +17,7 @@
 #include "rules/extension_walk.hpp"
 #include "rules/finding.hpp"
 #include "rules/fix.hpp"
+#include "rules/payload/phases.hpp"
 #include "rules/payload/texture_slots.hpp"
 #include "rules/phases.hpp"
 #include "rules/resource_fetch.hpp"
@@ -373,24 +374,24 @@ void load_images(const Context& context, Sink& sink, FileReport& report, Resourc
   }
 }
 
-void check_textures(const Context& context, const model::ResourceData& data, Sink& sink) {
+void check_textures(DataPhase& phase) {
   const Path root;
   const Path array(root, "textures");
-  const auto& textures = context.asset.elements(model::RootArray::textures);
+  const auto& textures = phase.context.asset.elements(model::RootArray::textures);
   if (textures.empty()) return;
-  const MediaTypes enabled = enabled_media_types(context);
-  const TextureCheck check{context, data, enabled, sink};
+  const MediaTypes enabled = enabled_media_types(phase.context);
+  const TextureCheck check{phase.context, phase.resources, enabled, phase.sink};
   for (std::size_t i = 0; i < textures.size(); ++i) {
     check.check(textures[i], Path(array, static_cast<std::uint64_t>(i)),
                 {"image/jpeg", "image/png"});
   }
-  std::vector<const schema::Extension*> extensions = declared_extensions(context);
+  std::vector<const schema::Extension*> extensions = declared_extensions(phase.context);
   std::erase_if(extensions, [](const auto* each) { return each->image_mime_types.empty(); });
   for (std::size_t i = 0; i < textures.size() && !extensions.empty(); ++i) {
     const Path texture(array, static_cast<std::uint64_t>(i));
     const Path member(texture, "extensions");
     for (const schema::Extension* extension : extensions) {
-      check.check(model::extension_object(context.document, textures[i], extension->name),
+      check.check(model::extension_object(phase.context.document, textures[i], extension->name),
                   Path(member, extension->name), extension->image_mime_types);
     }
   }

@@ -10,7 +10,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "rules/extension_walk.hpp"
-#include "rules/phases.hpp"
+#include "rules/payload/phases.hpp"
 #include "rules/resource_fetch.hpp"
 
 namespace gltfx::validate {
@@ -76,22 +76,21 @@ std::string error_of(std::string_view text) {
 
 }  // namespace
 
-void check_light_profiles(const Context& context, const model::ResourceData& resources, Sink& sink,
-                          FileReport& report) {
-  const json::NodeId object = root_extension(context, kLightProfilesExtension);
+void check_light_profiles(DataPhase& phase) {
+  const json::NodeId object = root_extension(phase.context, kLightProfilesExtension);
   if (object == json::kNoNode) return;
   const Path root;
   const Path extensions(root, "extensions");
   const Path extension(extensions, kLightProfilesExtension);
   const Path list(extension, "lights");
-  const auto lights = object_list(context.document, object, "lights");
+  const auto lights = object_list(phase.context.document, object, "lights");
   for (std::size_t i = 0; i < lights.size(); ++i) {
     if (lights[i] == json::kNoNode) continue;
     const Path path(list, i);
     ResourceInfo info;
-    const Resource resource{context, sink, report, path, lights[i], info};
+    const Resource resource{phase.context, phase.sink, phase.report, path, lights[i], info};
     check_resource_uri(resource);
-    const auto bytes = fetch_uri_or_view(resource, resources);
+    const auto bytes = fetch_uri_or_view(resource, phase.resources);
     if (!bytes) continue;
     const std::span<const std::byte> view = bytes->view();
     std::string error = error_of({reinterpret_cast<const char*>(view.data()), view.size()});

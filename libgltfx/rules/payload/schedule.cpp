@@ -12,9 +12,6 @@
 #include "rules/extension_walk.hpp"
 #include "rules/payload/check.hpp"
 #include "rules/payload/phases.hpp"
-#include "rules/payload/texture_phase.hpp"
-#include "rules/payload/topology.hpp"
-#include "rules/phases.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -316,20 +313,6 @@ bool Budget::take(std::uint64_t count, std::uint64_t each) {
   if (!cost || *cost > left_) return false;
   left_ -= *cost;
   return true;
-}
-
-void check_data(const Context& context, const model::ResourceData& resources, Sink& sink,
-                FileReport& report) {
-  DataPhase phase{context, resources, sink, Budget(resources)};
-  decode_geometry(phase);
-  check_sparse_indices(phase);
-  check_elements(phase);
-  check_influences(phase);
-  check_mesh_edges(phase);
-  check_expression_weights(phase);
-  check_metadata(phase, report);
-  check_textures(context, resources, sink);
-  check_texture_slots(context, resources, sink, report);
 }
 
 }  // namespace gltfx::validate

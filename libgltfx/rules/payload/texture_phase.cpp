@@ -10,6 +10,7 @@
 #include "base/parallel.hpp"
 #include "model/image_codec.hpp"
 #include "rules/collector.hpp"
+#include "rules/payload/phases.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -134,22 +135,22 @@ void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
   });
 }
 
-void check_texture_slots(const Context& context, const model::ResourceData& resources, Sink& sink,
-                         FileReport& report) {
+void check_texture_slots(DataPhase& data) {
+  const Context& context = data.context;
+  const model::ResourceData& resources = data.resources;
   const bool every_image =
       pixel_level(context.options) == PixelLevel::all && !resources.images.empty();
-  if (context.deviations.no_additional_rules) return;
   if (context.checked.slots.empty() && !every_image) return;
   const Animated animated(context);
   const std::vector<TextureSlot> slots = texture_slots(context, animated);
   PixelSource pixels(resources);
   const auto wanted = PixelNeeds(context, resources, slots).find();
   pixels.decode(wanted, context.options.jobs);
-  report.images_wanted += wanted.size();
-  report.images_decoded += static_cast<std::uint64_t>(std::count_if(
+  data.report.images_wanted += wanted.size();
+  data.report.images_decoded += static_cast<std::uint64_t>(std::count_if(
       wanted.begin(), wanted.end(),
       [&](const PixelSource::Request& request) { return pixels.of(request.image) != nullptr; }));
-  const TexturePhase phase{context, resources, sink, animated, slots, pixels};
+  const TexturePhase phase{context, resources, data.sink, animated, slots, pixels};
   check_channels(phase);
   check_sharing(phase);
   check_ktx2_slots(phase);

@@ -84,8 +84,4 @@ void check_ktx2_slots(const TexturePhase& phase);
 /// What only decoded pixels tell.
 void check_pixels(const TexturePhase& phase);
 
-/// All of them. The images that are decoded for it are counted in `report`.
-void check_texture_slots(const Context& context, const model::ResourceData& resources, Sink& sink,
-                         FileReport& report);
-
 }  // namespace gltfx::validate

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Triangles as they meet, and the rules about their edges that extensions of meshes and materials
-/// bring.
+/// Triangles as they meet.
 #pragma once
 
 #include <array>
@@ -43,23 +42,5 @@ std::optional<Indices> first_at_position(DataPhase& phase, std::uint32_t accesso
 /// The same for positions as near as single precision leaves those that were meant to be one: by
 /// some four millionths of the extent.
 std::optional<Indices> first_near_position(DataPhase& phase, std::uint32_t accessor);
-
-/// EXT_mesh_primitive_edge_visibility: how edges are coded, lines along them, normals beside them.
-void check_edge_visibility(DataPhase& phase);
-/// CESIUM_primitive_outline: outlines follow edges. CESIUM_tile_edges: the vertices are there.
-void check_outlines(DataPhase& phase);
-/// EXT_mesh_manifold: the surface is closed, and merged vertices lie where they were.
-void check_manifolds(DataPhase& phase);
-/// KHR_materials_volume: what encloses a volume has no hole. Only where somebody wants to know.
-void check_volumes(DataPhase& phase);
-
-/// All of them.
-inline void check_mesh_edges(DataPhase& phase) {
-  if (phase.context.deviations.no_additional_rules) return;
-  check_edge_visibility(phase);
-  check_outlines(phase);
-  check_manifolds(phase);
-  check_volumes(phase);
-}
 
 }  // namespace gltfx::validate

@@ -361,9 +361,8 @@ bool visit_data_texcoords(const Context& context, json::NodeId primitive,
 
 void check_feature_ids(MetadataPhase& phase) { FeatureCheck(phase).run(); }
 
-void check_metadata(DataPhase& data, FileReport& report) {
-  if (data.context.deviations.no_additional_rules) return;
-  MetadataPhase phase{data, report, root_extension(data.context, kMetadataExtension)};
+void check_metadata(DataPhase& data) {
+  MetadataPhase phase{data, data.report, root_extension(data.context, kMetadataExtension)};
   MetadataSource source;
   if (phase.root != json::kNoNode) {
     source.load(phase);

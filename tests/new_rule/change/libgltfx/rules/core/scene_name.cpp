@@ -17,7 +17,7 @@ constexpr ObjectRuleEntry kObjectRules[] = {{"scene", check_name}};
 }  // namespace
 
 const Family& scene_name_family() {
-  static constexpr Family family{.order = 475, .object_rules = kObjectRules};
+  static constexpr Family family{.object_rules = kObjectRules};
   return family;
 }
 

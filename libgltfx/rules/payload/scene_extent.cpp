@@ -9,7 +9,7 @@
 #include "base/codes.hpp"
 #include "model/pose.hpp"
 #include "rules/finding.hpp"
-#include "rules/phases.hpp"
+#include "rules/payload/phases.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -49,27 +49,28 @@ std::string length_text(double metres) {
 
 }  // namespace
 
-void check_scene_extent(const Context& context, const model::ResourceData& resources, Sink& sink) {
-  if (context.deviations.no_additional_rules || !is_measured(context)) return;
-  const model::SceneExtent extent =
-      model::scene_extent(context.asset, context.views, resources, {}, kInstanceTransforms);
+void check_scene_extent(DataPhase& phase) {
+  if (!is_measured(phase.context)) return;
+  const model::SceneExtent extent = model::scene_extent(phase.context.asset, phase.context.views,
+                                                        phase.resources, {}, kInstanceTransforms);
   if (!extent.bounds) return;
   const double width = width_of(*extent.bounds);
   // A single point has no width that could be wrong.
   if (width == 0 || (width >= kSmallestScene && width <= kLargestScene)) return;
   const bool large = width > kLargestScene;
   const std::string cause =
-      large ? " because of " + object_label(context, model::RootArray::nodes, extent.farthest) : "";
+      large ? " because of " + object_label(phase.context, model::RootArray::nodes, extent.farthest)
+            : "";
   std::string message = fmt::format("The scene is {} wide{}; 0.1 mm to 100,000 km is expected.",
                                     length_text(width), cause);
-  const auto scene = model::choose_scene(context.asset, context.views).scene;
+  const auto scene = model::choose_scene(phase.context.asset, phase.context.views).scene;
   if (scene) {
-    report_element(sink, context, model::RootArray::scenes, *scene, Code::UNUSUAL_SCALE,
+    report_element(phase.sink, phase.context, model::RootArray::scenes, *scene, Code::UNUSUAL_SCALE,
                    std::move(message));
     return;
   }
-  sink.report(Path(), finding_on(context, context.document.root(), Code::UNUSUAL_SCALE,
-                                 std::move(message)));
+  phase.sink.report(Path(), finding_on(phase.context, phase.context.document.root(),
+                                       Code::UNUSUAL_SCALE, std::move(message)));
 }
 
 }  // namespace gltfx::validate
