@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rules/context.hpp"
+
 namespace gltfx {
 namespace {
 
@@ -69,6 +71,24 @@ TEST_P(Examples, BadRaisesTheRuleAndNothingElse) {
     for (const std::string_view code : along->second) found.erase(std::string(code));
   }
   EXPECT_TRUE(found.empty()) << "also raises " << *found.begin() << "\n" << rule.bad;
+}
+
+// Examples show the profile `strict`, but for one code.
+Severity expected_severity(const RuleDescription& rule) {
+  if (rule.code == "INCOMPLETE_EXTENSION_SUPPORT") return rule.khronos_severity;
+  // The page names a case that is an error; it is the one that the fix corrects.
+  if (rule.code == "NON_RELATIVE_URI") return Severity::error;
+  const auto position = static_cast<std::size_t>(&rule - rules().data());
+  return validate::strict_severity(static_cast<Code>(position));
+}
+
+TEST_P(Examples, BadHasTheSeverityOfThePage) {
+  const RuleDescription& rule = *find_rule(GetParam().code);
+  const auto found = validate_example(rule, rule.bad).diagnostics;
+  const auto one = std::find_if(found.begin(), found.end(),
+                                [&](const Diagnostic& each) { return each.code == rule.code; });
+  ASSERT_NE(one, found.end());
+  EXPECT_EQ(severity_name(one->severity), severity_name(expected_severity(rule)));
 }
 
 TEST_P(Examples, GoodRaisesNothing) {

@@ -210,8 +210,7 @@ class ImageCheck {
     };
     if (!power_of_two(header.width) || !power_of_two(header.height)) {
       resource_.find(Code::IMAGE_NPOT_DIMENSIONS, "",
-                     fmt::format("The image has {}x{} pixels.", header.width, header.height), {},
-                     Severity::hint);
+                     fmt::format("The image has {}x{} pixels.", header.width, header.height));
     }
     if (header.bits == 16) {
       resource_.find(Code::IMAGE_16_BIT, "", "The image has 16 bits per channel.");
@@ -244,8 +243,7 @@ class ImageCheck {
     add(!all && header.animated && webp, "animation");
     if (!features.empty()) {
       resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
-                     fmt::format("The image has {}, which glTF ignores.", features), {},
-                     Severity::info);
+                     fmt::format("The image has {}, which glTF ignores.", features));
     }
     if (all && header.animated) check_animation(webp);
   }
@@ -254,7 +252,8 @@ class ImageCheck {
   void check_animation(bool webp) const {
     resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
                    webp ? "The image is animated: some loaders show its first frame, others fail."
-                        : "The image is animated; glTF only shows its still image.");
+                        : "The image is animated; glTF only shows its still image.",
+                   {}, Severity::warning);
   }
 
   const Resource& resource_;
