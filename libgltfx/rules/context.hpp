@@ -91,8 +91,8 @@ using MapRule = void (*)(const Context& context, std::string_view name, json::No
                          const Path& map_path);
 
 /// What a file of rules/ contributes to the walk over the objects and to the phase of links. It
-/// defines `const Family& NAME_family()`, which rules/order.cpp lists.
-struct Family {
+/// defines `const RuleGroup& NAME_rules()`, which rules/order.cpp lists.
+struct RuleGroup {
   /// Deviations::no_additional_rules leaves its link rules out.
   bool additional = false;
   std::span<const ObjectRuleEntry> object_rules = {};
@@ -103,8 +103,8 @@ struct Family {
   std::span<const FixEntry> fixes = {};
 };
 
-/// All families, in the order in which they run (rules/order.cpp).
-std::span<const Family> families();
+/// All groups, in the order in which they run (rules/order.cpp).
+std::span<const RuleGroup> rule_groups();
 
 /// What is known of a rule.
 const RuleDescription& description(Code code);

@@ -16,8 +16,8 @@ namespace {
 
 std::vector<const FixEntry*> table_of_fixes() {
   std::vector<const FixEntry*> table(rules().size());
-  for (const Family& family : families()) {
-    for (const FixEntry& entry : family.fixes) table[static_cast<std::size_t>(entry.code)] = &entry;
+  for (const RuleGroup& group : rule_groups()) {
+    for (const FixEntry& entry : group.fixes) table[static_cast<std::size_t>(entry.code)] = &entry;
   }
   return table;
 }

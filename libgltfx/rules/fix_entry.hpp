@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which rules have a fix. A fix is registered where its rule is (Family::fixes): it gets the place
-/// that a finding marks and adds to the changes of one asset (rules/fix.hpp).
+/// Which rules have a fix. A fix is registered where its rule is (RuleGroup::fixes): it gets the
+/// place that a finding marks and adds to the changes of one asset (rules/fix.hpp).
 #pragma once
 
 #include <gltfx/diagnostic.hpp>

@@ -128,9 +128,9 @@ constexpr FixEntry kContainerFixes[] = {
 
 }  // namespace
 
-const Family& container_family() {
-  static constexpr Family family{.fixes = kContainerFixes};
-  return family;
+const RuleGroup& container_rules() {
+  static constexpr RuleGroup group{.fixes = kContainerFixes};
+  return group;
 }
 
 bool check_container(const container::Container& container, const std::string& name,

@@ -280,9 +280,9 @@ constexpr FixEntry kTextFixes[] = {
 
 }  // namespace
 
-const Family& text_family() {
-  static constexpr Family family{.fixes = kTextFixes};
-  return family;
+const RuleGroup& text_rules() {
+  static constexpr RuleGroup group{.fixes = kTextFixes};
+  return group;
 }
 
 bool check_text(const SharedText& text, const json::Parsed& parsed, const ValidateOptions& options,

@@ -245,9 +245,9 @@ constexpr FixEntry kBufferFixes[] = {{Code::BUFFER_BYTE_LENGTH_MISMATCH, declare
 
 }  // namespace
 
-const Family& buffers_family() {
-  static constexpr Family family{.fixes = kBufferFixes};
-  return family;
+const RuleGroup& buffers_rules() {
+  static constexpr RuleGroup group{.fixes = kBufferFixes};
+  return group;
 }
 
 void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink) {

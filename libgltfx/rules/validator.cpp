@@ -26,8 +26,8 @@ using ObjectRules = RulesByName<std::vector<ObjectRuleEntry>>;
 ObjectRules make_object_rules(bool reading_order) {
   const Runs never = reading_order ? Runs::otherwise : Runs::in_reading_order;
   ObjectRules rules;
-  for (const Family& family : families()) {
-    for (const ObjectRuleEntry& entry : family.object_rules) {
+  for (const RuleGroup& group : rule_groups()) {
+    for (const ObjectRuleEntry& entry : group.object_rules) {
       const bool on_the_way = reading_order && !entry.behind.empty();
       if (entry.runs != never && !on_the_way) rules.to(entry.type).push_back(entry);
     }
@@ -85,9 +85,9 @@ schema::CheckResult check_objects(Context& context, json::Document& own) {
 
 // Phase 4.
 void check_links(const Context& context) {
-  for (const Family& family : families()) {
-    if (family.additional && context.deviations.no_additional_rules) continue;
-    for (const LinkRule rule : family.link_rules) rule(context);
+  for (const RuleGroup& group : rule_groups()) {
+    if (group.additional && context.deviations.no_additional_rules) continue;
+    for (const LinkRule rule : group.link_rules) rule(context);
   }
 }
 

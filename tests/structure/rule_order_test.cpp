@@ -26,14 +26,14 @@ std::vector<std::string> names_in(const std::string& code, const std::regex& pat
   return names;
 }
 
-// Families that are not in the list once.
+// Groups that are not in the list once.
 Problems check_order(const std::string& order, const std::vector<Source>& sources) {
   const std::vector<std::string> listed =
-      names_in(order, std::regex(R"(\n    ([a-z0-9_]+_family),)"));
+      names_in(order, std::regex(R"(\n    ([a-z0-9_]+_rules),)"));
   Problems problems;
   for (const Source& source : sources) {
     for (const std::string& name :
-         names_in(source.text, std::regex(R"(\nconst Family& ([a-z0-9_]+_family)\(\) \{)"))) {
+         names_in(source.text, std::regex(R"(\nconst RuleGroup& ([a-z0-9_]+_rules)\(\) \{)"))) {
       if (std::count(listed.begin(), listed.end(), name) == 1) continue;
       problems.push_back(problem(source, 1, name + " is not in the order once"));
     }
@@ -41,23 +41,23 @@ Problems check_order(const std::string& order, const std::vector<Source>& source
   return problems;
 }
 
-TEST(RuleOrder, HasEachFamilyOnce) {
+TEST(RuleOrder, HasEachGroupOnce) {
   std::vector<Source> sources = cpp_below({"libgltfx/rules"});
   const auto order = std::find_if(sources.begin(), sources.end(),
                                   [](const Source& source) { return source.path == kOrder; });
   ASSERT_NE(order, sources.end());
-  EXPECT_THAT(names_in(order->text, std::regex(R"(\n    ([a-z0-9_]+_family),)")),
+  EXPECT_THAT(names_in(order->text, std::regex(R"(\n    ([a-z0-9_]+_rules),)")),
               testing::SizeIs(testing::Gt(60U)));
   EXPECT_THAT(check_order(order->text, sources), IsEmpty());
 }
 
-TEST(RuleOrder, AFamilyThatIsNotInItIsFound) {
-  const std::vector<Source> sources{{"a.cpp", "\nconst Family& a_family() {\n}\n"},
-                                    {"b.cpp", "\nconst Family& b_family() {\n}\n"}};
-  EXPECT_THAT(check_order("{\n    a_family,\n}", sources),
-              ElementsAre("b.cpp:1: b_family is not in the order once"));
-  EXPECT_THAT(check_order("{\n    a_family,\n    b_family,\n    b_family,\n}", sources),
-              ElementsAre("b.cpp:1: b_family is not in the order once"));
+TEST(RuleOrder, AGroupThatIsNotInItIsFound) {
+  const std::vector<Source> sources{{"a.cpp", "\nconst RuleGroup& a_rules() {\n}\n"},
+                                    {"b.cpp", "\nconst RuleGroup& b_rules() {\n}\n"}};
+  EXPECT_THAT(check_order("{\n    a_rules,\n}", sources),
+              ElementsAre("b.cpp:1: b_rules is not in the order once"));
+  EXPECT_THAT(check_order("{\n    a_rules,\n    b_rules,\n    b_rules,\n}", sources),
+              ElementsAre("b.cpp:1: b_rules is not in the order once"));
 }
 
 }  // namespace

@@ -100,10 +100,10 @@ constexpr FixEntry kLayoutFixes[] = {{Code::ACCESSOR_SMALL_BYTESTRIDE, mend_smal
 
 }  // namespace
 
-const Family& accessor_layout_family() {
+const RuleGroup& accessor_layout_rules() {
   static constexpr LinkRule kLinkRules[] = {check_accessors};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kLayoutFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kLayoutFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -173,7 +173,7 @@ bool correct_bound_values(Fixing& fixing, Span place) {
 
 }  // namespace
 
-const Family& accessor_values_family() {
+const RuleGroup& accessor_values_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"accessor", check_min_and_max, {}, Runs::otherwise}, {"accessor", check_accessor, "sparse"}};
   static constexpr MemberRuleEntry kMemberRules[] = {{"accessor", "byteOffset", read_offset},
@@ -181,9 +181,9 @@ const Family& accessor_values_family() {
                                                      {"accessor", "max", read_max}};
   static constexpr FixEntry kFixes[] = {{Code::ACCESSOR_NORMALIZED_INVALID, remove_marked},
                                         {Code::INVALID_GL_VALUE, correct_bound_values}};
-  static constexpr Family family{
+  static constexpr RuleGroup group{
       .object_rules = kObjectRules, .member_rules = kMemberRules, .fixes = kFixes};
-  return family;
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -74,10 +74,10 @@ void check_asset(const Context& context, json::NodeId asset, const Path& path) {
 
 }  // namespace
 
-const Family& asset_root_family() {
+const RuleGroup& asset_root_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"asset", check_asset}};
-  static constexpr Family family{.object_rules = kObjectRules};
-  return family;
+  static constexpr RuleGroup group{.object_rules = kObjectRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

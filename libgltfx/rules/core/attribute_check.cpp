@@ -93,9 +93,9 @@ constexpr FixEntry kAttributeFixes[] = {
 
 }  // namespace
 
-const Family& attribute_check_family() {
-  static constexpr Family family{.fixes = kAttributeFixes};
-  return family;
+const RuleGroup& attribute_check_rules() {
+  static constexpr RuleGroup group{.fixes = kAttributeFixes};
+  return group;
 }
 
 void check_attribute(MeshState& state, const AttributeUse& use, const Path& path) {

@@ -176,12 +176,12 @@ void check_primitive(const Context& context, json::NodeId object, const Path& pa
 
 }  // namespace
 
-const Family& attribute_names_family() {
+const RuleGroup& attribute_names_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"mesh.primitive", check_primitive, "attributes"}};
   static constexpr MapRule kMapRules[] = {check_entry};
-  static constexpr Family family{.object_rules = kObjectRules, .map_rules = kMapRules};
-  return family;
+  static constexpr RuleGroup group{.object_rules = kObjectRules, .map_rules = kMapRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

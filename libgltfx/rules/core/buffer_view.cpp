@@ -88,12 +88,12 @@ constexpr FixEntry kStrideFixes[] = {{Code::BUFFER_VIEW_INVALID_BYTE_STRIDE, dro
 
 }  // namespace
 
-const Family& buffer_view_family() {
+const RuleGroup& buffer_view_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
   static constexpr LinkRule kLinkRules[] = {check_extents};
-  static constexpr Family family{
+  static constexpr RuleGroup group{
       .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kStrideFixes};
-  return family;
+  return group;
 }
 
 }  // namespace gltfx::validate

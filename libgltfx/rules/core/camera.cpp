@@ -115,7 +115,7 @@ void check_perspective_given(const Context& context, json::NodeId camera, const 
 
 }  // namespace
 
-const Family& camera_family() {
+const RuleGroup& camera_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"camera", check_camera, {}, Runs::otherwise},
       {"camera", check_orthographic_given, "orthographic", Runs::in_reading_order},
@@ -125,8 +125,8 @@ const Family& camera_family() {
       {"camera.perspective", check_near_and_far, "znear", Runs::in_reading_order}};
   static constexpr MemberRuleEntry kMemberRules[] = {{"camera", "orthographic", read_orthographic},
                                                      {"camera", "perspective", read_perspective}};
-  static constexpr Family family{.object_rules = kObjectRules, .member_rules = kMemberRules};
-  return family;
+  static constexpr RuleGroup group{.object_rules = kObjectRules, .member_rules = kMemberRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

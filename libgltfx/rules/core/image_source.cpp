@@ -45,12 +45,12 @@ void check_textures(const Context& context) {
 
 }  // namespace
 
-const Family& image_source_family() {
+const RuleGroup& image_source_rules() {
   static constexpr LinkRule kLinkRules[] = {check_images, check_textures};
   static constexpr FixEntry kFixes[] = {
       {Code::IMAGE_BUFFER_VIEW_WITH_BYTESTRIDE, remove_stride_at}};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

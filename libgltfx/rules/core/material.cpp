@@ -40,11 +40,11 @@ constexpr FixEntry kMaterialFixes[] = {{Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE
 
 }  // namespace
 
-const Family& material_family() {
+const RuleGroup& material_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"material", check_alpha_cutoff, "alphaCutoff"}};
-  static constexpr Family family{.object_rules = kObjectRules, .fixes = kMaterialFixes};
-  return family;
+  static constexpr RuleGroup group{.object_rules = kObjectRules, .fixes = kMaterialFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -59,10 +59,10 @@ void check_mesh(const Context& context, json::NodeId mesh, const Path& path) {
 
 }  // namespace
 
-const Family& mesh_family() {
+const RuleGroup& mesh_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"mesh", check_mesh, "primitives"}};
-  static constexpr Family family{.object_rules = kObjectRules};
-  return family;
+  static constexpr RuleGroup group{.object_rules = kObjectRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

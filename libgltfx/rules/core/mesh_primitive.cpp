@@ -251,12 +251,12 @@ void check_meshes(const Context& context) {
 
 }  // namespace
 
-const Family& mesh_primitive_family() {
+const RuleGroup& mesh_primitive_rules() {
   static constexpr LinkRule kLinkRules[] = {check_meshes};
   static constexpr FixEntry kFixes[] = {
       {Code::MESH_PRIMITIVE_INDICES_ACCESSOR_WITH_BYTESTRIDE, remove_index_stride}};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -125,9 +125,9 @@ constexpr FixEntry kMissingFixes[] = {{Code::IO_ERROR, name_near_file, FixStage:
 
 }  // namespace
 
-const Family& missing_files_family() {
-  static constexpr Family family{.fixes = kMissingFixes};
-  return family;
+const RuleGroup& missing_files_rules() {
+  static constexpr RuleGroup group{.fixes = kMissingFixes};
+  return group;
 }
 
 std::string missing_file_help(const Context& context, ResolveError error, std::string_view path) {

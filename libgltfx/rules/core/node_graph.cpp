@@ -253,11 +253,11 @@ void check_graph(const Context& context) { GraphCheck(context).run(); }
 
 }  // namespace
 
-const Family& node_graph_family() {
+const RuleGroup& node_graph_rules() {
   static constexpr LinkRule kLinkRules[] = {check_graph};
   static constexpr FixEntry kFixes[] = {{Code::NODE_EMPTY, delete_marked, FixStage::deletion}};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

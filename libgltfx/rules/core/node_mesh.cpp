@@ -104,10 +104,10 @@ void check_nodes(const Context& context) { NodeCheck(context).run(); }
 
 }  // namespace
 
-const Family& node_mesh_family() {
+const RuleGroup& node_mesh_rules() {
   static constexpr LinkRule kLinkRules[] = {check_nodes};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

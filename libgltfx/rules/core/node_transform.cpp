@@ -313,13 +313,13 @@ void check_rotation(const Context& context, json::NodeId object, const Path& pat
   if (rotation != json::kNoNode) check_unit(context, rotation, path);
 }
 
-const Family& node_transform_family() {
+const RuleGroup& node_transform_rules() {
   static constexpr LinkRule kLinkRules[] = {check_scales};
   static constexpr ObjectRuleEntry kObjectRules[] = {{"node", check_rotation, "rotation"},
                                                      {"node", check_node}};
-  static constexpr Family family{
+  static constexpr RuleGroup group{
       .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kTransformFixes};
-  return family;
+  return group;
 }
 
 }  // namespace gltfx::validate

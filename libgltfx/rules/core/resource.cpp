@@ -104,11 +104,11 @@ constexpr FixEntry kUriFixes[] = {{Code::BUFFER_DATA_URI_MIME_TYPE_INVALID, say_
 
 }  // namespace
 
-const Family& resource_family() {
+const RuleGroup& resource_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"buffer", check_buffer},
                                                      {"image", check_image}};
-  static constexpr Family family{.object_rules = kObjectRules, .fixes = kUriFixes};
-  return family;
+  static constexpr RuleGroup group{.object_rules = kObjectRules, .fixes = kUriFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

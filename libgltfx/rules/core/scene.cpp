@@ -80,11 +80,11 @@ bool remove_child(Fixing& fixing, Span place) {
 
 }  // namespace
 
-const Family& scene_family() {
+const RuleGroup& scene_rules() {
   static constexpr LinkRule kLinkRules[] = {check_scenes};
   static constexpr FixEntry kFixes[] = {{Code::SCENE_NON_ROOT_NODE, remove_child}};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

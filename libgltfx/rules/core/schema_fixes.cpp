@@ -162,9 +162,9 @@ constexpr FixEntry kSchemaFixes[] = {
 
 }  // namespace
 
-const Family& schema_fixes_family() {
-  static constexpr Family family{.fixes = kSchemaFixes};
-  return family;
+const RuleGroup& schema_fix_rules() {
+  static constexpr RuleGroup group{.fixes = kSchemaFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

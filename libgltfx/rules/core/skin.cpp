@@ -140,12 +140,12 @@ void check_skins(const Context& context) {
 
 }  // namespace
 
-const Family& skin_family() {
+const RuleGroup& skin_rules() {
   static constexpr LinkRule kLinkRules[] = {check_skins};
   static constexpr FixEntry kFixes[] = {{Code::SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at},
                                         {Code::SKIN_SKELETON_INVALID, remove_marked}};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -176,12 +176,12 @@ void check_mesh_weights(const Context& context) {
 
 }  // namespace
 
-const Family& unused_objects_family() {
+const RuleGroup& unused_objects_rules() {
   static constexpr LinkRule kLinkRules[] = {check_objects, check_mesh_weights};
   static constexpr FixEntry kFixes[] = {{Code::UNUSED_MESH_WEIGHTS, remove_marked},
                                         {Code::UNUSED_OBJECT, delete_unused, FixStage::deletion}};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

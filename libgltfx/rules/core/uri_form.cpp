@@ -171,9 +171,9 @@ void check_uri_form(const Context& context, Sink& sink, json::NodeId value, cons
              : fmt::format("{} is not a valid URI: it {}.", gltfx::quoted(text), uri.problem));
 }
 
-const Family& uri_form_family() {
-  static constexpr Family family{.fixes = kFormFixes};
-  return family;
+const RuleGroup& uri_form_rules() {
+  static constexpr RuleGroup group{.fixes = kFormFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

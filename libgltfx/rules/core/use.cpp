@@ -103,9 +103,9 @@ constexpr FixEntry kViewUseFixes[] = {{Code::BUFFER_VIEW_TARGET_MISSING, add_tar
 
 }  // namespace
 
-const Family& view_use_family() {
-  static constexpr Family family{.fixes = kViewUseFixes};
-  return family;
+const RuleGroup& view_use_rules() {
+  static constexpr RuleGroup group{.fixes = kViewUseFixes};
+  return group;
 }
 
 bool remove_stride_at(Fixing& fixing, Span place) {

@@ -258,9 +258,9 @@ constexpr FixEntry kValueFixes[] = {
 
 }  // namespace
 
-const Family& value_fixes_family() {
-  static constexpr Family family{.fixes = kValueFixes};
-  return family;
+const RuleGroup& value_fix_rules() {
+  static constexpr RuleGroup group{.fixes = kValueFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

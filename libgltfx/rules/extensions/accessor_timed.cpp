@@ -116,10 +116,10 @@ void check_textures(const Context& context) {
 
 }  // namespace
 
-const Family& timed_accessors_family() {
+const RuleGroup& accessor_timed_rules() {
   static constexpr LinkRule kLinkRules[] = {check_root, check_textures};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -77,10 +77,10 @@ void check_unique_names(const Context& context, const std::vector<json::NodeId>&
   }
 }
 
-const Family& name_registries_family() {
+const RuleGroup& agi_names_rules() {
   static constexpr LinkRule kLinkRules[] = {check_articulations, check_panel_groups};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

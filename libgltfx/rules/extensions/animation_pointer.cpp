@@ -242,12 +242,12 @@ void check_pointers(const Context& context) {
 
 }  // namespace
 
-const Family& animation_pointer_family() {
+const RuleGroup& animation_pointer_rules() {
   static constexpr LinkRule kLinkRules[] = {check_pointers};
   static constexpr FixEntry kFixes[] = {
       {Code::KHR_ANIMATION_POINTER_ANIMATION_CHANNEL_TARGET_NODE, remove_marked}};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

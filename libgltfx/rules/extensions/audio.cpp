@@ -160,11 +160,11 @@ void check_audio_formats(const Context& context) {
 
 }  // namespace
 
-const Family& audio_family() {
+const RuleGroup& audio_rules() {
   static constexpr LinkRule kLinkRules[] = {check_audio, check_distances, check_scene_emitters,
                                             check_audio_formats};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

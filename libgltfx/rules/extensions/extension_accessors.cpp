@@ -211,10 +211,10 @@ void check_visibility(const Context& context) {
 
 }  // namespace
 
-const Family& extension_accessors_family() {
+const RuleGroup& extension_accessors_rules() {
   static constexpr LinkRule kLinkRules[] = {check_formats, check_outlines, check_visibility};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

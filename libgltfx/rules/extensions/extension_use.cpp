@@ -270,10 +270,11 @@ constexpr FixEntry kUseFixes[] = {
 
 }  // namespace
 
-const Family& extension_use_family() {
+const RuleGroup& extension_use_rules() {
   static constexpr LinkRule kLinkRules[] = {check_extension_use};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules, .fixes = kUseFixes};
-  return family;
+  static constexpr RuleGroup group{
+      .additional = true, .link_rules = kLinkRules, .fixes = kUseFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

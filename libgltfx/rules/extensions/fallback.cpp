@@ -105,10 +105,10 @@ void check_primitives(const Context& context) {
 
 }  // namespace
 
-const Family& fallback_family() {
+const RuleGroup& fallback_rules() {
   static constexpr LinkRule kLinkRules[] = {check_buffer_views, check_primitives};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -102,10 +102,10 @@ void check_splats(const Context& context) {
 
 }  // namespace
 
-const Family& splats_family() {
+const RuleGroup& gaussian_splatting_rules() {
   static constexpr LinkRule kLinkRules[] = {check_splats};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -102,10 +102,10 @@ void check_instances(const Context& context) {
 
 }  // namespace
 
-const Family& instancing_family() {
+const RuleGroup& instancing_rules() {
   static constexpr LinkRule kLinkRules[] = {check_instances};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

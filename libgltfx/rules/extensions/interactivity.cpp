@@ -316,10 +316,10 @@ void check_graphs(const Context& context) {
 
 }  // namespace
 
-const Family& interactivity_family() {
+const RuleGroup& interactivity_rules() {
   static constexpr LinkRule kLinkRules[] = {check_graphs};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -91,11 +91,11 @@ void check_image_based_lights(DataPhase& phase) {
   }
 }
 
-const Family& lights_image_based_family() {
+const RuleGroup& lights_image_based_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"EXT_lights_image_based.light", check_rotation}};
-  static constexpr Family family{.object_rules = kObjectRules};
-  return family;
+  static constexpr RuleGroup group{.object_rules = kObjectRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -88,7 +88,7 @@ void check_lights_exist(const Context& context) {
 
 }  // namespace
 
-const Family& lights_punctual_family() {
+const RuleGroup& lights_punctual_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"KHR_lights_punctual.light", check_light, "spot"},
       {"KHR_lights_punctual.light", check_range, "range"}};
@@ -96,11 +96,11 @@ const Family& lights_punctual_family() {
       {"KHR_lights_punctual.light", "spot", read_spot}};
   static constexpr LinkRule kLinkRules[] = {check_lights_exist};
   static constexpr FixEntry kFixes[] = {{Code::EXTRA_PROPERTY, remove_marked}};
-  static constexpr Family family{.object_rules = kObjectRules,
-                                 .link_rules = kLinkRules,
-                                 .member_rules = kMemberRules,
-                                 .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.object_rules = kObjectRules,
+                                   .link_rules = kLinkRules,
+                                   .member_rules = kMemberRules,
+                                   .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -132,11 +132,11 @@ bool remove_level_repeats(Fixing& fixing, Span place) {
 
 }  // namespace
 
-const Family& lod_family() {
+const RuleGroup& lod_rules() {
   static constexpr LinkRule kLinkRules[] = {check_levels};
   static constexpr FixEntry kFixes[] = {{Code::LOD_REPEATED, remove_level_repeats}};
-  static constexpr Family family{.link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -267,15 +267,15 @@ void check_materials(const Context& context) {
 
 }  // namespace
 
-const Family& material_extensions_family() {
+const RuleGroup& material_extensions_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"material.KHR_materials_iridescence", check_iridescence}};
   static constexpr LinkRule kLinkRules[] = {check_materials};
   static constexpr FixEntry kFixes[] = {
       {Code::KHR_MATERIALS_IRIDESCENCE_THICKNESS_RANGE_WITHOUT_TEXTURE, remove_marked}};
-  static constexpr Family family{
+  static constexpr RuleGroup group{
       .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kFixes};
-  return family;
+  return group;
 }
 
 }  // namespace gltfx::validate

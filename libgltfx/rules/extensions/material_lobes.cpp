@@ -313,10 +313,10 @@ void check_materials(const Context& context) {
 
 }  // namespace
 
-const Family& material_lobes_family() {
+const RuleGroup& material_lobes_rules() {
   static constexpr LinkRule kLinkRules[] = {check_materials};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -51,10 +51,10 @@ void check_mdl(const Context& context) {
 
 }  // namespace
 
-const Family& mdl_family() {
+const RuleGroup& materials_mdl_rules() {
   static constexpr LinkRule kLinkRules[] = {check_mdl};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

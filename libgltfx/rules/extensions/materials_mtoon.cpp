@@ -92,10 +92,10 @@ void check_toon(const Context& context) {
 
 }  // namespace
 
-const Family& toon_family() {
+const RuleGroup& materials_mtoon_rules() {
   static constexpr LinkRule kLinkRules[] = {check_toon};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -200,10 +200,10 @@ void check_manifolds(const Context& context) {
 
 }  // namespace
 
-const Family& mesh_groups_family() {
+const RuleGroup& mesh_groups_rules() {
   static constexpr LinkRule kLinkRules[] = {check_restart, check_manifolds};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -49,10 +49,10 @@ void check_nodes(const Context& context) {
 
 }  // namespace
 
-const Family& quantization_family() {
+const RuleGroup& mesh_quantization_rules() {
   static constexpr LinkRule kLinkRules[] = {check_nodes};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

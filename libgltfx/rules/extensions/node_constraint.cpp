@@ -67,10 +67,10 @@ void check_constraint_cycles(const Context& context) {
 
 }  // namespace
 
-const Family& node_constraint_family() {
+const RuleGroup& node_constraint_rules() {
   static constexpr LinkRule kLinkRules[] = {check_constraint_cycles};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -137,11 +137,11 @@ void check_covariance(const Context& context) {
 
 }  // namespace
 
-const Family& nonvisual_family() {
+const RuleGroup& nonvisual_geometry_rules() {
   static constexpr LinkRule kLinkRules[] = {check_nonvisual, check_error_textures,
                                             check_covariance};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -189,10 +189,10 @@ void check_meshopt(const Context& context) {
 
 }  // namespace
 
-const Family& packed_geometry_family() {
+const RuleGroup& packed_geometry_rules() {
   static constexpr LinkRule kLinkRules[] = {check_meshopt, check_draco};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -256,12 +256,12 @@ void check_shape_meshes(const Context& context) {
 
 }  // namespace
 
-const Family& bodies_family() {
+const RuleGroup& physics_rules() {
   static constexpr LinkRule kLinkRules[] = {check_trigger_parts, check_vehicle_parts,
                                             check_joints,        check_joint_motions,
                                             check_gravity,       check_shape_meshes};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -68,10 +68,10 @@ void check_single_root(const Context& context) {
 
 }  // namespace
 
-const Family& single_root_family() {
+const RuleGroup& single_root_rules() {
   static constexpr LinkRule kLinkRules[] = {check_single_root};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -163,10 +163,10 @@ void check_springs(const Context& context) {
 
 }  // namespace
 
-const Family& spring_bone_family() {
+const RuleGroup& spring_bone_rules() {
   static constexpr LinkRule kLinkRules[] = {check_springs};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -22,10 +22,10 @@ void check_roots(const Context& context) {
 
 }  // namespace
 
-const Family& structural_metadata_family() {
+const RuleGroup& structural_metadata_rules() {
   static constexpr LinkRule kLinkRules[] = {check_roots};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -125,10 +125,10 @@ void check_techniques(const Context& context) {
 
 }  // namespace
 
-const Family& techniques_family() {
+const RuleGroup& techniques_webgl_rules() {
   static constexpr LinkRule kLinkRules[] = {check_techniques};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -58,10 +58,10 @@ void check_texture_transforms(const Context& context) {
 
 }  // namespace
 
-const Family& avatar_family() {
+const RuleGroup& vrm_avatar_rules() {
   static constexpr LinkRule kLinkRules[] = {check_annotations, check_texture_transforms};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

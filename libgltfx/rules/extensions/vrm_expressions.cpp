@@ -207,11 +207,11 @@ void check_material_properties(const Context& context) {
 
 }  // namespace
 
-const Family& expressions_family() {
+const RuleGroup& vrm_expressions_rules() {
   static constexpr LinkRule kLinkRules[] = {check_expressions, check_first_expressions,
                                             check_material_properties};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -285,11 +285,11 @@ std::vector<HumanBone> read_human_bones(const Context& context, json::NodeId ext
   return bones;
 }
 
-const Family& humanoid_family() {
+const RuleGroup& vrm_humanoid_rules() {
   static constexpr LinkRule kLinkRules[] = {check_humanoids, check_look_at, check_animation_paths,
                                             check_animation_alone};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

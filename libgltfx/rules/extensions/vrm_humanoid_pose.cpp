@@ -141,10 +141,10 @@ void check_poses(const Context& context) {
 
 }  // namespace
 
-const Family& humanoid_pose_family() {
+const RuleGroup& vrm_humanoid_pose_rules() {
   static constexpr LinkRule kLinkRules[] = {check_poses};
-  static constexpr Family family{.additional = true, .link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.additional = true, .link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -284,10 +284,10 @@ void check_xmp(const Context& context) {
 
 }  // namespace
 
-const Family& xmp_family() {
+const RuleGroup& xmp_rules() {
   static constexpr LinkRule kLinkRules[] = {check_xmp};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

@@ -38,10 +38,10 @@ bool is_linked(const Context& context, const model::Animation& animation) {
   return !incomplete || !context.deviations.incomplete_animations_are_unlinked;
 }
 
-const Family& animation_paths_family() {
+const RuleGroup& animation_paths_rules() {
   static constexpr LinkRule kLinkRules[] = {leave_animations};
-  static constexpr Family family{.link_rules = kLinkRules};
-  return family;
+  static constexpr RuleGroup group{.link_rules = kLinkRules};
+  return group;
 }
 
 }  // namespace gltfx::validate

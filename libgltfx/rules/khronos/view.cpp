@@ -33,15 +33,15 @@ const Rules& rules() {
   static constinit MadeOnce<Rules> table;
   return table.get([] {
     Rules all;
-    for (const Family& family : families()) {
-      for (const MemberRuleEntry& entry : family.member_rules) {
+    for (const RuleGroup& group : rule_groups()) {
+      for (const MemberRuleEntry& entry : group.member_rules) {
         all.members.to(entry.type).before.push_back(entry);
       }
-      for (const ObjectRuleEntry& entry : family.object_rules) {
+      for (const ObjectRuleEntry& entry : group.object_rules) {
         if (entry.runs != Runs::otherwise && !entry.behind.empty())
           all.members.to(entry.type).behind.push_back(entry);
       }
-      all.entries.insert(all.entries.end(), family.map_rules.begin(), family.map_rules.end());
+      all.entries.insert(all.entries.end(), group.map_rules.begin(), group.map_rules.end());
     }
     return all;
   });

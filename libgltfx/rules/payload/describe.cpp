@@ -147,9 +147,9 @@ constexpr FixEntry kElementFixes[] = {
 
 }  // namespace
 
-const Family& element_values_family() {
-  static constexpr Family family{.fixes = kElementFixes};
-  return family;
+const RuleGroup& element_values_rules() {
+  static constexpr RuleGroup group{.fixes = kElementFixes};
+  return group;
 }
 
 std::string value_text(double value) {

@@ -346,9 +346,9 @@ constexpr FixEntry kImageFixes[] = {{Code::IMAGE_MIME_TYPE_INVALID, correct_type
 
 }  // namespace
 
-const Family& images_family() {
-  static constexpr Family family{.fixes = kImageFixes};
-  return family;
+const RuleGroup& images_rules() {
+  static constexpr RuleGroup group{.fixes = kImageFixes};
+  return group;
 }
 
 void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources) {

@@ -275,9 +275,9 @@ class InfluencePhase {
 
 }  // namespace
 
-const Family& influences_family() {
-  static constexpr Family family{.fixes = kInfluenceFixes};
-  return family;
+const RuleGroup& influences_rules() {
+  static constexpr RuleGroup group{.fixes = kInfluenceFixes};
+  return group;
 }
 
 void check_influences(DataPhase& phase) { InfluencePhase(phase).run(); }

@@ -84,9 +84,9 @@ constexpr FixEntry kSparseFixes[] = {{Code::ACCESSOR_SPARSE_INDICES_NON_INCREASI
 
 }  // namespace
 
-const Family& sparse_family() {
-  static constexpr Family family{.fixes = kSparseFixes};
-  return family;
+const RuleGroup& sparse_rules() {
+  static constexpr RuleGroup group{.fixes = kSparseFixes};
+  return group;
 }
 
 void check_sparse_indices(DataPhase& phase) {

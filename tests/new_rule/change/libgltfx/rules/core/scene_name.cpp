@@ -16,9 +16,9 @@ constexpr ObjectRuleEntry kObjectRules[] = {{"scene", check_name}};
 
 }  // namespace
 
-const Family& scene_name_family() {
-  static constexpr Family family{.object_rules = kObjectRules};
-  return family;
+const RuleGroup& scene_name_rules() {
+  static constexpr RuleGroup group{.object_rules = kObjectRules};
+  return group;
 }
 
 }  // namespace gltfx::validate
