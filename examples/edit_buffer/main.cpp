@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// edit_buffer POINTER PICTURE [PATH=FILE...]: fixes and upgrades standard input, an asset that is
 /// not a file, deletes the object at the JSON pointer, and prints the new asset; then inspects it
-/// and draws it to PICTURE, a PNG. Each FILE stands for what the asset calls PATH. Exit code 1: a
+/// and draws it to PICTURE, a PNG. Each FILE holds the bytes of the asset's PATH. Exit code 1: a
 /// step failed.
 #include <gltfx/pipeline.hpp>
 
@@ -32,7 +32,7 @@ gltfx::MemoryAsset asset_of(int argc, char** argv) {
   return asset;
 }
 
-// The new asset takes the place of the old one, with the files that came with it.
+// Replaces the old asset and its files with the new ones.
 template <class Report>
 Report take(gltfx::EditedBytes<Report> edited, gltfx::MemoryAsset& asset) {
   if (edited.report.problem != gltfx::EditProblem::none) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// validate_buffer [URI=FILE...]: validates standard input, an asset that is not a file, and prints
-/// JSON. Each FILE stands for what the asset calls URI, as an upload of several files does. Exit
-/// code 1: the asset has errors.
+/// JSON. Each FILE holds the bytes of the asset's URI, as in an upload of several files. Exit code
+/// 1: the asset has errors.
 #include <gltfx/pipeline.hpp>
 
 #include <fstream>
