@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What a picture of an asset can be asked for, and what became of it. The calls are in
-/// <gltfx/pipeline.hpp>.
+/// Options of a picture of an asset, and its report. The calls are in <gltfx/pipeline.hpp>.
 #pragma once
 
 #include <gltfx/edited_bytes.hpp>
@@ -24,12 +23,12 @@ class Set;
 }
 class ResultCache;
 
-/// False in a build without Embree (GLTFX_BAKE=OFF), where each picture that is asked for is
+/// False in a build without Embree (GLTFX_BAKE=OFF), where each picture has the problem
 /// BakeProblem::refused.
 bool can_bake();
 
-/// Which lamps shine. `studio`: soft boxes that follow the camera. `asset`: what the asset brings;
-/// when it brings nothing that shines, the studio all the same.
+/// Light sources of a picture. `studio`: soft boxes that follow the camera. `asset`: those of the
+/// asset; the studio when it has none.
 enum class BakeLights : std::uint8_t { studio, asset, both };
 
 /// How much work goes into a picture.
@@ -39,7 +38,7 @@ enum class BakeQuality : std::uint8_t {
   final,     ///< 256 samples and 12 bounces
 };
 
-/// How a camera that stands around the asset projects it.
+/// How a camera around the asset projects it.
 enum class BakeProjection : std::uint8_t {
   perspective,
   orthographic,  ///< parallel edges stay parallel, and sizes do not depend on the distance
@@ -53,18 +52,18 @@ enum class BakeInterior : std::uint8_t {
   off,
 };
 
-/// Pictures of something else than light, each in a file of its own.
+/// Pictures of something other than light, each in a file of its own.
 enum class BakeLayer : std::uint8_t {
   albedo,    ///< base colour of what is seen first
-  normal,    ///< in the world: -1 to 1 as 0 to 1, in EXR as it is
+  normal,    ///< in the world: -1 to 1 stored as 0 to 1, in EXR unchanged
   depth,     ///< near is white; in EXR metres along the ray
   material,  ///< a colour for each; in EXR its index
 };
 /// "albedo", "normal", "depth", "material".
 std::string_view bake_layer_name(BakeLayer layer);
 
-/// What is wrong with the name of a picture to be written, one sentence; empty when its ending is
-/// that of a format.
+/// The mistake in the name of a picture to write, one sentence; empty when its ending is that of a
+/// format.
 std::string check_picture_name(const std::string& path);
 
 /// Pixels, each side from 1 to 16384, and 2^26 in all at most.
@@ -72,10 +71,10 @@ struct BakeSize {
   std::uint32_t width = 512, height = 512;  ///< of the picture
 };
 
-/// BakeOptions::samples, at most.
+/// Maximum of BakeOptions::samples.
 constexpr std::uint32_t kMostBakeSamples = 1U << 20U;
 
-/// What a picture is asked for.
+/// Options of a picture.
 struct BakeOptions {
   /// One file each; with several "-WIDTHxHEIGHT" goes before the name's ending.
   std::vector<BakeSize> sizes{BakeSize{}};
@@ -83,40 +82,40 @@ struct BakeOptions {
   std::uint32_t turntable = 0;
   std::vector<BakeLayer> layers;  ///< beside the picture, with "-NAME" before the name's ending
 
-  BakeQuality quality = BakeQuality::standard;  ///< says what `samples` and `bounces` do not
+  BakeQuality quality = BakeQuality::standard;  ///< for unset `samples` and `bounces`
   /// Paths through each pixel, at most; from 1 to kMostBakeSamples. With `denoise`, from 16 on and
   /// where neither `seconds` nor `noise` ends them, on average: from a quarter to four times as
-  /// many, more where noise is, which two to four others find out.
+  /// many, more where there is noise, which two to four further paths measure.
   std::optional<std::uint32_t> samples;
   std::optional<std::uint32_t> bounces;  ///< surfaces along a path that scatter, at most
   std::uint32_t seed = 0;                ///< of the noise
   bool denoise = true;                   ///< smooth the noise away
-  double seconds = 0;  ///< for each picture; 0: no limit. With one, no two runs need be the same.
+  double seconds = 0;  ///< for each picture; 0: no limit. With a limit, runs may differ.
   /// Standard error at which parts of a picture have enough samples, as part of the range from
   /// black to white; 0: all samples.
   double noise = 0;
-  /// The sample implementations of the specification to the letter, which can reflect more than
-  /// they receive.
+  /// Use the literal sample implementations of the specification, which can reflect more than they
+  /// receive.
   bool literal_shader = false;
 
-  BakeLights lights = BakeLights::both;  ///< which lamps shine
+  BakeLights lights = BakeLights::both;  ///< light sources
   std::string environment;   ///< a Radiance or OpenEXR file that lights the scene; empty: none
   double exposure = 0;       ///< stops, from -64 to 64; 1 doubles all light
   bool transparent = false;  ///< no backdrop, and an alpha channel where the format has one
 
   /// A camera of the asset by name or index; for any asset "front", "back", "left", "right", "top",
-  /// "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" before its front; empty:
+  /// "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" in front of it; empty:
   /// three quarters from the front.
   std::string camera;
   BakeProjection projection = BakeProjection::perspective;  ///< not of a camera of the asset
-  /// Node by name, index or pointer ("/nodes/3") that the picture is of, with its subtree; all else
-  /// is drawn where it is. Not with a camera of the asset. Empty: everything.
+  /// Node by name, index or pointer ("/nodes/3") that fills the picture, with its subtree; all else
+  /// is drawn in place. Not with a camera of the asset. Empty: everything.
   std::string frame;
   /// `automatic` holds for a perspective camera where `camera`, `turntable` and `frame` are not
   /// set.
   BakeInterior interior = BakeInterior::automatic;
   std::string scene;      ///< name or index; empty: the default one
-  std::string animation;  ///< name or index; empty: everything as it is written
+  std::string animation;  ///< name or index; empty: no animation
   double time = 0;        ///< of the animation, seconds
   std::string variant;    ///< name or index; empty: none
 
@@ -131,11 +130,10 @@ struct BakeOptions {
   /// none. Not changed during a call.
   std::shared_ptr<const SearchedFolders> searched;
   unsigned jobs = 0;  ///< threads; 0: one a core. Pictures do not depend on it.
-  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
+  /// Schemas; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
-  /// Records which pictures at `output` are as they would be drawn now: those are left alone.
-  /// Null: all are drawn. Without effect where there is no `output`, with `embed` and with
-  /// `seconds`.
+  /// Records which pictures at `output` are current; these are not drawn again. Null: all are
+  /// drawn. No effect without `output`, with `embed` and with `seconds`.
   std::shared_ptr<ResultCache> cache;
   /// Called now and then with the part of all pictures that is done, from 0 to 1, one call at a
   /// time, from any thread; may be empty.
@@ -145,10 +143,10 @@ struct BakeOptions {
 /// Why there is no picture.
 enum class BakeProblem : std::uint8_t {
   none,
-  unreadable,      ///< the file could not be read, or is no glTF
-  invalid,         ///< it has errors for which it is refused: see `validation`
-  nothing_to_see,  ///< it is fine, but shows nothing
-  refused,         ///< what was asked for cannot be done with this file
+  unreadable,      ///< the file could not be read, or is not glTF
+  invalid,         ///< it is refused because of errors: see `validation`
+  nothing_to_see,  ///< the asset is valid but shows nothing
+  refused,         ///< the options cannot be met for this file
   not_written,     ///< the picture could not be encoded or written
 };
 
@@ -159,20 +157,20 @@ struct BakedPixels {
   std::vector<std::uint8_t> bytes;      ///< width times height times channels
 };
 
-/// What became of one file. Owns its text.
+/// Outcome for one file. Owns its text.
 struct BakeReport {
   std::string path;                         ///< as the user named it
   BakeProblem problem = BakeProblem::none;  ///< why there is no picture, if so
   std::string error;                        ///< what the problem is, one sentence
-  FileReport validation;                    ///< errors only where it is drawn all the same
+  FileReport validation;                    ///< with a picture, errors that did not prevent it
   std::vector<std::string> notes;           ///< what is drawn differently or not at all, sentences
   std::vector<std::string> written;         ///< paths of files
   bool embedded = false;                    ///< the asset has the picture now
   BakedPixels pixels;                       ///< the first picture
 };
 
-/// What became of an asset in memory. Owns all of it. `bytes` and `files` are those of the asset
-/// with its thumbnail where that is embedded, else empty.
+/// Outcome for an asset in memory. Owns all its data. `bytes` and `files` are those of the asset
+/// with its thumbnail if that is embedded, else empty.
 struct BakedBytes : EditedBytes<BakeReport> {
   /// PNG files, by what bake_file() puts before the ending of their names: "", "-000", "-albedo".
   std::map<std::string, std::string> pictures;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What `gltfx edit --delete` can be asked for, and what it says of each value. The calls are in
-/// <gltfx/pipeline.hpp>.
+/// Options and report of `gltfx edit --delete`. The calls are in <gltfx/pipeline.hpp>.
 #pragma once
 
 #include <gltfx/edited_file.hpp>
@@ -12,39 +11,39 @@
 
 namespace gltfx {
 
-/// What a deletion is asked for.
+/// Options of a deletion.
 struct DeleteOptions : EditOptions {
   /// JSON pointers (RFC 6901) to elements of arrays, or to members, of one asset: "/meshes/3". They
-  /// count as the asset is before; the order does not matter.
+  /// refer to the asset before the deletion; the order does not matter.
   std::vector<std::string> pointers;
-  /// Delete what refers to them, too: an entry of a list alone, a member alone where the object can
-  /// be without it, else the object. Without it, an object that something refers to stays.
+  /// Delete references to them, too: an entry of a list, an optional member, else the object. If
+  /// false, an object with references stays.
   bool cascade = false;
 };
 
-/// A value that goes, with all that is in it.
+/// A value that is deleted, with all that it contains.
 struct DeletedObject {
   std::string pointer;  ///< in the old document
-  std::string cause;    ///< pointer to what it cannot be without; empty: it was asked for
+  std::string cause;    ///< pointer to a deleted value that it needs; empty: requested
 };
 
-/// What stands against a deletion, in the old document.
+/// What prevents a deletion, in the old document.
 struct DeleteObstacle {
   std::string pointer;     ///< of a reference, or of an object that must have the member `target`
-  std::string target;      ///< pointer to what was to go
-  bool must_have = false;  ///< it is no reference: the object needs the member
+  std::string target;      ///< pointer to the value to delete
+  bool must_have = false;  ///< not a reference: the object needs the member
 };
 
-/// What became of one file. A file with obstacles is refused as a whole.
+/// Outcome for one file. A file with obstacles is refused as a whole.
 struct DeleteReport : EditOutcome {
-  std::vector<DeletedObject> deleted;      ///< first what was asked for
-  std::vector<DeleteObstacle> obstacles;   ///< why nothing is deleted; empty where all can go
-  std::uint64_t renumbered = 0;            ///< indices and JSON pointers that are counted anew
-  std::uint64_t bytes = 0;                 ///< of the BIN chunk of a GLB that go, too
+  std::vector<DeletedObject> deleted;     ///< first the requested ones
+  std::vector<DeleteObstacle> obstacles;  ///< why nothing is deleted; empty if there is no obstacle
+  std::uint64_t renumbered = 0;           ///< indices and JSON pointers that are renumbered
+  std::uint64_t bytes = 0;                ///< removed from the BIN chunk of a GLB
   std::vector<std::string> names_removed;  ///< extensions whose last object is deleted
-  /// Pointers to what may be an index, in `extras`: it stays as it is.
+  /// Pointers to members of `extras` that may be indices: they stay unchanged.
   std::vector<std::string> doubtful;
-  /// Warnings of `gltfx validate` that the new document has and the old one has not, one a code:
+  /// Warnings of `gltfx validate` on the new document that the old one does not have, one per code:
   /// "CODE at /pointer: message".
   std::vector<std::string> new_warnings;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What gltfx says about an asset: severities, rules and diagnostics. Plain data, no behaviour.
+/// Severities, rules and diagnostics. Plain data, no behaviour.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace gltfx {
 
-/// How loud a finding is. The numbers are those of the Khronos validator's report.
+/// The severity of a finding. The numbers are those of the Khronos validator's report.
 enum class Severity : std::uint8_t { error = 0, warning = 1, info = 2, hint = 3 };
 
 /// Lower-case English name: "error", "warning", "info", "hint".
@@ -21,9 +21,8 @@ std::string_view severity_name(Severity severity);
 /// The severity with that name, or nothing.
 std::optional<Severity> severity_from_name(std::string_view name);
 
-/// What a program can do about a finding. `safe`: `gltfx fix` does it; picture, animation and names
-/// stay. `unsafe`: `gltfx fix` does it when it is asked for by name. `upgrade`: `gltfx upgrade`
-/// does.
+/// How a program can fix a finding. `safe`: with `gltfx fix`; picture, animation and names stay.
+/// `unsafe`: with `gltfx fix`, if requested by name. `upgrade`: with `gltfx upgrade`.
 enum class Fix : std::uint8_t { none, safe, unsafe, upgrade };
 
 /// Lower-case English name: "none", "safe", "unsafe", "upgrade".
@@ -42,8 +41,8 @@ struct RuleDescription {
   std::string_view bad;      ///< smallest asset that raises the rule, as `example_bytes` reads it
   std::string_view good;     ///< the same asset, fixed: raises nothing
   std::string_view fix_does;  ///< what the fix changes, one paragraph; empty: there is none
-  std::string_view fixed;     ///< what the fix makes of `bad`; empty: there is none
-  Fix fix = Fix::none;        ///< whether a program can do it
+  std::string_view fixed;     ///< `bad` after the fix; empty: there is none
+  Fix fix = Fix::none;        ///< how a program can fix it
   bool khronos = false;       ///< the Khronos validator has a code of this name and meaning
   bool pixels = false;        ///< needs decoded pixels: see PixelLevel
   bool picture = true;        ///< `gltfx bake` draws an asset with this error
@@ -73,8 +72,8 @@ struct Excerpt {
 
 /// New text for a stretch of the old one; an empty stretch inserts.
 struct Replacement {
-  Location place;    ///< what goes
-  std::string text;  ///< what takes its place
+  Location place;    ///< the old text
+  std::string text;  ///< the new text
 };
 
 /// A change of a text file that fixes a finding: all replacements, which are sorted and do not
@@ -84,22 +83,22 @@ struct ProposedFix {
   std::vector<Replacement> replacements;  ///< in the order of the text
 };
 
-/// One finding. Owns all it says, so it outlives the asset.
+/// One finding. Owns its text, so it outlives the asset.
 struct Diagnostic {
   std::string_view code;                ///< static storage: the code of a rule
-  Severity severity = Severity::error;  ///< as it was asked for
-  std::string message;                  ///< one sentence, our words
+  Severity severity = Severity::error;  ///< as configured
+  std::string message;                  ///< one sentence
   std::string pointer;                  ///< RFC 6901 pointer to the member or its object
   std::optional<std::uint64_t> offset;  ///< set for findings on the GLB container: byte in file
-  std::string help;                     ///< the help for this very case, may be empty
+  std::string help;                     ///< help for this case; may be empty
   std::string object_name;              ///< `name` of the nearest named object, may be empty
-  Location location;                    ///< where in the text
+  Location location;                    ///< place in the text
   Excerpt excerpt;                      ///< that line, for people
-  /// Repeats of this code at the same place but for array indices are folded into the first.
+  /// Repeats of this code at places that differ only in array indices are folded into the first.
   std::uint64_t count = 1;
   std::string last_pointer;                ///< pointer of the last repeat when count > 1
-  std::shared_ptr<const ProposedFix> fix;  ///< null: there is none, or it was not asked for
-  bool fixable = false;  ///< it has a safe fix, which `gltfx fix` makes or says why not
+  std::shared_ptr<const ProposedFix> fix;  ///< null: none, or not requested
+  bool fixable = false;  ///< it has a safe fix: `gltfx fix` makes it or reports why not
 };
 
 }  // namespace gltfx

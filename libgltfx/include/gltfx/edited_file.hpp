@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What every verb that changes files can be asked for, and what it says of one file.
+/// Options common to all verbs that change files, and their outcome for one file.
 #pragma once
 
 #include <gltfx/searched_folders.hpp>
@@ -16,7 +16,7 @@ namespace schema {
 class Set;
 }
 
-/// Where new bytes go, and what is known beside the file.
+/// Where new bytes go, and the schemas.
 struct EditOptions {
   bool diff = false;      ///< fill EditOutcome::diff
   bool in_place = false;  ///< replace the file
@@ -29,24 +29,24 @@ struct EditOptions {
   /// Folders that were searched: without a `root`, an asset below one is opened beneath it. Null:
   /// none. Not changed during a call.
   std::shared_ptr<const SearchedFolders> searched;
-  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
+  /// Schemas; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
 };
 
-/// Why a file was not dealt with as it was asked.
+/// Why a file was not processed.
 enum class EditProblem : std::uint8_t {
   none,
-  unreadable,   ///< it could not be read, or is no glTF
+  unreadable,   ///< it could not be read, or is not glTF
   refused,      ///< it could be read, but not be changed safely
   not_written,  ///< the new bytes could not be written; the old ones are still there
 };
 /// "none", "unreadable", "refused", "not written".
 std::string_view edit_problem_name(EditProblem problem);
 
-/// What became of one file. Owns its text.
+/// Outcome for one file. Owns its text.
 struct EditOutcome {
   std::string path;                         ///< as the user named it
-  EditProblem problem = EditProblem::none;  ///< why it was not dealt with, if so
+  EditProblem problem = EditProblem::none;  ///< why it was not processed, if so
   std::string error;                        ///< what the problem is, one sentence
   bool changes = false;                     ///< the new file differs from the old one
   bool written = false;                     ///< the new bytes are durable at `written_to`

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What `gltfx fix` can be asked for, and what it says of each finding that it fixes. The calls are
-/// in <gltfx/pipeline.hpp>.
+/// Options and report of `gltfx fix`. The calls are in <gltfx/pipeline.hpp>.
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
@@ -17,7 +16,7 @@
 
 namespace gltfx {
 
-/// What the findings of one rule came to in one file. Owns its text.
+/// Outcome for the findings of one rule in one file. Owns its text.
 struct FixAction {
   std::string_view code;               ///< of the rule, static storage
   Fix kind = Fix::safe;                ///< safe or unsafe
@@ -25,13 +24,13 @@ struct FixAction {
   std::uint64_t count = 0;             ///< findings
   std::vector<std::string> pointers;   ///< of the first of them (RFC 6901); "" is the file itself
   bool done = false;                   ///< they are fixed in the new file
-  std::string why_not;                 ///< one sentence without stop where they are not
+  std::string why_not;                 ///< one sentence without full stop where they are not
 };
 
-/// What a run is asked for.
+/// Options of a run.
 struct FixOptions : EditOptions {
-  /// What validation of the asset at a path is asked for: findings that it reports are fixed, by
-  /// their profile, select, ignore, severity and inline_suppressions. Null: default options.
+  /// Options of the validation of the asset at a path: the findings that it reports are fixed. Its
+  /// profile, select, ignore, severity and inline_suppressions apply. Null: default options.
   /// Several threads call it.
   std::function<ValidateOptions(const std::string& path)> validation;
   /// Codes of rules to which the run is limited, also of hints that validation does not report;
@@ -41,16 +40,16 @@ struct FixOptions : EditOptions {
   bool unsafe = false;  ///< do unsafe fixes, too, of those rules that `only` names
 };
 
-/// What was found in one file, and what became of it.
+/// Findings in one file and their outcome.
 struct FixReport : EditOutcome {
-  /// First what is done, then what is not, each by code. Findings of rules without a fix are not
-  /// listed.
+  /// First those that are done, then those that are not, each sorted by code. Findings of rules
+  /// without a fix are not listed.
   std::vector<FixAction> actions;
   std::vector<std::string> changed_files;  ///< buffers that were rewritten, from its folder
 
   /// Findings that are fixed in the new file.
   std::uint64_t fixed() const;
-  /// Those that have a fix and stay all the same.
+  /// Findings that have a fix but stay.
   std::uint64_t left() const;
 };
 

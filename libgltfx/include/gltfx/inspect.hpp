@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What is in an asset: counts, sizes, where the bytes go, what extensions it uses. The calls are
-/// in <gltfx/pipeline.hpp>.
+/// Contents of an asset: counts, sizes, use of bytes, extensions. The calls are in
+/// <gltfx/pipeline.hpp>.
 #pragma once
 
 #include <gltfx/searched_folders.hpp>
@@ -21,17 +21,17 @@ namespace schema {
 class Set;
 }
 
-/// What the bytes of an asset's files are for. A byte that several objects refer to counts once,
-/// for the one whose part of the buffer begins first.
+/// Use of the bytes of an asset's files. A byte that several objects refer to counts once, for the
+/// object whose part of the buffer begins first.
 enum class ByteUse : std::uint8_t {
   json,        ///< the JSON text, without the payloads of data URIs
   meshes,      ///< vertices, indices, morph targets, compressed or not
   images,      ///< encoded
   animations,  ///< times and values
   skins,       ///< inverse bind matrices
-  other,       ///< what else refers to buffers, such as instances of a mesh
-  unused,      ///< nothing that is known here refers to them
-  base64,      ///< what data URIs take beyond the bytes that they encode
+  other,       ///< other users of buffers, such as instances of a mesh
+  unused,      ///< no known object refers to them
+  base64,      ///< bytes of data URIs beyond those that they encode
   padding,     ///< headers of a GLB, and up to 15 bytes between two objects
 };
 inline constexpr std::size_t kByteUseCount = 9;  ///< how many there are
@@ -55,12 +55,12 @@ struct ExtensionFacts {
   bool used = false;            ///< in extensionsUsed
   bool required = false;        ///< in extensionsRequired
   bool seen = false;            ///< some object has it
-  bool has_objects = true;      ///< by its schema; others allow what they are for without any
+  bool has_objects = true;      ///< by its schema; some extensions have no objects
   /// Accessors in a format that an extension without objects adds; absent where it adds none.
   std::optional<std::uint64_t> accessors = std::nullopt;
 };
 
-/// Of one mesh, drawn once. Triangles and vertices as accessors declare them.
+/// One mesh, drawn once. Triangles and vertices as accessors declare them.
 struct MeshFacts {
   std::string name;                                           ///< may be empty, like those below
   std::uint64_t primitives = 0, triangles = 0, vertices = 0;  ///< how many it has
@@ -87,9 +87,9 @@ struct ImageFacts {
   std::string channels;                           ///< "rgb"
   std::uint32_t levels = 1;                       ///< of its mipmaps that are stored
   std::vector<std::string> slots;  ///< of materials that show it: "baseColorTexture", sorted
-  std::string color_space;         ///< in which they read it: "sRGB", "linear", "both", or empty
-  std::uint64_t textures = 0;      ///< that name it
-  std::uint64_t bytes = 0;         ///< as it is stored
+  std::string color_space;     ///< in which the slots read it: "sRGB", "linear", "both", or empty
+  std::uint64_t textures = 0;  ///< that name it
+  std::uint64_t bytes = 0;     ///< as it is stored
   /// With all mipmaps: four bytes a texel of what a graphics card cannot keep compressed, one or
   /// half a byte of what it can.
   std::uint64_t gpu_bytes = 0;
@@ -125,8 +125,8 @@ struct PropertyTableFacts {
   std::uint64_t rows = 0, columns = 0, bytes = 0;  ///< how many it has
 };
 
-/// Of what the default scene shows, in metres; without morph targets, of skinned meshes where their
-/// joints are in the file.
+/// Bounds of what the default scene shows, in metres; without morph targets; skinned meshes in the
+/// pose of the file.
 struct SceneBounds {
   std::array<double, 3> least{}, greatest{};  ///< corners: x, y, z
 };
@@ -135,13 +135,13 @@ struct SceneBounds {
 struct AssetFacts {
   std::string mime_type;  ///< "model/gltf+json", "model/gltf-binary"
   std::string version, min_version, generator, copyright;  ///< of `asset`; may be empty
-  std::vector<FileFacts> files;            ///< that are there, each once, the asset first
+  std::vector<FileFacts> files;            ///< those found, each once, the asset first
   ByteShares bytes{};                      ///< add up to the files
   std::vector<ExtensionFacts> extensions;  ///< sorted by name
   std::uint64_t scenes = 0, nodes = 0, accessors = 0, textures = 0;  ///< how many there are
   std::uint64_t primitives = 0, triangles = 0, vertices = 0;         ///< each once
   std::uint64_t drawn_triangles = 0;        ///< by the default scene, each time a node draws them
-  std::optional<SceneBounds> bounds;        ///< nothing: nothing is shown, or its extent is unknown
+  std::optional<SceneBounds> bounds;        ///< absent: nothing is shown, or its extent is unknown
   std::vector<MeshFacts> meshes;            ///< these, like those below, by index
   std::vector<MaterialFacts> materials;     ///< by index
   std::vector<ImageFacts> images;           ///< by index
@@ -157,15 +157,15 @@ struct AssetFacts {
   std::uint64_t mesh_gpu_bytes() const;   ///< of all meshes
 };
 
-/// What an upgrade makes of one object.
+/// Outcome of an upgrade for one object.
 struct UpgradeFact {
   std::string pointer, from, to;   ///< `to` may be empty
-  std::string outcome;             ///< as upgrade_fate_name() has it; "removed" when it only goes
+  std::string outcome;             ///< as in upgrade_fate_name(); "removed" when it is only deleted
   bool done = false;               ///< an upgrade with default options does it
   std::vector<std::string> notes;  ///< as UpgradeAction has them
 };
 
-/// What an inspection is asked for.
+/// Options of an inspection.
 struct InspectOptions {
   /// Folder that the asset and its files may come from; empty: the asset's own.
   std::string root;
@@ -173,17 +173,17 @@ struct InspectOptions {
   /// none. Not changed during a call.
   std::shared_ptr<const SearchedFolders> searched;
   unsigned jobs = 1;  ///< threads for compressed geometry
-  /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
+  /// Schemas; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
 };
 
-/// What was found in one file. Owns its text.
+/// Report on one file. Owns its text.
 struct InspectReport {
   std::string path;                  ///< as the user named it
-  std::string error;                 ///< why there is nothing to tell, one sentence; else empty
+  std::string error;                 ///< why there are no facts, one sentence; else empty
   std::optional<AssetFacts> facts;   ///< where there is no error
   std::vector<UpgradeFact> upgrade;  ///< legacy objects, in the order of the document
-  std::string upgrade_problem;       ///< why nothing of it can be done; else empty
+  std::string upgrade_problem;       ///< why no upgrade is possible; else empty
 };
 
 /// `gltfx inspect --format json`: one report after the other.
@@ -197,7 +197,7 @@ class InspectWriter {
   bool has_files_ = false;
 };
 
-/// The JSON Schema (2020-12) of that.
+/// The JSON Schema (2020-12) of that output.
 std::string_view inspect_report_schema();
 
 }  // namespace gltfx

@@ -7,7 +7,7 @@
 /// Directions are unit vectors that point away from the surface, in a frame with the shading
 /// normal as +z, the tangent as +x and the bitangent as +y. +z is the outside of a closed mesh; a
 /// direction with z < 0 is behind the surface, in the volume when the material bounds one.
-/// Colours are linear Rec. 709. Functions are pure, never fail, and keep to doubles throughout.
+/// Colours are linear Rec. 709. Functions are pure, never fail, and use doubles throughout.
 ///
 /// A leaf in the sun, seen against it, and how much of all light it lets through:
 ///
@@ -30,7 +30,7 @@
 
 namespace gltfx {
 
-/// Which text says how light scatters in the volume.
+/// The extension that defines how light scatters in the volume.
 enum class Scattering : std::uint8_t {
   none,
   distance,      ///< KHR_materials_sss and KHR_materials_subsurface: sigma_s = -log c / d
@@ -40,7 +40,7 @@ enum class Scattering : std::uint8_t {
 
 /// The parameters of a material at a point: factor times texture (times vertex colour for the base
 /// colour), each as its specification has it after the texture is read. Defaults are those of a
-/// material that names neither the property nor its extension.
+/// material without the property or its extension.
 struct Material {
   Rgb base_color{1, 1, 1};       ///< 0 to 1
   double metallic = 1;           ///< 0 to 1
@@ -48,8 +48,8 @@ struct Material {
   double diffuse_roughness = 0;  ///< 0 to 1; 0 is Lambertian
   Rgb emissive;                  ///< radiance: factor, texture and emissiveStrength multiplied
 
-  double ior = 1.5;             ///< >= 1, or 0: infinite, as specular-glossiness needs it
-  double outside_ior = 1;       ///< of the medium that the surface lies in, for nested volumes
+  double ior = 1.5;             ///< >= 1, or 0: infinite, for specular-glossiness
+  double outside_ior = 1;       ///< of the medium around the surface, for nested volumes
   double specular = 1;          ///< 0 to 1
   Rgb specular_color{1, 1, 1};  ///< colour of F0; may be above 1
 
@@ -84,8 +84,8 @@ struct Material {
   bool volumetric() const { return thickness > 0; }
 };
 
-/// The material of KHR_materials_pbrSpecularGlossiness, as the text of KHR_materials_specular
-/// converts it: IOR 0.
+/// The material of KHR_materials_pbrSpecularGlossiness, converted as in the specification of
+/// KHR_materials_specular: IOR 0.
 Material specular_glossiness(const Rgb& diffuse, const Rgb& specular, double glossiness);
 
 /// Adds the first generation of KHR_materials_translucency: what goes through is tinted by the
@@ -93,18 +93,18 @@ Material specular_glossiness(const Rgb& diffuse, const Rgb& specular, double glo
 /// factor and colour are diffuse_transmission and diffuse_transmission_color.)
 void add_translucency(Material& material, double factor);
 
-/// How literally the texts are taken.
+/// How literally the specifications are implemented.
 enum class ShaderMode : std::uint8_t {
-  spec,  ///< the sample implementations, to the letter: they can reflect more than they receive
-  /// Diffuse light is held back where a layer above already reflects its share: never above 1.
+  spec,  ///< the literal sample implementations, which can reflect more than they receive
+  /// Diffuse light is reduced by what the layer above reflects: the albedo is never above 1.
   conserving,
 };
 
-/// How a material is read.
+/// How a material is evaluated.
 struct ShaderOptions {
   ShaderMode mode = ShaderMode::conserving;  ///< how literally
-  /// Colour channel that the path follows through a dispersive volume: 0, 1 or 2 for its own index
-  /// of refraction, anything else for that of the middle (green) one.
+  /// Colour channel of the path through a dispersive volume: 0, 1 or 2 for its own index of
+  /// refraction, any other value for that of the green channel.
   int channel = -1;
 };
 
@@ -118,8 +118,7 @@ struct MaterialSample {
   Vec3d l;         ///< away from the surface
   Rgb weight;      ///< f |cos| / pdf
   double pdf = 0;  ///< per steradian; of a delta lobe: its probability
-  /// Of a mirror or an ideal refraction: nothing else reaches this direction, and evaluate() and
-  /// pdf() leave it out.
+  /// True for a mirror or an ideal refraction, which evaluate() and pdf() leave out.
   bool delta = false;
 };
 
@@ -137,7 +136,7 @@ std::optional<MaterialSample> sample(const Material& material, const Vec3d& v,
 /// Radiance towards v of the surface itself, or of an unlit material its colour.
 Rgb emitted(const Material& material, const Vec3d& v);
 
-/// Part of light that comes back from an environment of radiance 1 all around.
+/// The fraction of light that comes back from an environment of radiance 1 on all sides.
 struct Albedo {
   Rgb diffuse_reflect, diffuse_transmit;    ///< to this side and to the other
   Rgb specular_reflect, specular_transmit;  ///< clearcoat and sheen count as specular
@@ -145,7 +144,7 @@ struct Albedo {
 };
 
 /// Albedo towards v, by quadrature: `resolution` azimuths for each lobe, and some half of that
-/// along each. At 64 it is exact to some 1e-5, but for lobes that meet others at grazing angles.
+/// along each. At 64 it is exact to some 1e-5, except for layered lobes at grazing angles.
 Albedo integrate(const Material& material, const Vec3d& v, const ShaderOptions& = {},
                  int resolution = 64);
 

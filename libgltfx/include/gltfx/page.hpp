@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// A report as one web page that needs nothing else: no network, no other file.
+/// A report as one self-contained web page: no network, no other file.
 #pragma once
 
 #include <gltfx/inspect.hpp>
@@ -19,18 +19,18 @@ namespace gltfx {
 
 /// A picture of an asset, or why there is none.
 struct PagePicture {
-  std::string uri;         ///< a data URI that a browser can show; empty: there is none
+  std::string uri;         ///< a data URI that a browser can show; empty: no picture
   std::uint32_t size = 0;  ///< pixels along each side
   std::string problem;     ///< one sentence where there is none; empty: none was requested
 };
 
-/// Everything that the page says of one asset. Owns its text.
+/// Everything on the page about one asset. Owns its text.
 struct PageAsset {
   FileReport report;                    ///< of the validation
-  InspectReport inspection;             ///< what is in it
-  PagePicture picture;                  ///< what it looks like
+  InspectReport inspection;             ///< its contents
+  PagePicture picture;                  ///< its picture
   std::optional<PagePicture> upgraded;  ///< where an upgrade changes the asset
-  std::vector<std::string> targets;     ///< labels of those that it was checked for
+  std::vector<std::string> targets;     ///< labels of the targets that it was checked for
 };
 
 /// What is on a page in addition to the assets.
@@ -38,14 +38,14 @@ struct PageOptions {
   std::string title;                       ///< plain text
   std::string profile, pixel_level;        ///< of the validation
   std::span<const RuleDescription> rules;  ///< all, sorted by code; static storage
-  /// Of several, the page can be put together with those of the others by `gltfx merge`.
+  /// Part of a run in several shards, whose pages `gltfx merge` combines.
   Shard shard = {};
   std::optional<Severity> fail_on = Severity::error;  ///< of a shard; nothing: never
 };
 
-/// Calls: begin, asset for each in order, end. Each appends text to `out`, which the caller writes
-/// and clears as it likes. The same bytes for the same assets. Text of assets is only in
-/// one block of JSON, which no browser takes for markup. Not thread-safe.
+/// Calls: begin, asset for each asset in order, end. Each appends text to `out`, which the caller
+/// writes and clears as it likes. The same bytes for the same assets. Text of assets is only in one
+/// block of JSON, which no browser takes for markup. Not thread-safe.
 class PageWriter {
  public:
   /// A writer of one page.

@@ -37,8 +37,8 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
 /// Validates an asset in memory, with its resources.
 FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options = {});
 
-/// What validation says of an example of a rule, in the strict profile: the bad one raises the
-/// rule, the good one nothing. `example` is `rule.bad` or `rule.good`.
+/// The findings on an example of a rule, in the strict profile: the bad one raises the rule, the
+/// good one nothing. `example` is `rule.bad` or `rule.good`.
 FileReport validate_example(const RuleDescription& rule, std::string_view example);
 
 /// Validates many files on `jobs` threads (at least 1) and hands over the reports in the order of
@@ -46,25 +46,24 @@ FileReport validate_example(const RuleDescription& rule, std::string_view exampl
 void validate_files(const std::vector<std::string>& paths, const ValidateOptions& options,
                     unsigned jobs, const std::function<void(FileReport&&)>& consume);
 
-/// A file and what is asked of it. The options outlive the call.
+/// A file and its options, which must outlive the call.
 struct ValidateInput {
   std::string path;                          ///< of the file
   const ValidateOptions* options = nullptr;  ///< never null in a call
 };
 
-/// The same for files of which not the same is asked.
+/// The same for files with different options.
 void validate_files(std::span<const ValidateInput> inputs, unsigned jobs,
                     const std::function<void(FileReport&&)>& consume);
 
-/// Brings the legacy extensions of the file at `path` to their successors, as far as the options
-/// ask for. A file is changed whole or not at all, only after the new bytes were validated, and
-/// never when there is nothing to do. Never throws. Safe to call from several threads for different
-/// files.
+/// Upgrades the legacy extensions of the file at `path` to their successors, as the options say. A
+/// file is changed whole or not at all, only after the new bytes were validated, and never when
+/// there is nothing to do. Never throws. Safe to call from several threads for different files.
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options = {});
 
-/// The same for an asset in memory: no file is read or written, and options that ask for one are
-/// refused. `read` and `files` of the asset give what it refers to, always the same; a file that
-/// neither has is missing.
+/// The same for an asset in memory: no file is read or written, and options that name one are
+/// refused. `read` and `files` of the asset give its resources, always the same bytes; a file in
+/// neither is missing.
 EditedBytes<UpgradeReport> upgrade_bytes(MemoryAsset asset, const UpgradeOptions& options = {});
 
 /// Upgrades many files on `jobs` threads (at least 1) and hands over the reports in the order of
@@ -72,15 +71,15 @@ EditedBytes<UpgradeReport> upgrade_bytes(MemoryAsset asset, const UpgradeOptions
 void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& options,
                    unsigned jobs, const std::function<void(UpgradeReport&&)>& consume);
 
-/// Fixes what `gltfx validate` finds in the file at `path`, as far as rules have a fix and the
-/// options ask for it. Fixes run until nothing is left to do; one that brings a finding that was
-/// not there is left out and named. A file is changed whole or not at all, only after the new bytes
-/// were validated. Buffers that change are written before the file that refers to them. Never
-/// throws. Safe to call from several threads for different files.
+/// Fixes the findings of `gltfx validate` in the file at `path` that have a fix which the options
+/// allow. Fixes run until nothing is left to do; a fix that causes a new finding is left out and
+/// named. A file is changed whole or not at all, only after the new bytes were validated. Buffers
+/// that change are written before the file that refers to them. Never throws. Safe to call from
+/// several threads for different files.
 FixReport fix_file(const std::string& path, const FixOptions& options = {});
 
-/// The same for an asset in memory, as upgrade_bytes(). Only the asset itself is looked at, not
-/// what else reads its files. Misspelt names of files are searched for among `files`.
+/// The same for an asset in memory, as upgrade_bytes(). Other assets that read the same files are
+/// not checked. Misspelt names of files are searched for among `files`.
 EditedBytes<FixReport> fix_bytes(MemoryAsset asset, const FixOptions& options = {});
 
 /// Fixes many files on `jobs` threads (at least 1) and hands over the reports in the order of
@@ -88,12 +87,12 @@ EditedBytes<FixReport> fix_bytes(MemoryAsset asset, const FixOptions& options = 
 void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, unsigned jobs,
                const std::function<void(FixReport&&)>& consume);
 
-/// The bytes of an example of a rule with nothing but that rule's fix, as they would be written.
+/// The bytes of an example of a rule after that rule's fix alone, as they would be written.
 std::string fix_example(const RuleDescription& rule, std::string_view example);
 
 /// Deletes what the options name from the asset at `path`: every index and JSON pointer to an
-/// object after them is counted anew. A file is changed whole or not at all, only after the new
-/// bytes were validated. Never throws. Safe to call from several threads for different files.
+/// object after a deleted one is renumbered. A file is changed whole or not at all, only after the
+/// new bytes were validated. Never throws. Safe to call from several threads for different files.
 DeleteReport delete_objects(const std::string& path, const DeleteOptions& options);
 
 /// The same for an asset in memory, as upgrade_bytes().
@@ -108,7 +107,7 @@ void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteO
 /// whole or not at all. Safe to call from several threads for different files.
 BakeReport bake_file(const std::string& path, const BakeOptions& options = {});
 
-/// Draws an asset in memory, as upgrade_bytes(). Of files, only an environment is read.
+/// Draws an asset in memory, as upgrade_bytes(). The only file that is read is an environment.
 BakedBytes bake_bytes(MemoryAsset asset, const BakeOptions& options = {});
 
 /// A file and where its picture goes; `output` as in BakeOptions.
@@ -117,21 +116,21 @@ struct BakeInput {
 };
 
 /// Draws many files one after the other, each on all threads, and hands over the reports in the
-/// order of `inputs`. `sheet`: where a picture of all pictures goes; empty: nowhere. What is wrong
-/// with it, or an empty text.
+/// order of `inputs`. `sheet`: path of a contact sheet; empty: none. Returns the problem with the
+/// sheet, or an empty text.
 std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& options,
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume);
 
-/// Draws two files in the same way, the second from where the first is seen, and compares the
+/// Draws two files in the same way, the second with the camera of the first, and compares the
 /// pictures. `options.output` gets the picture of the difference.
 BakeComparison bake_comparison(const std::string& first, const std::string& second,
                                const BakeOptions& options = {});
 
-/// What is in the file at `path`, valid or not. Never throws; nothing is written. Safe to call from
-/// several threads.
+/// The contents of the file at `path`, valid or not. Never throws; nothing is written. Safe to call
+/// from several threads.
 InspectReport inspect_file(const std::string& path, const InspectOptions& options = {});
 
-/// What is in an asset in memory, as upgrade_bytes().
+/// The contents of an asset in memory, as upgrade_bytes().
 InspectReport inspect_bytes(MemoryAsset asset, const InspectOptions& options = {});
 
 /// The same for many files on `jobs` threads (at least 1); hands over the reports in the order of
@@ -141,15 +140,15 @@ void inspect_files(const std::vector<std::string>& paths, const InspectOptions& 
 
 /// Thumbnails on the page of PageWriter.
 struct ThumbnailOptions {
-  bool draw = true;          ///< each asset, and what an upgrade makes of it
+  bool draw = true;          ///< each asset, and its upgraded version
   std::uint32_t size = 160;  ///< pixels per side
-  /// Of each picture; none: 16 samples and 4 bounces.
+  /// Quality of each picture; none: 16 samples and 4 bounces.
   std::optional<BakeQuality> quality;
 };
 
-/// Validates, inspects and draws many files on `jobs` threads (at least 1) and hands over what the
-/// page says of them in the order of `inputs`, one at a time. Memory does not grow with their
-/// number. Nothing is written.
+/// Validates, inspects and draws many files on `jobs` threads (at least 1) and hands over the data
+/// of the page in the order of `inputs`, one at a time. Memory does not grow with their number.
+/// Nothing is written.
 void report_files(std::span<const ValidateInput> inputs, const ThumbnailOptions& thumbnails,
                   unsigned jobs, const std::function<void(PageAsset&&)>& consume);
 

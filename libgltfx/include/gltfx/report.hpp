@@ -21,7 +21,7 @@ namespace gltfx {
 struct Counts {
   std::uint64_t errors = 0, warnings = 0, infos = 0, hints = 0;  ///< of that severity
   void add(Severity severity, std::uint64_t count = 1);          ///< counts some more
-  std::uint64_t at_least(Severity severity) const;  ///< findings as loud as this or louder
+  std::uint64_t at_least(Severity severity) const;  ///< findings of this severity or a higher one
   Counts& operator+=(const Counts& other);          ///< adds all of the other
 };
 
@@ -64,39 +64,39 @@ struct Repeat {
   std::uint64_t count = 1;    ///< errors at that place
 };
 
-/// Everything said about one asset. Owns its text; independent of the asset.
+/// The report on one asset. Owns its text; independent of the asset.
 struct FileReport {
   std::string path;                     ///< as the user named it, "-" for standard input
-  std::uint64_t position = 0;           ///< among all that were named, also those of other shards
+  std::uint64_t position = 0;           ///< among all named files, also those of other shards
   std::string mime_type;                ///< "model/gltf+json", "model/gltf-binary" or empty
   bool readable = true;                 ///< false: the file itself could not be opened
   std::vector<Diagnostic> diagnostics;  ///< in the order they were found
   Counts counts;                        ///< of all diagnostics, those not listed included
   std::vector<Repeat> repeats;          ///< the first thousands of those folded, by `finding`
   bool truncated = false;               ///< --max-issues ended the listing
-  std::uint64_t suppressed = 0;         ///< findings a baseline knew
-  std::uint64_t left_out = 0;           ///< findings that the asset asks to leave out
-  std::uint64_t unchanged = 0;          ///< findings on other lines than those that were asked for
+  std::uint64_t suppressed = 0;         ///< findings in the baseline
+  std::uint64_t left_out = 0;           ///< findings that the asset suppresses
+  std::uint64_t unchanged = 0;          ///< findings on lines that were not requested
   std::uint64_t fixable = 0;            ///< findings with a safe fix, repeats counted
   std::uint64_t unverified = 0;         ///< resources that were not checked: Git LFS pointers
-  std::uint64_t images_wanted = 0;      ///< whose pixels were to be checked
+  std::uint64_t images_wanted = 0;      ///< images whose pixels rules need
   std::uint64_t images_decoded = 0;     ///< of those, the ones that were decoded
   std::uint64_t microseconds = 0;       ///< that the validation took
   std::optional<AssetInfo> info;        ///< where the JSON text could be read
 };
 
-/// What a run of files came to.
+/// Totals of a run.
 struct RunSummary {
-  std::uint64_t files = 0;                                     ///< that were named
+  std::uint64_t files = 0;                                     ///< named
   std::uint64_t files_with_errors = 0;                         ///< those with at least one
   std::uint64_t unreadable = 0;                                ///< that could not be opened
   std::uint64_t unverified = 0, suppressed = 0, left_out = 0;  ///< sums of those of the files
   std::uint64_t images_wanted = 0, images_decoded = 0;         ///< the same
   std::uint64_t unchanged = 0, fixable = 0;                    ///< the same
-  std::string fixable_path;      ///< of the only file with such findings; empty: there are several
-  Counts counts;                 ///< the same
-  std::optional<int> exit_code;  ///< what the program is about to end with, where it is known
-  void add(const FileReport& report);  ///< takes in one more
+  std::string fixable_path;  ///< of the file with such findings, if it is the only one; else empty
+  Counts counts;             ///< the same
+  std::optional<int> exit_code;        ///< exit code of the program, if known
+  void add(const FileReport& report);  ///< adds one report
 };
 
 /// One of several runs that share the inputs among them.
@@ -122,7 +122,7 @@ enum class TextLayout : std::uint8_t {
   statistics,  ///< numbers by rule and by file
 };
 
-/// What formats ask for beside the reports.
+/// Options of formats.
 struct FormatOptions {
   bool color = false;                        ///< text: ANSI colours
   bool quiet = false;                        ///< text: findings only, no summary
@@ -131,24 +131,24 @@ struct FormatOptions {
   Severity min_severity = Severity::hint;
   std::string command;  ///< text: how the user calls the program, for help lines ("gltfx")
   std::string profile;  ///< named in json, jsonl, sarif, junit and agent
-  /// How far images were looked into; named there and in github, in text where any was decoded.
+  /// The level of image checks; named there and in github, in text if any image was decoded.
   std::string pixel_level;
-  /// All rules, sorted by code, for what sarif and agent say beside a finding. Static storage.
+  /// All rules, sorted by code, for sarif and agent. Static storage.
   std::span<const RuleDescription> rules;
   /// sarif: the absolute folder that relative paths start from; may be empty.
   std::string folder;
   Shard shard;  ///< named in jsonl
-  /// junit: what is as loud as this, or louder, is a failure; named in jsonl; nothing: never.
+  /// junit: findings of this severity or a higher one are failures; named in jsonl; nothing: never.
   std::optional<Severity> fail_on = Severity::error;
-  /// sarif: infos and hints as results, too; without it only those that `fail_on` asks for.
+  /// sarif: infos and hints as results, too; otherwise only those at or above `fail_on`.
   bool sarif_notes = false;
   /// junit, jsonl: FileReport::microseconds are written. Two runs over the same files differ then.
   bool timings = false;
 };
 
-/// Writes reports one after the other, so that a run of any length stays flat in memory.
-/// Calls: begin, file for each report in order, end. Each appends text to `out`, which the caller
-/// writes and clears as it likes. Not thread-safe.
+/// Writes reports one after the other, so that memory does not grow with their number. Calls:
+/// begin, file for each report in order, end. Each appends text to `out`, which the caller writes
+/// and clears as it likes. Not thread-safe.
 class ReportWriter {
  public:
   virtual ~ReportWriter() = default;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What gltfx knows of extensions, with schema files of your own.
+/// The schemas of extensions, with schema files of your own.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ struct SchemaSource {
   std::string text;  ///< its bytes
 };
 
-/// The built-in set with `sources` added, or put in the place of files with the same `$id`, for
+/// The built-in set with `sources` added; a source replaces the file with the same `$id`. For
 /// ValidateOptions::schemas and the like. Any number of threads may share it. Null when there are
 /// mistakes: `problems` gets a sentence for each, with name, line and column. Never throws.
 std::shared_ptr<const schema::Set> make_schema_set(const std::vector<SchemaSource>& sources,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Folders that were searched for assets. Whoever searches does not know what lies there: an asset
-/// that was found must not be a link to a file elsewhere.
+/// Folders that were searched for assets. Their contents are not trusted: an asset that was found
+/// must not be a link to a file elsewhere.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 
 namespace gltfx {
 
-/// As paths of assets below them begin, with or without the last '/'; an empty one is the working
-/// folder for relative paths.
+/// The first part of the paths of assets below them, with or without the last '/'; an empty one is
+/// the working folder for relative paths.
 using SearchedFolders = std::set<std::string, std::less<>>;
 
 }  // namespace gltfx

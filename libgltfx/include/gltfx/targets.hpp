@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What engines do with features of glTF: measured data, which `schema/targets` holds and the
-/// library embeds. docs/targets.md says how it is measured.
+/// Support for features of glTF in engines: measured data from `schema/targets`, which the library
+/// embeds. docs/targets.md says how it is measured.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace gltfx {
 
 /// What a version does with an asset that has a feature. `refused`: it loads nothing. `ignored`: it
 /// loads the asset as if the feature were not there. `read`: it builds the objects that the feature
-/// demands. `drawn`: it draws the picture that the feature demands.
+/// requires. `drawn`: it draws the picture that the feature requires.
 enum class TargetOutcome : std::uint8_t { refused, ignored, read, drawn };
 
 /// "refused", "ignored", "read", "drawn".
@@ -30,7 +30,7 @@ struct TargetVersion {
 
 /// The outcome of each measured version from one to another.
 struct TargetRange {
-  std::size_t first = 0, last = 0;  ///< positions in Target::versions; `last` belongs to it
+  std::size_t first = 0, last = 0;              ///< positions in Target::versions, both inclusive
   TargetOutcome outcome = TargetOutcome::read;  ///< of all of them
 };
 
@@ -53,7 +53,7 @@ struct Target {
   std::map<std::string, TargetFeature, std::less<>> features;  ///< by the name of the feature
 };
 
-/// What is lost where a feature is ignored: what is seen or happens, data only, or nothing.
+/// What is lost if a feature is ignored: part of the picture or animation, data only, or nothing.
 enum class FeatureEffect : std::uint8_t { picture, data, none };
 
 /// A feature of assets, such as an extension or a form of accessors. Owns its text.
@@ -73,7 +73,7 @@ struct TargetChoice {
   std::string label() const;
 };
 
-/// The outcome that ranges have for a version, or null where it was not measured.
+/// The range that contains a version, or null if it was not measured.
 const TargetRange* outcome_of(const std::vector<TargetRange>& ranges, std::size_t version);
 
 /// The targets that the library knows, sorted by name. Read once; static storage.

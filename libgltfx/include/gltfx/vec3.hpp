@@ -12,9 +12,9 @@ struct Vec3d {
   double x = 0, y = 0, z = 0;  ///< along the axes; red, green, blue
 
   constexpr Vec3d() = default;
-  /// Of three numbers.
+  /// From three numbers.
   constexpr Vec3d(double x_, double y_, double z_) : x(x_), y(y_), z(z_) {}
-  /// Three times the same.
+  /// Three equal components.
   explicit constexpr Vec3d(double all) : x(all), y(all), z(all) {}
 
   /// The opposite direction.
@@ -27,7 +27,7 @@ struct Vec3d {
   constexpr Vec3d& operator*=(double s) { return *this = {x * s, y * s, z * s}; }
   /// Component 0, 1 or 2.
   constexpr double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
-  /// All components alike.
+  /// Whether all components are equal.
   friend constexpr bool operator==(const Vec3d&, const Vec3d&) = default;
 };
 /// The same numbers, read as red, green and blue.

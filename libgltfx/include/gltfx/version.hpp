@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Which gltfx this is.
+/// The version of gltfx.
 #pragma once
 
 #include <string_view>
