@@ -17,7 +17,7 @@ constexpr Checked checked_add(std::uint64_t a, std::uint64_t b) {
   return sum;
 }
 
-/// a + b, or the greatest number when it does not fit in 64 bits.
+/// a + b, or the largest number when it does not fit in 64 bits.
 constexpr std::uint64_t saturating_add(std::uint64_t a, std::uint64_t b) {
   return checked_add(a, b).value_or(UINT64_MAX);
 }
@@ -28,7 +28,7 @@ constexpr Checked checked_mul(std::uint64_t a, std::uint64_t b) {
   return a * b;
 }
 
-/// Whether [offset, offset + length) lies inside [0, size).
+/// Whether [offset, offset + length) is inside [0, size).
 constexpr bool fits(std::uint64_t offset, std::uint64_t length, std::uint64_t size) {
   return offset <= size && length <= size - offset;
 }

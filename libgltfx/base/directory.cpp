@@ -30,7 +30,7 @@ const char* DirectoryReader::next() {
   if (stream_ == nullptr) return nullptr;
   do {
     errno = 0;
-    entry_ = ::readdir(stream_);  // NOLINT(concurrency-mt-unsafe): no other thread has the stream
+    entry_ = ::readdir(stream_);  // NOLINT(concurrency-mt-unsafe): no other thread uses the stream
     if (entry_ == nullptr) {
       error_.assign(errno, std::generic_category());
       return nullptr;
@@ -39,7 +39,7 @@ const char* DirectoryReader::next() {
   return entry_->d_name;
 }
 
-// Some file systems do not say what an entry is.
+// Some file systems do not report the type of an entry.
 bool DirectoryReader::is_file() const {
   if (entry_->d_type == DT_REG) return true;
   if (entry_->d_type != DT_LNK && entry_->d_type != DT_UNKNOWN) return false;

@@ -13,8 +13,8 @@ namespace gltfx {
 
 /// Reads a directory entry by entry, in the order of the file system, without "." and "..".
 ///
-/// std::filesystem::directory_iterator does the same, but libstdc++ ends the process when it has no
-/// memory for an entry.
+/// std::filesystem::directory_iterator does the same, but libstdc++ ends the process if memory for
+/// an entry is missing.
 class DirectoryReader {
  public:
   /// `path` "" is the working directory.
@@ -27,12 +27,12 @@ class DirectoryReader {
   /// The next entry's name, valid until the next call; nullptr at the end and after an error.
   const char* next();
 
-  /// About the entry that next() gave last: a regular file or a link to one.
+  /// Whether the last entry that next() gave is a regular file or a link to one.
   bool is_file() const;
-  /// A directory; a link to one is none.
+  /// Whether it is a directory and not a link to one.
   bool is_directory() const;
 
-  /// Why the directory cannot be read, or not to its end.
+  /// Why the directory cannot be read to its end.
   std::error_code error() const { return error_; }
 
  private:

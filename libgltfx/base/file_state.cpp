@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 2> kHashes{"security.ima", "security.evm"
 
 bool is_unknown(int error) { return error == ENOTSUP || error == ENODATA; }
 
-// What a call of the getxattr family gives: asked for its size first, and again when that grows.
+// The result of a call of the getxattr family: called for its size first, and again if that grows.
 template <typename Call>
 std::optional<std::string> fetch(const Call& call) {
   for (;;) {
@@ -74,9 +74,9 @@ Trouble keep_attribute(int fd, const std::string& name, const fs::path& old) {
   const char* key = name.c_str();
   const auto value =
       fetch([&](char* to, std::size_t size) { return ::getxattr(old.c_str(), key, to, size); });
-  if (!value && errno == ENODATA) return std::nullopt;  // taken away meanwhile
+  if (!value && errno == ENODATA) return std::nullopt;  // removed meanwhile
   if (!value) return attribute_error("read", name, old, errno);
-  // A label that every file of the folder gets is there already, and may be nobody's to set.
+  // A label that every file of the folder gets exists already, and setting it may be forbidden.
   const auto present =
       fetch([&](char* to, std::size_t size) { return ::fgetxattr(fd, key, to, size); });
   if (present == value || ::fsetxattr(fd, key, value->data(), value->size(), 0) == 0) {
@@ -135,7 +135,7 @@ Result<FileState> file_state(const std::filesystem::path& path) {
   return Error{fmt::format("{} is not a regular file", quoted(path.native(), 200))};
 }
 
-// The owner first: changing it takes special bits of the mode and capabilities away.
+// The owner first: changing it clears special mode bits and capabilities.
 Trouble keep_attributes(int fd, const fs::path& old, const struct stat& status) {
   if (auto trouble = keep_owner(fd, old, status)) return trouble;
   if (auto trouble = keep_extended(fd, old)) return trouble;

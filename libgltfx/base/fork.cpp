@@ -14,7 +14,7 @@ std::atomic<std::uint64_t> generation{0};
 
 }  // namespace
 
-/// All of them, and what the system calls around a fork().
+/// All watchers, and the functions that the system calls around a fork().
 class ForkWatchers {
  public:
   void add(ForkWatcher& watcher) {
@@ -47,7 +47,7 @@ namespace {
 
 constinit ForkWatchers watchers;
 
-/// Numbers of descriptors that a child does not get.
+/// Descriptors that are closed in a child.
 class Descriptors final : public ForkWatcher {
  public:
   void lock() { mutex_.lock(); }
@@ -77,7 +77,7 @@ Descriptors& descriptors() {
 }
 
 #ifndef __EMSCRIPTEN__  // which has no processes
-// When the library is loaded: there are no threads of it yet, and its local static is made.
+// Runs when the library is loaded: it has no threads yet, and its local static is made.
 [[maybe_unused]] const bool watched = [] {
   descriptors();
   return ::pthread_atfork([] { watchers.before_fork(); }, [] { watchers.after_fork(false); },
@@ -115,7 +115,7 @@ void ForkGate::before_fork() noexcept {
 
 void ForkGate::after_fork(bool in_child) noexcept {
   closed_ = false;
-  // Threads that waited are not there in the child, where a call might be meant for them.
+  // Waiting threads do not exist in the child, where a notification could go to them.
   if (in_child) ::new (&changed_) std::condition_variable;
   changed_.notify_all();
   mutex_.unlock();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A process that forks while its threads are at work. Only the thread that calls fork() goes on in
-/// the child: what other threads had locked stays locked there, what they were making is never
-/// made, and pools have no threads.
+/// Support for a process that forks while its threads work. Only the thread that calls fork()
+/// exists in the child: mutexes that other threads had locked stay locked there, their unfinished
+/// work is never finished, and pools have no threads.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@ namespace gltfx {
 /// Another number in each child of a fork().
 std::uint64_t fork_generation() noexcept;
 
-/// Told of each fork() by the thread that calls it, the newest watcher first.
+/// Called at each fork() by the thread that forks, the newest watcher first.
 class ForkWatcher {
  public:
   ForkWatcher();
@@ -36,8 +36,8 @@ class ForkWatcher {
   ForkWatcher* older_ = nullptr;
 };
 
-/// A mutex that no other thread holds when the process forks. To be held for short times, and with
-/// no other one locked beneath it.
+/// A mutex that no other thread holds when the process forks. Hold it for short times only, and
+/// lock no other ForkMutex while it is held.
 class ForkMutex final : public ForkWatcher {
  public:
   void lock() { mutex_.lock(); }
@@ -50,8 +50,8 @@ class ForkMutex final : public ForkWatcher {
   std::mutex mutex_;
 };
 
-/// For std::shared_lock. Any number of threads may be inside, but none when the process forks:
-/// around calls of libraries that do not expect a fork.
+/// For std::shared_lock, around calls of libraries that do not expect a fork. Any number of threads
+/// may hold it, but none when the process forks.
 class ForkGate final : public ForkWatcher {
  public:
   void lock_shared();
@@ -66,8 +66,7 @@ class ForkGate final : public ForkWatcher {
   bool closed_ = false;
 };
 
-/// A descriptor that is closed in the child of a fork(): a copy there would keep the other side
-/// waiting.
+/// A descriptor that is closed in the child of a fork(): a copy there would keep the peer waiting.
 class OwnDescriptor {
  public:
   OwnDescriptor() = default;
@@ -87,7 +86,7 @@ class OwnDescriptor {
   UniqueFd fd_;
 };
 
-/// The process does not fork while it lives: from opening descriptors until they have an owner.
+/// Prevents a fork during its lifetime: from opening descriptors until they have an owner.
 class NoFork {
  public:
   NoFork();
@@ -99,8 +98,8 @@ class NoFork {
   OwnDescriptor own(int fd) const;
 };
 
-/// What each process has one of, made when it is first asked for: the child of a fork() makes its
-/// own and leaves that of its parent alone. Any number of threads may ask.
+/// One object per process, made at first use: the child of a fork() makes its own and leaves that
+/// of its parent alone. Thread-safe.
 template <class T>
 class PerProcess {
  public:
@@ -112,7 +111,7 @@ class PerProcess {
     if (newest_.compare_exchange_strong(entry, fresh.get())) return fresh.release()->value;
     return entry->value;
   }
-  /// Ends the one of this process, if there is any, when no thread uses it any more.
+  /// Destroys the object of this process, if any. No thread may use it any more.
   void destroy() {
     Entry* const entry = newest_.load();
     if (entry == nullptr || entry->generation != fork_generation()) return;
@@ -129,9 +128,9 @@ class PerProcess {
   std::atomic<Entry*> newest_{nullptr};
 };
 
-/// What is made when it is first asked for, and stays until the process ends. Of a local static the
-/// child of a fork() would wait for a thread that is not there. Two threads that ask at the same
-/// time may both make it; one is kept.
+/// An object made at first use that lives until the process ends. With a local static, the child of
+/// a fork() could wait for a thread that does not exist there. Two threads may make it at the same
+/// time; one is kept.
 template <class T>
 class MadeOnce {
  public:
@@ -148,7 +147,7 @@ class MadeOnce {
   std::atomic<const T*> made_{nullptr};
 };
 
-/// A T that nothing was put into.
+/// A default-constructed T.
 template <class T>
 const T& empty_value() {
   static constinit MadeOnce<T> made;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-// Its speed comes from being compiled with the options of the caller; nothing is left to link.
+// Header only: it is fast if compiled with the options of the caller.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 

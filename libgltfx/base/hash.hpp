@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Hashes that tell contents apart: XXH3 with 128 bits. Not against somebody who looks for two
-/// contents with one hash; for contents that come from strangers there is KeyedHash.
+/// Hashes that distinguish contents: XXH3 with 128 bits. It does not resist deliberate collisions;
+/// use KeyedHash for contents from untrusted sources.
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ struct Hash128 {
 /// The same on every machine.
 Hash128 hash_bytes(std::string_view bytes);
 
-/// The same on every machine, today and later: names of files are made of it.
+/// The same on every machine and in every version: file names contain it.
 std::uint64_t content_hash(std::string_view bytes);
 
-/// Takes parts together so that no two lists of parts give the same bytes.
+/// Combines parts so that no two lists of parts give the same bytes.
 class HashParts {
  public:
   void add(std::string_view text);
@@ -33,9 +33,8 @@ class HashParts {
   std::string bytes_;
 };
 
-/// Hashes of contents that come from strangers, with a secret of 192 bytes. Who does not know the
-/// secret cannot prepare two contents with one hash. It is no seal: for that, see
-/// pipeline/seal.hpp.
+/// Hashes contents from untrusted sources, with a secret of 192 bytes. Without the secret, two
+/// contents with one hash cannot be prepared. It is not a seal: see pipeline/seal.hpp.
 class KeyedHash {
  public:
   using Secret = std::array<unsigned char, 192>;  ///< bytes that look random

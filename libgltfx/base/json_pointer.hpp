@@ -12,7 +12,7 @@
 namespace gltfx {
 
 /// One step of a path that is built while walking a document. Steps live on the stack and point to
-/// their parent, so a path costs nothing until somebody asks for its text.
+/// their parent, so a path costs nothing until its text is requested.
 ///
 ///     Path root;  Path nodes(root, "nodes");  Path node(nodes, 5);  node.pointer() == "/nodes/5"
 ///
@@ -41,7 +41,7 @@ class Path {
   bool is_index_ = false;
 };
 
-/// Appends `/key` with `~` and `/` escaped as RFC 6901 section 3 asks.
+/// Appends `/key` with `~` and `/` escaped as in RFC 6901 section 3.
 void append_pointer_step(std::string& pointer, std::string_view key);
 
 /// The unescaped steps of a pointer, or nothing when it is not one (no leading '/', a '~' that is

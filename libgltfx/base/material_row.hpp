@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The form of the table of material parameters. What reads it includes base/material_table.hpp,
-/// which the build writes from schema/: what has the word `parameter` there has a row.
+/// The form of the table of material parameters. Its readers include base/material_table.hpp, which
+/// the build writes from schema/: each property with the word `parameter` there has a row.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct ParameterRow {
   std::string_view alias;  ///< its name in an earlier draft, or empty
   MaterialParameter parameter;
   std::uint8_t numbers;         ///< at most 4
-  std::array<float, 4> absent;  ///< the default; infinite where there is none
+  std::array<float, 4> absent;  ///< the default; infinite if there is none
   float least, most;            ///< range of each number
 };
 
@@ -32,7 +32,7 @@ struct SlotRow {
   MaterialSlot slot;
 };
 
-/// What the core or one extension says of a material.
+/// The rows of the core or one extension.
 struct MaterialText {
   std::string_view extension;  ///< empty: the core
   std::span<const ParameterRow> parameters;
@@ -45,9 +45,9 @@ struct Scaling {
   std::uint8_t channel;  ///< 0 to 3: the first, or only, one
 };
 
-/// What a slot reads.
+/// The parameters that a slot scales.
 struct SlotReading {
-  bool srgb;  ///< the coding of R, G and B
+  bool srgb;  ///< R, G and B are sRGB
   std::span<const Scaling> scales;
 };
 

@@ -15,7 +15,7 @@ namespace gltfx {
 namespace {
 
 #ifndef __cpp_lib_to_chars
-// Whether a number is too large or too small for what was read of it, as std::from_chars() finds.
+// Whether a number is outside the range of a double, as std::from_chars() reports it.
 bool is_out_of_range(std::string_view text, double read) {
   text = text.substr(0, text.find_first_of("eE"));
   if (read == 0) return text.find_first_of("123456789") != std::string_view::npos;
@@ -29,7 +29,7 @@ struct Digits {
   int point = 0;
 };
 
-// The fewest digits that are read as `value` again, which is finite and above 0.
+// The fewest digits that read back as `value`. Precondition: finite and above 0.
 Digits shortest_digits(double value) {
   const std::string spelt = fmt::format("{}", value);
   const std::size_t e = spelt.find('e');

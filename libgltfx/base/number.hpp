@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Numbers from and to text, also where the standard library does that for integers alone.
+/// Numbers from and to text, also where the standard library supports integers only.
 #pragma once
 
 #include <charconv>

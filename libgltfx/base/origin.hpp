@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where bytes come from, as far as it matters who trusts whom.
+/// The trust domain of bytes.
 #pragma once
 
 #include <atomic>
@@ -8,15 +8,15 @@
 namespace gltfx {
 
 /// The folder that an asset is confined to, by device and file number, or a number of its own for
-/// bytes that came from no folder. What bytes of one origin break may spoil nothing that is made of
-/// another. The default one stands for what this program makes itself.
+/// bytes that came from no folder. Bytes of one origin must not affect results of another. The
+/// default is the origin of bytes that this program makes itself.
 struct Origin {
   std::uint64_t device = 0;
   std::uint64_t file = 0;
   bool operator==(const Origin&) const = default;
 };
 
-/// One that nothing else has. Any number of threads may call.
+/// A unique origin. Thread-safe.
 inline Origin new_origin() {
   static constinit std::atomic<std::uint64_t> last = 0;
   return {0, ++last};  // no folder is on device 0

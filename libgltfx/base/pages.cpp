@@ -20,8 +20,8 @@ constexpr std::size_t kHugePage = std::size_t{2} << 20U;
 constexpr std::align_val_t kAlignment{kHugePage};
 
 #ifdef __GLIBC__
-// One at a time: where a program has another malloc(), the first call makes glibc ready, and a
-// second one beside it would find that half done.
+// One call at a time: in a program with another malloc(), the first call initialises glibc's, and a
+// concurrent second call would find it half initialised.
 ForkMutex trimming;
 #endif
 
@@ -33,7 +33,8 @@ void* allocate_pages(std::size_t bytes) {
   if (!is_worth_it(bytes)) return ::operator new(bytes);
   void* const memory = ::operator new(bytes, kAlignment);
 #ifdef MADV_HUGEPAGE
-  // A wish: a system without huge pages gives small ones. What is not a whole page stays small.
+  // A hint: a system without huge pages gives small ones. The part beyond the last whole huge page
+  // stays small.
   ::madvise(memory, bytes / kHugePage * kHugePage, MADV_HUGEPAGE);
 #endif
   return memory;

@@ -39,7 +39,7 @@ struct Call {
   bool consuming = false;
   unsigned helpers = 0;  // threads besides the caller's
   std::exception_ptr failure;
-  std::condition_variable changed;  // what the caller waits for
+  std::condition_variable changed;  // the caller waits for it
   Call* older = nullptr;
 };
 
@@ -80,7 +80,7 @@ class ThreadPool {
         std::thread([this] { help(); }).detach();
         ++threads_;
       }
-    } catch (const std::exception&) {  // fewer threads do
+    } catch (const std::exception&) {  // fewer threads are enough
     }
   }
 
@@ -104,7 +104,7 @@ class ThreadPool {
     }
   }
 
-  // Takes one item. Consumes what is ready unless another thread is at it.
+  // Takes one item. Consumes the items that are ready unless another thread does.
   void work_on(Call& call, std::unique_lock<std::mutex>& lock) {
     const std::size_t item = call.taken++;
     run_unlocked(call, call.produce, item, lock);
@@ -149,7 +149,7 @@ unsigned processors() {
 #ifdef __EMSCRIPTEN__
   return 1;  // WebAssembly without threads
 #else
-  cpu_set_t usable;  // fails on machines with more than it has room for
+  cpu_set_t usable;  // the call fails on machines with more processors
   const int count = ::sched_getaffinity(0, sizeof usable, &usable) == 0 ? CPU_COUNT(&usable) : 0;
   return count > 0 ? static_cast<unsigned>(count)
                    : std::max(1U, std::thread::hardware_concurrency());

@@ -7,8 +7,7 @@
 
 namespace gltfx {
 
-/// Threads that are worth starting on this machine, as far as this process may use them; at
-/// least 1.
+/// Number of processors that this process may use; at least 1.
 unsigned default_jobs();
 
 /// Calls produce(i) for every i in [0, count), on up to `jobs` threads at once, and consume(i)
@@ -18,10 +17,10 @@ unsigned default_jobs();
 /// - `jobs` 1 runs everything on the caller's thread, item by item; 0 and more than default_jobs()
 ///   mean default_jobs().
 /// - Items that are produced and not yet consumed never exceed a small multiple of `jobs`, so that
-///   memory stays flat over any number of items.
-/// - consume() may run on any of the threads, but sees all that the calls before it wrote.
-/// - Callbacks must not throw. One that does ends the work early and the exception reaches the
-///   caller of parallel_ordered; it does not end the process.
+///   memory does not grow with the number of items.
+/// - consume() may run on any of the threads, but all writes of earlier calls are visible to it.
+/// - Callbacks must not throw. If one throws, the work ends early and the exception reaches the
+///   caller of parallel_ordered.
 void parallel_ordered(std::size_t count, unsigned jobs,
                       const std::function<void(std::size_t)>& produce,
                       const std::function<void(std::size_t)>& consume);

@@ -84,7 +84,7 @@ Trouble FileDraft::finish() {
   return file_->make_durable();
 }
 
-// Writing takes time in which somebody else may have saved the file.
+// Another program may have saved the file while the draft was written.
 Trouble FileDraft::publish() {
   if (!seen_) return file_->move_to_free_place();
   if (auto trouble = check_replaceable(target_, *seen_)) return trouble;

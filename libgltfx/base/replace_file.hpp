@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files are changed whole or not at all: what stands at a path is the old bytes or the new ones,
-/// also when the power fails, and a change by somebody else is never overwritten.
+/// Files are changed whole or not at all: a path has the old bytes or the new ones, also after a
+/// power failure, and a change by another program is never overwritten.
 #pragma once
 
 #include <filesystem>
@@ -16,23 +16,23 @@
 
 namespace gltfx {
 
-/// Written beside its place: write() as often as needed, then finish(), then publish(). Gone at the
-/// end of its life unless it was published. The calls give nothing when they succeed, else why they
-/// did not; the first of them also says when there can be no draft. Until finish() only the user
-/// who runs the program may read what replaces or copies a file. Not thread-safe.
+/// A file that is written beside its final path: write() as often as needed, then finish(), then
+/// publish(). Deleted by the destructor unless published. The calls give nothing on success, else
+/// an Error; the first call also reports when the draft could not be created. Until finish(), only
+/// the user of the program may read it if it replaces or copies a file. Not thread-safe.
 class FileDraft {
  public:
-  /// In the place of the file that was `seen`, or where nothing is. A symbolic link stays; what it
-  /// leads to is replaced. Refused when the file is not as it was seen, has other hard links or is
+  /// Replaces the file that was `seen`, or creates one. A symbolic link stays; its target is
+  /// replaced. Refused when the file changed since it was seen, has other hard links or is
   /// read-only.
   FileDraft(const std::filesystem::path& path, const std::optional<FileState>& seen);
-  /// Where nothing is, with owner, permissions and extended attributes of `like`.
+  /// Creates a file with owner, permissions and extended attributes of `like`.
   FileDraft(const std::filesystem::path& path, const std::filesystem::path& like);
 
   std::optional<Error> write(std::string_view bytes);
-  /// Gives the draft what the file has beside its bytes, and makes it durable.
+  /// Gives the draft the attributes of the file, and makes it durable.
   std::optional<Error> finish();
-  /// Takes the place, durably, unless somebody else changed the file meanwhile.
+  /// Replaces the file, durably, unless another program changed it meanwhile.
   std::optional<Error> publish();
   /// The draft open for reading.
   UniqueFd reader() const;
@@ -41,18 +41,18 @@ class FileDraft {
   void look_at(const std::filesystem::path& like);
 
   std::filesystem::path target_;
-  std::filesystem::path like_;  ///< whose attributes it gets; empty: those of any new file
-  struct stat old_ {};          ///< of that
+  std::filesystem::path like_;  ///< file whose attributes it gets; empty: those of any new file
+  struct stat old_ {};          ///< of `like_` or the replaced file
   std::optional<FileState> seen_;
   std::optional<Error> trouble_;
-  std::optional<TemporaryFile> file_;  ///< nothing when there is trouble
+  std::optional<TemporaryFile> file_;  ///< nothing after an error
 };
 
-/// Puts `bytes` in the place of the file that was `seen`: a temporary file in the same folder gets
-/// them, then owner, permissions and extended attributes of the old one, is made durable and
-/// renamed; the folder is made durable too. A symbolic link stays; what it leads to is replaced.
-/// Refused when the file is not as it was seen, has other hard links, is read-only, or has an
-/// attribute that cannot be kept. Nothing when the new bytes are durable, else why they are not.
+/// Replaces the content of the file that was `seen` by `bytes`: a temporary file in the same folder
+/// gets them, then owner, permissions and extended attributes of the old one, is made durable and
+/// renamed; the folder is made durable too. A symbolic link stays; its target is replaced. Refused
+/// when the file changed since it was seen, has other hard links, is read-only, or has an attribute
+/// that cannot be kept. Nothing when the new bytes are durable, else why they are not.
 std::optional<Error> replace_file(const std::filesystem::path& path, std::string_view bytes,
                                   const FileState& seen);
 
@@ -62,11 +62,10 @@ std::optional<Error> check_replaceable(const std::filesystem::path& path, const 
 /// The same for a file that must not exist yet.
 std::optional<Error> create_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// What replaces a file or creates one: the state of the file at `path`, nothing where there is
-/// none.
+/// The state of the file at `path`, or nothing if it does not exist.
 Result<std::optional<FileState>> state_if_there(const std::filesystem::path& path);
 
-/// Creates the file, or replaces it as it is now.
+/// Creates the file, or replaces its current state.
 std::optional<Error> write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace gltfx

@@ -8,12 +8,12 @@
 
 namespace gltfx {
 
-/// Why something could not be done, as a sentence that names the place and the help.
+/// Why something could not be done, as a sentence that names the place and the remedy.
 struct Error {
   std::string message;
 };
 
-/// Holds a T or an Error. Accessing the one that is not there is a programming error.
+/// Holds a T or an Error. Accessing the other one is a programming error.
 template <class T>
 class [[nodiscard]] Result {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Text that many keep and nobody changes.
+/// Immutable shared text.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace gltfx {
 
-/// Lives as long as one of its owners. A NUL stands behind it. Null: there is none.
+/// Immutable text with shared ownership, followed by a NUL. Null: there is none.
 using SharedText = std::shared_ptr<const std::string_view>;
 
-/// Takes the text's memory.
+/// Takes over the memory of `text`.
 SharedText share_text(std::string text);
 
 /// Room for a text of known length, to be filled and then shared.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where phases leave what they find. Modules below `rules` know codes, not severities: those
-/// are decided by the rule registry and the user's options behind this interface.
+/// The destination of findings. Modules below `rules` use codes, not severities: the
+/// implementations of this interface apply the rules and the user's options.
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
@@ -16,7 +16,7 @@
 
 namespace gltfx {
 
-/// One finding as a phase hands it over.
+/// One finding of a phase.
 struct Finding {
   explicit Finding(Code rule) : code(rule) {}
   Finding(Code rule, std::string text, std::string what_to_do = {}, Span place = {},
@@ -29,12 +29,12 @@ struct Finding {
 
   Code code;
   std::string message;  ///< one sentence; asset text in it is neutralised by the formatters
-  std::string help;     ///< what to do in this very case; may be empty
+  std::string help;     ///< what to do in this case; may be empty
   Span span;            ///< bytes of the JSON text to mark; empty: no place in the text
   std::optional<Severity> severity;  ///< instead of the rule's default
-  std::uint64_t count = 1;           ///< errors of this kind that one finding stands for
-  /// Tells findings of one code at one place apart, such as the member that an object lacks: those
-  /// about different things are no repeats of each other.
+  std::uint64_t count = 1;           ///< errors of this kind that the finding counts for
+  /// Distinguishes findings of one code at one place, for example by the member that an object
+  /// lacks: findings that differ here are not repeats of each other.
   std::string about = {};
 };
 
@@ -44,7 +44,7 @@ class Sink {
   virtual ~Sink() = default;
   /// Takes a finding about the value at `path`. The path is only used during the call.
   virtual void report(const Path& path, Finding finding) = 0;
-  /// Whether findings are used. Where they are not, callers need not format them.
+  /// Whether findings are used. If not, callers need not format them.
   virtual bool is_enabled() const { return true; }
 
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A stretch of a text, as byte offsets.
+/// A range of a text, as byte offsets.
 #pragma once
 
 #include <cstdint>

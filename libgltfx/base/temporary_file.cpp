@@ -46,14 +46,14 @@ std::array<Slot, kSlots> slots;
 
 namespace fs = std::filesystem;
 
-// Taken when the program is loaded: before it can have made a file.
+// Set when the program is loaded, before it can have made a file.
 const fs::file_time_type kStart = fs::file_time_type::clock::now() - std::chrono::seconds(1);
 
 constexpr std::chrono::hours kForgotten{24};
 constexpr std::string_view kEnding = ".part";
 
-// Eight digits for the space in which numbers of processes are unique: a machine since it was
-// started, or a container on it.
+// Eight digits for the space in which process ids are unique: a machine since its start, or a
+// container on it.
 const std::string& process_space() {
   static constinit MadeOnce<std::string> space;
   return space.get([] {
@@ -67,7 +67,7 @@ const std::string& process_space() {
   });
 }
 
-// Takes a number with that mark before it off the end of a text; -1: there is none.
+// Removes a number after `mark` from the end of a text; -1: there is none.
 long take_number(std::string_view& text, char mark) {
   const std::size_t at = text.rfind(mark);
   if (at == std::string_view::npos) return -1;
@@ -85,7 +85,7 @@ bool is_older(const fs::path& file, fs::file_time_type time) {
   return !error && written < time;
 }
 
-// A number of a process that is used again tells nothing; the time does.
+// Process ids are reused, so the time decides as well.
 bool is_stale(std::string_view space, long process, const fs::path& file) {
   if (space != process_space()) return is_older(file, kStart - kForgotten);
   if (process == ::getpid()) return is_older(file, kStart);
@@ -111,11 +111,11 @@ bool is_leftover(const std::string& name, const fs::path& folder) {
          is_stale(space, process, folder / name);
 }
 
-// 0, or errno is set: EEXIST where there is something already.
+// Gives 0, or sets errno: EEXIST if the place is taken.
 int rename_to_free_place(const char* from, const char* to) {
 #ifdef __linux__
   return ::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE);
-#else  // files in memory, which nobody else sees
+#else  // files in memory, which no other process uses
   if (::access(to, F_OK) != 0) return std::rename(from, to);
   errno = EEXIST;
   return -1;
@@ -165,8 +165,8 @@ Trouble TemporaryFile::write(std::string_view bytes) {
                            quoted(target_.native(), 200))};
 }
 
-// EINVAL: a file system that cannot make anything durable. There may be more files to be written
-// than a process can hold open.
+// EINVAL: the file system cannot make files durable. The descriptor is closed because there may be
+// more files to write than a process can hold open.
 Trouble TemporaryFile::make_durable() {
   const UniqueFd file = std::move(fd_);
   if (::fsync(file.get()) == 0 || errno == EINVAL) return std::nullopt;
@@ -175,7 +175,7 @@ Trouble TemporaryFile::make_durable() {
 
 UniqueFd TemporaryFile::reader() const { return UniqueFd(::fcntl(fd_.get(), F_DUPFD_CLOEXEC, 0)); }
 
-// The folder is opened before the file moves: once it has moved, nothing may fail but the disk.
+// The folder is opened before the file moves: afterwards nothing but the disk may fail.
 Result<UniqueFd> TemporaryFile::open_folder() const {
   const std::filesystem::path parent = target_.parent_path();
   UniqueFd folder(
@@ -194,7 +194,7 @@ Trouble TemporaryFile::move_over() {
   return sync(*folder);
 }
 
-// Refused where there is something already. File systems that cannot rename so can link so.
+// Refused if the place is taken. File systems without such a rename support such a link.
 Trouble TemporaryFile::move_to_free_place() {
   const auto folder = open_folder();
   if (!folder) return folder.error();

@@ -19,7 +19,7 @@ struct CodePoints {
   std::uint32_t first, last;
 };
 
-// Code points that move the cursor, end a line, reorder the text around them, or are not seen:
+// Code points that move the cursor, end a line, reorder the text around them, or are invisible:
 // those that Unicode calls controls, separators of lines, format characters (Cf) or default
 // ignorable, letters that are drawn blank, private use and noncharacters (the last two of each
 // plane: see is_unprintable()). Sorted.
@@ -74,7 +74,7 @@ bool is_scalar(std::uint32_t value, std::uint32_t size) {
 
 // Distances are counted in half edits, because a wrong case is half of one.
 constexpr std::size_t kEdit = 2;
-// Longer words are no misspelt names; the limit keeps the quadratic distance small.
+// Longer words are not misspelt names; the limit keeps the quadratic distance small.
 constexpr std::size_t kLongestWord = 128;
 
 std::size_t substitution(char a, char b) {
@@ -103,7 +103,7 @@ std::size_t distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// What is left where neither case nor '_' count: "base_color_factor" is "baseColorFactor".
+// The letters, without case and '_': "base_color_factor" is "baseColorFactor".
 std::string letters_of(std::string_view word) {
   std::string letters = lower_case(word);
   letters.erase(std::remove(letters.begin(), letters.end(), '_'), letters.end());
@@ -113,7 +113,7 @@ std::string letters_of(std::string_view word) {
 // Farther words are a guess.
 constexpr std::size_t kMostEdits = 2;
 
-// Whether one of the words is the other one's beginning, as of "MASKED".
+// Whether one word is the beginning of the other, as "MASK" of "MASKED".
 bool begins(std::string_view a, std::string_view b) {
   const std::size_t length = std::min(a.size(), b.size());
   return length >= 3 && lower_case(a.substr(0, length)) == lower_case(b.substr(0, length));
@@ -125,7 +125,7 @@ std::size_t tolerance(std::string_view a, std::string_view b) {
   return std::min(edits, kMostEdits) * kEdit;
 }
 
-// The only candidate of which the word is another spelling, or empty.
+// The candidate that differs from the word in spelling only, if it is the only one; or empty.
 std::string_view only_other_spelling(std::string_view word,
                                      std::span<const std::string_view> candidates) {
   const std::string letters = letters_of(word);

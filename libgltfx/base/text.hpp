@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Text that comes from an asset is never trusted: it is measured, cut and neutralised here. UTF-8
-/// as RFC 3629 has it.
+/// as in RFC 3629.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace gltfx {
 
-/// What stands at one place of a text.
+/// The code point at one place of a text.
 struct CodePoint {
   std::uint32_t value = 0;  ///< the code point; of an invalid byte the byte itself
-  std::uint32_t size = 1;   ///< bytes taken, 1 to 4; an invalid byte stands alone
+  std::uint32_t size = 1;   ///< bytes taken, 1 to 4; 1 for an invalid byte
   bool valid = false;       ///< false: truncated, overlong, a surrogate, or beyond U+10FFFF
 };
 
@@ -32,11 +32,10 @@ std::string printable(std::string_view text);
 /// `text` in single quotes, printable, cut to at most `limit` code points with an ellipsis.
 std::string quoted(std::string_view text, std::size_t limit = 60);
 
-/// Code points of a UTF-8 text; a byte that is no valid lead counts as one.
+/// Code points of a UTF-8 text; a byte that is not a valid lead counts as one.
 std::size_t count_code_points(std::string_view text);
 
-/// Code points that mark the extent of the first `bytes` bytes are `count_code_points`; this is
-/// the inverse: bytes taken by the first `code_points` code points of `text`.
+/// The inverse of count_code_points(): bytes of the first `code_points` code points of `text`.
 std::size_t bytes_of_code_points(std::string_view text, std::size_t code_points);
 
 /// The candidate nearest to `word` by Damerau-Levenshtein distance (case counts half) and at most
@@ -55,10 +54,10 @@ constexpr char ascii_lower(char c) {
 }
 std::string lower_case(std::string_view text);
 
-/// The text with a capital where it begins with a small ASCII letter.
+/// The text with its first ASCII letter, if it is the first character, as a capital.
 std::string capitalized(std::string text);
 
-/// What the file's name ends with, in lower case and with its dot: ".glb". Empty without a dot.
+/// The file name extension in lower case, with its dot: ".glb". Empty without a dot.
 std::string ending_of(std::string_view path);
 
 }  // namespace gltfx

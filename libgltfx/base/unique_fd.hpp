@@ -6,7 +6,7 @@
 
 namespace gltfx {
 
-/// Closed at the end of its life.
+/// Closes the descriptor in its destructor.
 class UniqueFd {
  public:
   UniqueFd() = default;
