@@ -43,7 +43,7 @@ NodeId step_into(const Document& document, NodeId at, const std::string& step) {
 // The child of `at` that is `id` or holds it, with its step appended to `pointer`.
 NodeId descend(const Document& document, NodeId at, NodeId id, std::string& pointer) {
   if (document.is_object(at)) {
-    // What is out of sight is in the text all the same.
+    // Hidden members are in the text, too.
     NodeId key = at + 1;
     while (document.next(key + 1) <= id) key = document.next(key + 1);
     append_pointer_step(pointer, document.key(document.node(key).next));
@@ -145,7 +145,7 @@ NodeId Document::find(NodeId object, std::string_view name) const {
   if (object == kNoNode || !is_object(object)) return kNoNode;
   const Node* const nodes = nodes_.data();
   if (nodes[object].hidden) return kNoNode;
-  // Most objects are small: comparing names costs less than hashing the wanted one.
+  // Most objects are small: comparing names costs less than hashing the name.
   std::uint32_t left = kFewMembers;
   const NodeId end = nodes[object].next;
   NodeId found = kNoNode;
@@ -171,7 +171,7 @@ NodeId Document::find_in_text(NodeId object, std::string_view name) const {
   return last_member(object, key_id(name));
 }
 
-// The most called function of all: without the iterator, which lives in another file.
+// The most frequently called function: it does not use the iterator, which is in another file.
 NodeId Document::last_member(NodeId object, KeyId name) const {
   const Node* const nodes = nodes_.data();
   const NodeId end = nodes[object].next;
@@ -212,7 +212,7 @@ void Document::sort_members(NodeId object) {
 }
 
 void Document::sort_large() {
-  // They come in the order in which they end.
+  // They are added in the order in which they end.
   std::sort(large_arrays_.begin(), large_arrays_.end(),
             [](const LargeArray& a, const LargeArray& b) { return a.array < b.array; });
   std::sort(large_objects_.begin(), large_objects_.end(),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A JSON text kept as it is, with every value and key as a span of it.
+/// An unchanged JSON text, with every value and key as a span of it.
 ///
 /// The document is one flat array in the order of the text: a container is followed by its
 /// content, a key by its value. A node takes 16 bytes, and an array that holds nothing but numbers
-/// is a single node whose elements are read from the text again when somebody asks. Line and column
-/// are computed only for what is printed (`json/lines.hpp`).
+/// is a single node whose elements are read from the text again on request. Line and column are
+/// computed only for output (`json/lines.hpp`).
 #pragma once
 
 #include <cstdint>
@@ -44,14 +44,14 @@ struct Node {
   std::uint32_t next = 0;   ///< node after this one's content; of a key: its KeyId
   Kind kind = Kind::null;
   bool escaped = false;      ///< string or key with a backslash in it
-  bool hidden = false;       ///< a key whose member is out of sight, or an object whose members are
+  bool hidden = false;       ///< a key whose member is hidden, or an object whose members are
   std::uint8_t numbers = 0;  ///< elements of a number_array; kManyNumbers: so many or more
 };
 static_assert(sizeof(Node) == 16);
 inline constexpr std::uint8_t kManyNumbers = UINT8_MAX;
 using NodeArray = std::vector<Node, PageAllocator<Node>>;
 
-/// A number as it stands in the text.
+/// A number and its text.
 struct Number {
   Span span;
   double value = 0;  ///< nearest double; an infinity when the literal is beyond its range
@@ -61,7 +61,7 @@ struct Number {
 
 class Document;
 
-/// Forward range over the members of an object that are in sight, in the order of the text.
+/// Forward range over the visible members of an object, in the order of the text.
 class Members {
  public:
   struct Member {
@@ -135,9 +135,9 @@ class NumberCursor {
   Number number_;
 };
 
-/// Immutable once built, but for what hide() and strip() take out of sight; any number of threads
-/// may read it. Of members with one name the last is in sight. Owns its text. A default-constructed
-/// document has no nodes: check `empty()` before `root()`.
+/// Immutable once built, except for hide() and strip(); any number of threads may read it. Of
+/// members with one name the last is visible. Owns its text. A default-constructed document has no
+/// nodes: check `empty()` before `root()`.
 class Document {
  public:
   Document() = default;
@@ -149,7 +149,7 @@ class Document {
   const Node& node(NodeId id) const { return nodes_[id]; }
   Kind kind(NodeId id) const { return nodes_[id].kind; }
   Span span(NodeId id) const { return {nodes_[id].begin, nodes_[id].end}; }
-  /// The bytes of a value as they stand in the text; a string with its quotes.
+  /// The bytes of a value in the text; a string with its quotes.
   std::string_view raw(NodeId id) const { return span(id).in(text()); }
   /// The node after this value and all of its content.
   NodeId next(NodeId id) const { return nodes_[id].next; }
@@ -169,11 +169,11 @@ class Document {
 
   /// Number of elements of any array; linear in a number_array of many.
   std::size_t array_size(NodeId array) const;
-  /// Number of members of an object that are in sight; linear in it.
+  /// Number of visible members of an object; linear in it.
   std::size_t object_size(NodeId object) const;
 
   /// The value of the last member with that name (of repeated names the last wins), or kNoNode.
-  /// Also kNoNode when `object` is no object or kNoNode itself. Logarithmic in a large object.
+  /// Also kNoNode when `object` is not an object or is kNoNode. Logarithmic in a large object.
   NodeId find(NodeId object, std::string_view name) const;
   NodeId find(NodeId object, KeyId name) const;
   /// As find(), but hidden members are found as well.
@@ -181,14 +181,14 @@ class Document {
   bool holds(NodeId object, std::string_view name) const {
     return find_in_text(object, name) != kNoNode;
   }
-  /// As holds(), but a hidden null says no more than no member at all.
+  /// As holds(), but a hidden null counts as no member.
   bool has_value(NodeId object, std::string_view name) const;
 
-  /// Takes a member out of sight: find() and members() act as if it were not in the text. `value`
-  /// is the member's value.
+  /// Hides a member: find() and members() act as if it were not in the text. `value` is the
+  /// member's value.
   void hide(NodeId value) { nodes_[value - 1].hidden = true; }
   bool is_hidden(NodeId value) const { return nodes_[value - 1].hidden; }
-  /// Makes a value an object without members, whatever it is in the text.
+  /// Makes any value an object without members.
   void strip(NodeId value) {
     nodes_[value].kind = Kind::object;
     nodes_[value].hidden = true;
@@ -200,7 +200,7 @@ class Document {
   std::optional<std::uint64_t> unsigned_integer(NodeId id) const;
   /// The unescaped content of a string or key. A lone surrogate becomes U+FFFD.
   std::string string(NodeId id) const;
-  /// The content without copying when it has no escape; otherwise unescaped into `buffer`.
+  /// The content, not copied when it has no escape, else unescaped into `buffer`.
   std::string_view string(NodeId id, std::string& buffer) const;
   /// Adds the content of a string to a table that does not outlive the document; says whether it is
   /// new.
@@ -208,13 +208,13 @@ class Document {
 
   /// Number of different member names; KeyIds are below it.
   std::size_t key_count() const { return keys_.size(); }
-  /// The unescaped name behind a KeyId.
+  /// The unescaped name of a KeyId.
   std::string_view key(KeyId id) const { return keys_.name(id); }
   /// The KeyId of a name, or kNoKey when no object of the document has it.
   KeyId key_id(std::string_view name) const { return keys_.find(name); }
 
-  /// RFC 6901 pointer to a node: linear in the breadth of what lies above it. For many nodes build
-  /// a `Path` while walking instead.
+  /// RFC 6901 pointer to a node: linear in the size of the containers above it. For many nodes
+  /// build a `Path` while walking instead.
   std::string pointer_of(NodeId id) const;
   /// The value a pointer names, or kNoNode. An element of a number_array has no node: then the
   /// array's node is returned and `element` set.
@@ -224,7 +224,7 @@ class Document {
   friend class Parser;
   /// In an object with at most this many members, find() compares names.
   static constexpr std::uint32_t kFewMembers = 16;
-  /// An object from this many members on has them sorted by name, too.
+  /// An object with at least this many members also has them sorted by name.
   static constexpr std::uint32_t kManyMembers = 64;
   /// Values of its members: from `begin` to `end` in sorted_values_.
   struct LargeObject {
@@ -232,7 +232,7 @@ class Document {
     std::uint32_t begin;
     std::uint32_t end;
   };
-  /// An array of values from this many elements on has its size written down.
+  /// An array of values with at least this many elements has its size stored.
   static constexpr std::uint32_t kManyElements = 64;
   struct LargeArray {
     NodeId array;

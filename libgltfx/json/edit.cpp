@@ -14,11 +14,11 @@ std::string between_items(const Layout& layout) {
   return layout.line_end.empty() ? layout.gap : layout.line_end + layout.indent;
 }
 
-/// A stretch of a text that was edited: bytes of the old one, or new ones.
+/// A piece of an edited text: bytes of the old text, or new ones.
 struct Piece {
   bool old = false;
-  Span span;              ///< old: where it stood
-  std::string_view text;  ///< else
+  Span span;              ///< place in the old text
+  std::string_view text;  ///< new text
   std::size_t size() const { return old ? span.end - span.begin : text.size(); }
 };
 
@@ -34,7 +34,7 @@ std::vector<Piece> pieces_of(std::string_view text, std::span<const Edit> edits)
   return pieces;
 }
 
-/// Makes edits of what is kept of a text and what stands between.
+/// Makes edits from the kept pieces of a text and the new text between them.
 class Collector {
  public:
   void add(std::string_view text) { pending_ += text; }
@@ -186,7 +186,7 @@ std::vector<Editor::Item> Editor::items(NodeId container, const Change& change) 
   return all;
 }
 
-// Nothing that was there stays: only the brackets do.
+// Removes all items: only the brackets stay.
 void Editor::refill(NodeId container, const Change& change) {
   const Span span = document_.span(container);
   if (change.added.empty()) return add(span.begin + 1, span.end - 1, {});
@@ -212,7 +212,8 @@ void Editor::refill(NodeId container, const Change& change) {
   add(span.begin + 1, span.end - 1, std::move(text));
 }
 
-// An item goes with the comma before it; the first ones go with the comma behind them.
+// An item is removed with the comma before it; the first items are removed with the comma after
+// them.
 void Editor::settle(NodeId container, const Change& change) {
   const std::vector<Item> all = items(container, change);
   const auto is_kept = [](const Item& item) { return item.kept; };
@@ -289,12 +290,12 @@ std::vector<Edit> chain_edits(std::string_view text, std::span<const Edit> first
         collector.add(edit->text);
       }
       at = std::min<std::size_t>(end, edit->span.end);
-      if (edit->span.end > end) break;  // goes on in the next piece
+      if (edit->span.end > end) break;  // continues in the next piece
     }
     collector.keep(piece, at - begin, end - at);
     begin = end;
   }
-  for (; edit != second.end(); ++edit) collector.add(edit->text);  // behind all of it
+  for (; edit != second.end(); ++edit) collector.add(edit->text);  // after all pieces
   return collector.finish(text.size());
 }
 

@@ -14,7 +14,7 @@
 
 namespace gltfx::json {
 
-/// New text for a stretch of the old one; an empty span inserts.
+/// New text for a span of the old one; an empty span inserts.
 struct Edit {
   Span span;
   std::string text;
@@ -29,16 +29,16 @@ std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 /// overlaps any of the other. Of two insertions at one place that of `a` comes first.
 std::vector<Edit> merge_edits(std::vector<Edit> a, std::vector<Edit> b);
 
-/// What `second` (edits of the text that `first` makes of `text`) come to as edits of `text`
-/// itself. Both lists are as Editor::take() gives them.
+/// The edits of `first` and `second` as edits of `text`. `second` edits the text that `first` makes
+/// of `text`. Both lists are as Editor::take() gives them.
 std::vector<Edit> chain_edits(std::string_view text, std::span<const Edit> first,
                               std::span<const Edit> second);
 
-/// Where the bytes of a text stand after edits, which are as Editor::take() gives them.
+/// The positions of the bytes of a text after edits, which are as Editor::take() gives them.
 class Relocation {
  public:
   explicit Relocation(std::span<const Edit> edits);
-  /// The byte at `at` in the new text; where it is gone, what stands in its place.
+  /// The byte at `at` in the new text; if it is gone, the text in its place.
   Span of(std::uint32_t at) const;
 
  private:
@@ -49,34 +49,34 @@ class Relocation {
 };
 
 /// Collects changes to members and elements of one document and turns them into edits. New text
-/// follows the indentation, line ends and spacing of what stands around it. The
-/// document may have recoverable errors; those in the text of removed and replaced values go with
-/// it, all others stay. Keeps a reference to it.
+/// follows the indentation, line ends and spacing of the text around it. The document may have
+/// recoverable errors; those in removed and replaced values disappear, all others stay. Keeps a
+/// reference to the document.
 class Editor {
  public:
   explicit Editor(const Document& document) : document_(document), layout_(document) {}
 
   /// Gives a member another name; its value stays.
   void rename(NodeId key, std::string_view name);
-  /// Puts a JSON value in the place of another. `container` holds the value.
+  /// Replaces a value by a JSON value. `container` holds the value.
   void replace(NodeId container, NodeId value, std::string_view json);
-  /// Puts a number, literal or string in the place of another.
+  /// Replaces a number, literal or string by another.
   void replace_scalar(NodeId value, std::string json);
-  /// Makes a value, which stays as it is, the only member of a new object in its place. The line is
-  /// not broken; spacing follows that of `container`, which holds the value.
+  /// Replaces a value by a new object whose only member it is, unchanged. The line is not broken;
+  /// spacing follows that of `container`, which holds the value.
   void enclose(NodeId container, NodeId value, std::string_view name);
-  /// Puts text in the place of a number, be it a node or an element of a number_array.
+  /// Replaces a number, a node or an element of a number_array, by text.
   void replace_text(Span span, std::string text) { add(span.begin, span.end, std::move(text)); }
-  /// Takes out a member (by its key) or an element of `container`, with the comma it needs.
+  /// Removes a member (by its key) or an element of `container`, with its comma.
   void remove(NodeId container, NodeId item);
-  /// Takes out an element of a number_array, with the comma it needs.
+  /// Removes an element of a number_array, with its comma.
   void remove_number(NodeId number_array, std::uint32_t index);
-  /// Adds a member behind those of an object.
+  /// Adds a member at the end of an object.
   void append_member(NodeId object, std::string_view name, std::string_view json);
-  /// Adds an element behind those of an array, which holds more than numbers or nothing.
+  /// Adds an element at the end of an array, which must not be a number_array.
   void append_element(NodeId array, std::string_view json);
 
-  /// The edits, sorted. What lies inside something removed or replaced is left out.
+  /// The edits, sorted. Edits inside removed or replaced values are left out.
   std::vector<Edit> take();
 
  private:
@@ -89,7 +89,7 @@ class Editor {
     NodeId container;
     std::string text;
   };
-  /// All of one container.
+  /// All changes of one container.
   struct Change {
     std::span<const Removal> removed;  ///< sorted
     std::span<const Addition> added;

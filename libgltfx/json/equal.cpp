@@ -21,7 +21,7 @@ std::unordered_map<KeyId, NodeId> members_by_key(const Document& document, NodeI
   return members;
 }
 
-// Two texts with half surrogates read alike, whatever they are.
+// All half surrogates are read as U+FFFD, so such texts can differ although they read alike.
 bool is_certain(std::string_view unescaped) {
   constexpr std::string_view kReplacement = "\uFFFD";
   return unescaped.find(kReplacement) == unescaped.npos;

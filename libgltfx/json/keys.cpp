@@ -14,9 +14,9 @@ namespace {
 
 __extension__ using Product = unsigned __int128;
 
-// Folded 64 x 64 multiplication, the mixing step of wyhash (Wang Yi, 2019). Where pointers have 32
-// bits, as in WebAssembly, the wide product would be a function call; there it is the step that
-// wyhash has for such machines, of four products of halves.
+// Folded 64 x 64 multiplication, the mixing step of wyhash (Wang Yi, 2019). With 32-bit pointers,
+// as in WebAssembly, the wide product would be a function call; there it is wyhash's step for such
+// machines, with four products of halves.
 std::uint64_t mix(std::uint64_t a, std::uint64_t b) {
   if constexpr (sizeof(void*) == 4) {
     const std::uint64_t high_a = a >> 32, low_a = a & 0xFFFFFFFF;
@@ -53,7 +53,7 @@ Seed make_seed() {
     seed.a ^= static_cast<std::uint64_t>(device()) << 32 | device();
     seed.b ^= static_cast<std::uint64_t>(device()) << 32 | device();
   } catch (const std::exception&) {
-    // Without a source of entropy the clock and the address space's layout have to do.
+    // Without a source of entropy, the clock and the layout of the address space seed the hash.
     seed.b ^= seed.a * 0xD6E8FEB86659FD93;
   }
   return seed;
@@ -107,7 +107,8 @@ KeyId KeyTable::intern(std::string_view name) {
   Slot& slot = slots_[slot_of(name, hashed)];
   if (slot.id == kNoKey) {
     slot = {static_cast<std::uint32_t>(hashed >> 32), static_cast<KeyId>(names_.size())};
-    // Less at a time than doubling: a text of nothing but names has a table larger than itself.
+    // Grows by less than doubling: the table of a text that consists of names is larger than the
+    // text.
     if (names_.size() == names_.capacity()) names_.reserve(names_.size() / 4 * 5 + 16);
     names_.push_back(name);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Member names and other texts, each stored once and known by a number.
+/// Member names and other texts, each stored once and identified by a number.
 #pragma once
 
 #include <cstdint>
@@ -16,13 +16,13 @@ namespace gltfx::json {
 using KeyId = std::uint32_t;
 inline constexpr KeyId kNoKey = UINT32_MAX;
 
-/// Interns names in an open-addressing table. The hash is seeded per process, so that nobody can
-/// write a file whose names all collide. Names are views: into the document's text, or into
-/// storage that copies of the table share.
+/// Interns names in an open-addressing table. The hash is seeded per process, so that a file whose
+/// names all collide cannot be prepared. Names are views: into the document's text, or into storage
+/// that copies of the table share.
 class KeyTable {
  public:
   KeyTable();
-  /// With a seed of one's own, for tests.
+  /// With a given seed, for tests.
   KeyTable(std::uint64_t seed_a, std::uint64_t seed_b) : seed_a_(seed_a), seed_b_(seed_b) {}
 
   std::size_t size() const { return names_.size(); }
@@ -32,7 +32,7 @@ class KeyTable {
   bool contains(std::string_view name) const { return find(name) != kNoKey; }
   /// The number of a name, which must outlive the table: the next free number when it is new.
   KeyId intern(std::string_view name);
-  /// The same for a name that the table has to keep.
+  /// The same for a name that the table must store.
   KeyId intern_copy(std::string name);
   /// As intern(); says whether the name is new.
   bool insert(std::string_view name) {

@@ -15,7 +15,7 @@ std::string_view blank_from(std::string_view text, std::size_t at) {
   return text.substr(at, end - at);
 }
 
-// Precondition: something before `end` is not blank, such as an opening bracket.
+// Precondition: a character before `end` is not blank, such as an opening bracket.
 std::string_view blank_before(std::string_view text, std::size_t end) {
   std::size_t begin = end;
   while (is_blank(text[begin - 1])) --begin;
@@ -24,8 +24,8 @@ std::string_view blank_before(std::string_view text, std::size_t end) {
 
 bool has_line_end(std::string_view blank) { return blank.find('\n') != std::string_view::npos; }
 
-// What is repeated with every line that is added must not be long: a file of one megabyte of blanks
-// is no reason to write them a thousand times.
+// Text that is repeated on every added line must not be long: a file with a megabyte of blanks must
+// not cause a thousand copies of them.
 std::string_view unless_long(std::string_view found, std::string_view usual) {
   constexpr std::size_t kLongest = 16;
   return found.size() <= kLongest ? found : usual;
@@ -131,7 +131,7 @@ class LayOut {
   std::string_view json_;
   const Layout& layout_;
   std::size_t at_ = 0;
-  std::vector<bool> tight_;  // for each open container: its items follow in one line
+  std::vector<bool> tight_;  // for each open container: its items are on one line
   std::string out_;
 };
 

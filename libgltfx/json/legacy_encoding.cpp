@@ -51,7 +51,7 @@ constexpr bool is_lead(char c) {
   return (byte_of(c) >= 0x81 && byte_of(c) <= 0x9F) || (byte_of(c) >= 0xE0 && byte_of(c) <= 0xFC);
 }
 
-/// Converts stretches of Shift-JIS, as Windows has it (code page 932).
+/// Converts parts of a text in Shift-JIS, in the form of Windows (code page 932).
 class ShiftJis {
  public:
   ShiftJis() : state_(::iconv_open("UTF-8", "CP932")) {}
@@ -61,8 +61,8 @@ class ShiftJis {
     if (is_known()) ::iconv_close(state_);
   }
 
-  /// The C library need not know the encoding.
-  bool is_known() const { return state_ != iconv_t(-1); }  // NOLINT: the value that POSIX names
+  /// The C library may lack the encoding.
+  bool is_known() const { return state_ != iconv_t(-1); }  // NOLINT: the value that POSIX specifies
 
   std::optional<std::string> convert(std::string_view bytes) {
     std::string in(bytes);
@@ -80,8 +80,8 @@ class ShiftJis {
   iconv_t state_;
 };
 
-// Kana and frequent kanji begin with what is a control character or a quotation mark elsewhere. One
-// alone, with a letter behind it, is rather an apostrophe.
+// The first byte of kana and frequent kanji is a control character or a quotation mark in other
+// encodings. A single one before a letter is more likely an apostrophe.
 bool looks_japanese(std::string_view stretch) {
   std::size_t pairs = 0;
   std::size_t frequent = 0;

@@ -10,15 +10,15 @@
 
 namespace gltfx::json {
 
-/// What the bytes of a text that are not UTF-8 stand for.
+/// The meaning of the bytes of a text that are not UTF-8.
 struct LegacyText {
   std::string_view encoding;  ///< "Latin-1", "Windows-1252", "Shift-JIS"
-  std::vector<Edit> parts;    ///< in order, what they become in UTF-8; for apply_edits()
+  std::vector<Edit> parts;    ///< in order, their text in UTF-8; for apply_edits()
 };
 
-/// How a text that is not UTF-8 is to be read, or nothing: it is none of the encodings above. It is
-/// Shift-JIS where most of its characters are pairs of bytes as only that has them; else stretches
-/// that are UTF-8 stay. Precondition: less than 4 GiB.
+/// The encoding of a text that is not UTF-8, or nothing when it is not one of those above. It is
+/// Shift-JIS when most of its characters are pairs of bytes that only Shift-JIS has; otherwise,
+/// parts in UTF-8 stay. Precondition: less than 4 GiB.
 std::optional<LegacyText> read_legacy_text(std::string_view text);
 
 }  // namespace gltfx::json

@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 
-// How often `holds` is true from `begin` to `end`. Strides have a count that fits a byte, so that
-// the compiler adds as many at once as a vector has bytes.
+// How often `holds` is true from `begin` to `end`. The count of a stride fits a byte, so that the
+// compiler adds as many at once as a vector has bytes.
 template <class Holds>
 std::uint32_t count_if(std::size_t begin, std::size_t end, const Holds& holds) {
   constexpr std::size_t kStride = 128;
@@ -61,7 +61,7 @@ LineIndex::LineIndex(std::string_view text, std::size_t reach) : text_(text) {
   }
 }
 
-// Whether the line ends with this byte; of "\r\n" it is the second one.
+// Whether the line ends with this byte; in "\r\n" it is the second one.
 bool LineIndex::ends_line(std::size_t byte) const {
   if (text_[byte] == '\n') return true;
   return text_[byte] == '\r' && (byte + 1 == text_.size() || text_[byte + 1] != '\n');
@@ -76,7 +76,7 @@ std::uint32_t LineIndex::count_line_ends(std::size_t begin, std::size_t end) con
   return inner < end ? count + (ends_line(inner) ? 1 : 0) : count;
 }
 
-// The byte behind the last line end before `byte`. Precondition: there is one.
+// The byte after the last line end before `byte`. Precondition: there is one.
 std::uint32_t LineIndex::last_line_start(std::size_t byte) const {
   while (!ends_line(byte - 1)) --byte;
   return static_cast<std::uint32_t>(byte);
@@ -152,7 +152,7 @@ Excerpt LineIndex::excerpt(Span span, std::size_t width) const {
   const std::size_t marked_end = std::min<std::size_t>(forward(span.begin, width), span.end);
   const std::size_t marked = std::max<std::size_t>(count_starts(slice(span.begin, marked_end)), 1);
   const std::size_t context = marked < width ? width - marked : 0;
-  // What one side does not use of the window is left to the other.
+  // The part of the window that one side does not use goes to the other.
   const std::size_t right = count_starts(slice(marked_end, forward(marked_end, context)));
   const std::size_t left_share = std::max(context / 2, context - right);
   const std::size_t begin = back(span.begin, left_share, line_start);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From bytes to lines and columns, and the excerpt of a line that a person is shown.
+/// Lines and columns of bytes, and excerpts of lines for people.
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
@@ -12,13 +12,12 @@
 
 namespace gltfx::json {
 
-/// Finds lines and columns of one text. One pass builds a small index (16 bytes for every 4 KiB),
-/// as far as somebody will ask; an answer then takes the same time wherever it lies, also in a text
-/// that is one long line. The text must outlive the index. Lines end at "\n", "\r\n" or "\r". Any
-/// number of threads may ask.
+/// Finds lines and columns of one text. One pass builds a small index (16 bytes for every 4 KiB) up
+/// to `reach`; the time of a call then does not depend on the position, also in a text that is one
+/// long line. The text must outlive the index. Lines end at "\n", "\r\n" or "\r". Thread-safe.
 class LineIndex {
  public:
-  /// Spans that are asked about end at `reach` or before.
+  /// Spans that are passed later must end at `reach` or before.
   explicit LineIndex(std::string_view text, std::size_t reach = SIZE_MAX);
 
   /// Line and column of both ends of a span; `base` is added to the byte offset (the start of a
@@ -30,7 +29,7 @@ class LineIndex {
   Excerpt excerpt(Span span, std::size_t width = 100) const;
 
  private:
-  /// What lies before a block of the text.
+  /// Counts of the text before a block.
   struct Block {
     std::uint32_t lines = 0;       ///< line ends
     std::uint32_t line_start = 0;  ///< first byte of the line that reaches into the block

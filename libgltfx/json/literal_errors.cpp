@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is wrong with a number, a string, or the encoding.
+/// Explains errors in numbers, strings and the encoding.
 #include <cctype>
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ ParseError cut_string(std::uint32_t end, Span opening) {
           opening};
 }
 
-// Reason why a run of letters and digits is no number.
+// Reason why a run of letters and digits is not a number.
 std::string_view number_mistake(std::string_view word) {
   const std::string_view digits = word.substr(word.front() == '-' || word.front() == '+' ? 1 : 0);
   const std::string lower = lower_case(digits.substr(0, 8));

@@ -17,9 +17,9 @@
 namespace gltfx::json {
 namespace {
 
-// Decides for a literal that no double is near to: is it too large (or too small)? True when the
-// first digit that is not zero has a weight of one or more. Precondition: there is one, since zero
-// itself is a double.
+// Whether a literal outside the range of doubles is too large (else too small). True when the first
+// digit that is not zero has a weight of one or more. Precondition: there is one, since zero is in
+// the range.
 bool is_large(std::string_view literal) {
   const std::size_t mark = literal.find_first_of("eE");
   const std::string_view mantissa = literal.substr(0, mark);
@@ -63,8 +63,8 @@ Escape read_unicode_escape(std::string_view text) {
 }
 
 #ifndef __EMSCRIPTEN__
-// simdjson looks for the best implementation when it is first asked, in functions that end the
-// program when memory is missing. So it is asked before anybody's work begins.
+// simdjson selects the best implementation at its first call, in functions that end the program if
+// memory is missing. So the first call is made when the program is loaded.
 [[maybe_unused]] const bool kReady = simdjson::validate_utf8("", 0);
 #endif
 
@@ -111,8 +111,7 @@ void append_unescaped(std::string& out, std::string_view content) {
 }
 
 #ifdef __EMSCRIPTEN__
-// simdjson has no faster code for WebAssembly, and brings a parser that nobody calls: 12 kB
-// compressed.
+// simdjson has no faster code for WebAssembly, and adds an unused parser: 12 kB compressed.
 bool is_utf8(std::string_view text) {
   std::size_t at = 0;
   while (at < text.size()) {

@@ -11,13 +11,13 @@
 
 namespace gltfx::json {
 
-/// A number at the head of a text.
+/// A number at the start of a text.
 struct LeadingNumber {
   double value = 0;      ///< as of number_value()
   std::size_t size = 0;  ///< bytes of the literal
 };
 
-/// read_leading_number() without the short way.
+/// read_leading_number() without the fast path.
 LeadingNumber read_long_number(std::string_view text);
 
 /// Reads the number literal with which `text` begins. Precondition: there is one, which obeys the
@@ -29,8 +29,8 @@ inline LeadingNumber read_leading_number(std::string_view text) {
   return {value, static_cast<std::size_t>(behind - text.data())};
 }
 
-/// The nearest double of a number literal that obeys the grammar; an infinity when it lies beyond
-/// a double's range, a (signed) zero when it is too small for one.
+/// The nearest double of a number literal that obeys the grammar; an infinity when it is beyond a
+/// double's range, a (signed) zero when it is too small for one.
 inline double number_value(std::string_view literal) { return read_leading_number(literal).value; }
 
 /// One escape sequence of a string.
@@ -40,18 +40,19 @@ struct Escape {
   bool lone_surrogate = false;
 };
 
-/// Reads the escape at the backslash with which `text` begins. A surrogate takes its partner along.
+/// Reads the escape at the backslash with which `text` begins. A surrogate is read together with
+/// its partner.
 Escape read_escape(std::string_view text);
 
 /// The content of a string, given without its quotes, appended to `out`. An escape that JSON does
-/// not have is copied as it is.
+/// not have is copied unchanged.
 void append_unescaped(std::string& out, std::string_view content);
 
 /// One vectorised pass over the text.
 bool is_utf8(std::string_view text);
 
-/// The bytes of the first sequence that is not UTF-8: the lead and the tails that follow it, as
-/// far as it announces them. Precondition: there is one.
+/// The bytes of the first sequence that is not UTF-8: the lead and the tail bytes that follow it,
+/// at most as many as it announces. Precondition: there is one.
 Span first_invalid_utf8(std::string_view text);
 
 }  // namespace gltfx::json

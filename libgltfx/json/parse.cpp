@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The parser's entrance, and all of it that a text without errors hardly ever reaches.
+/// The entry point of the parser, and the code that texts without errors rarely reach.
 #include "json/parse.hpp"
 
 #include <algorithm>
@@ -35,9 +35,9 @@ Parsed Parser::run() {
   const bool whole = read();
   Parsed parsed;
   if (!whole) nodes_.clear();
-  // Memory that was reserved and never written costs nothing but addresses: little of it is left.
+  // Reserved memory that was never written costs only addresses: only a large excess is released.
   if (nodes_.size() < nodes_.capacity() / 8) nodes_.shrink_to_fit();
-  // Repeated names are noticed only when their object ends.
+  // Repeated names are found only when their object ends.
   std::stable_sort(errors_.begin(), errors_.end(), [](const ParseError& a, const ParseError& b) {
     return a.span.begin < b.span.begin;
   });
@@ -59,7 +59,7 @@ bool Parser::read() {
   }
   // Typical assets have a node every 14 bytes (dense) to 30 (indented).
   nodes_.reserve(text().size() / 12 + 16);
-  constexpr std::size_t kNames = 40;  // of a small asset
+  constexpr std::size_t kNames = 40;  // enough for a small asset
   stamps_.reserve(kNames);
   next_keys_.reserve(2 * kNames);
   next_keys_.assign(2, kNoKey);
@@ -67,7 +67,7 @@ bool Parser::read() {
 }
 
 void Parser::reserve_more(const char* p) {
-  // What was read so far tells how much will follow, within reason.
+  // Estimates the size of the rest from the part that was read, within limits.
   const std::uint64_t nodes = nodes_.size();
   const std::uint64_t expected = nodes * text().size() / (offset(p) + std::uint64_t{1});
   nodes_.reserve(std::clamp(expected + expected / 16, nodes + nodes / 4 + 16, 2 * nodes + 16));
@@ -110,8 +110,8 @@ bool Parser::can_follow_without_comma(const char* p) const {
          word == "null";
 }
 
-// Repeats are found: every name is stamped with the object that has it; a stamp that is there
-// already is a repeat, which takes the place of the one before it.
+// Finds repeats: every name is stamped with the object that has it; a name with the stamp of this
+// object is a repeat and replaces the one before it.
 void Parser::end_members(NodeId object) {
   const NodeId end = nodes_[object].next;
   std::uint32_t members = 0;

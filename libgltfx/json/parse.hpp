@@ -13,10 +13,10 @@
 
 namespace gltfx::json {
 
-/// What can be wrong with a JSON text.
+/// The errors of a JSON text.
 enum class SyntaxError : std::uint8_t {
   // The text could not be read to its end: there is no document.
-  syntax,             ///< something else than the grammar allows here
+  syntax,             ///< something other than the grammar allows here
   unexpected_end,     ///< the text ends inside a value
   invalid_utf8,       ///< bytes that are not UTF-8
   control_character,  ///< a raw control character inside a string
@@ -25,8 +25,8 @@ enum class SyntaxError : std::uint8_t {
   bad_literal,        ///< True, None, undefined, single quotes, comments, unquoted keys
   too_deep,           ///< nested deeper than Limits::depth
   too_large,          ///< longer than Limits::bytes, at most what a span can address (4 GiB)
-  trailing_data,      ///< something behind the root value
-  // Read on: the document is whole, what was meant is plain.
+  trailing_data,      ///< something after the root value
+  // Parsing continues: the document is complete, and the intended meaning is clear.
   byte_order_mark,      ///< U+FEFF before the text
   trailing_comma,       ///< before ']' or '}'
   missing_comma,        ///< two members or elements without one between them
@@ -35,7 +35,7 @@ enum class SyntaxError : std::uint8_t {
   number_out_of_range,  ///< beyond a double, read as an infinity
 };
 
-/// Whether parsing went on behind the error.
+/// Whether parsing continued after the error.
 bool is_recoverable(SyntaxError error);
 
 struct ParseError {

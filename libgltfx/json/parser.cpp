@@ -18,7 +18,7 @@ Parser::Parser(SharedText text, const Limits& limits)
   end_ = begin_ + document_.text_->size();
 }
 
-// A node more. The two functions that run for every number and node stand first, to be inlined.
+// Adds a node. The two functions that run for every number and node come first, to be inlined.
 inline NodeId Parser::add(Kind kind, const char* begin, const char* end) {
   const auto id = static_cast<NodeId>(nodes_.size());
   if (id == nodes_.capacity()) [[unlikely]]
@@ -42,7 +42,7 @@ const char* Parser::root(const char* p) {
   if (p == nullptr) return nullptr;
   p = skip_space(p, end_);
   if (p == end_) return p;
-  // A string before a colon is a member that lost the object around it.
+  // A string before a colon is a member without an object around it.
   if (*p == ':' && nodes_[0].kind == Kind::string) {
     return unexpected(begin_ + nodes_[0].begin, Expected::root);
   }
@@ -87,7 +87,7 @@ const char* Parser::element(const char* p) {
   return value(p);
 }
 
-// From behind an item to the next one or to the closing bracket.
+// From the end of an item to the next one or to the closing bracket.
 const char* Parser::separator(const char* p, char closing) {
   if (*p == ',') {
     if (is_fresh()) return closing == '}' ? unexpected(p, Expected::name_or_brace) : bad_value(p);
@@ -125,8 +125,8 @@ const char* Parser::name(const char* p) {
   return behind;
 }
 
-// Objects of one kind name their members in one order: mostly the name that came here the last
-// time comes again, and a comparison is cheaper than a scan and a hash.
+// Objects of one kind usually have their members in one order: the name is mostly the one that was
+// here the last time, and a comparison is cheaper than a scan and a hash.
 const char* Parser::name_as_guessed(const char* p) {
   Frame& object = frames_.back();
   const KeyId guess = next_keys_[object.slot];
@@ -201,8 +201,8 @@ const char* Parser::array(const char* p) {
   return starts_number(*first) ? number_array(node, first) : first;
 }
 
-// An array is taken for one of numbers until something else turns up; the numbers before it are
-// then read once more, to become nodes.
+// An array counts as one of numbers until another value is found; the numbers before it are then
+// read again and become nodes.
 const char* Parser::number_array(NodeId array, const char* p) {
   for (unsigned numbers = 1;; ++numbers) {
     p = checked_number(p);

@@ -11,7 +11,7 @@
 namespace gltfx::json {
 
 /// Reads one text, once. Every reading function takes the place where its token begins and returns
-/// the place behind it, or null after an error that ends the parse.
+/// the place after it, or null after an error that ends the parse.
 class Parser {
  public:
   Parser(SharedText text, const Limits& limits);
@@ -78,7 +78,7 @@ class Parser {
   const char* begin_;
   const char* end_;
   std::vector<Frame> frames_;
-  std::vector<KeyId> next_keys_;  ///< by Frame::slot: the name that came there the last time
+  std::vector<KeyId> next_keys_;  ///< by Frame::slot: the last name at that place
   std::vector<Stamp> stamps_;     ///< by KeyId
   std::vector<ParseError> errors_;
   std::uint64_t unrecorded_ = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The innermost loops of the parser: from a byte to the end of what begins there.
+/// The innermost loops of the parser: from a byte to the end of the token that begins there.
 ///
-/// Each scanner relies on the NUL behind a SharedText: it stops there without asking for the end.
-/// `end` is asked only before eight bytes are read at once.
+/// Each scanner relies on the NUL after a SharedText: it stops there without a check of the end.
+/// `end` is checked only before eight bytes are read at once.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 
 namespace gltfx::json {
 
-/// What a byte may be part of; a byte can be several things.
+/// The tokens that a byte may be part of; a byte can be in several classes.
 enum ByteClass : std::uint8_t {
   kSpace = 1,      ///< blank, tab, line feed, carriage return
   kDigit = 2,      ///< 0 to 9
-  kStringEnd = 4,  ///< cannot stand for itself in a string: quote, backslash, control character
+  kStringEnd = 4,  ///< ends or escapes in a string: quote, backslash, control character
   kWord = 8,       ///< part of a number or of a word like `true`
 };
 
@@ -81,8 +81,8 @@ inline std::uint64_t zero_bytes(std::uint64_t bytes) { return (bytes - kOnes) & 
 /// Index of the first byte whose high bit is set. Precondition: there is one.
 inline int first_marked(std::uint64_t marks) { return std::countr_zero(marks) >> 3; }
 
-/// High bit of each byte that cannot stand for itself in a string; reliable up to and including the
-/// first one.
+/// High bit of each byte that is not a plain character of a string; reliable up to and including
+/// the first one.
 inline std::uint64_t string_ends(std::uint64_t bytes) {
   const std::uint64_t control = (bytes - kOnes * 0x20) & ~bytes & kHighs;
   return control | zero_bytes(bytes ^ (kOnes * '"')) | zero_bytes(bytes ^ (kOnes * '\\'));
@@ -99,7 +99,7 @@ inline const char* skip_space(const char* p, const char* end) {
   return p;
 }
 
-/// The first byte at or behind `p` that cannot stand for itself in a string.
+/// The first byte from `p` on that is not a plain character of a string.
 inline const char* skip_plain_string(const char* p, const char* end) {
   while (end - p >= 8) {
     const std::uint64_t marks = string_ends(load8(p));

@@ -56,7 +56,7 @@ bool wants_name(Expected expected) {
   return expected == Expected::name || expected == Expected::name_or_brace;
 }
 
-// Whether the next character behind a token, blanks apart, is a colon.
+// Whether the next character after a token, except blanks, is a colon.
 bool colon_follows(std::string_view text, Span token) {
   const std::size_t next = text.find_first_not_of(" \t\r\n", token.end);
   return next != std::string_view::npos && text[next] == ':';
@@ -81,7 +81,7 @@ ParseError explain_word(std::string_view text, Span token) {
   return {SyntaxError::bad_literal, token, std::move(detail), {}};
 }
 
-// The mistakes at the very beginning that tell what kind of file this is instead.
+// Beginnings of a text that show another kind of file.
 std::string root_hint(std::string_view text, Span token) {
   const std::string_view word = token.in(text);
   if (colon_follows(text, token)) {
@@ -117,7 +117,7 @@ ParseError explain_end(std::string_view text, Expected expected) {
   return {SyntaxError::unexpected_end, {end, end}, std::move(detail), {}};
 }
 
-// Whether a word at the end of the text could have become one that JSON has.
+// Whether a word at the end of the text is the beginning of a literal of JSON.
 bool is_cut_literal(std::string_view word) {
   constexpr std::array<std::string_view, 3> kLiterals{"true", "false", "null"};
   return std::any_of(kLiterals.begin(), kLiterals.end(), [&](std::string_view literal) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kIndent = "  ";
 
-// Characters that stand for themselves: the others are looked at one by one.
+// Characters that need no escape: the others are checked one by one.
 bool is_plain(char c) { return c >= 0x20 && c < 0x7F && c != '"' && c != '\\'; }
 
 // High bit of each byte that is not plain; reliable up to and including the first one.
@@ -25,14 +25,14 @@ std::uint64_t special_bytes(const char* eight) {
   return string_ends(bytes) | beyond_ascii;
 }
 
-// The first byte at or behind `from` that is not plain.
+// The first byte from `from` on that is not plain.
 std::size_t skip_plain(std::string_view text, std::size_t from) {
   std::size_t at = from;
   for (; text.size() - at >= 8; at += 8) {
     const std::uint64_t marks = special_bytes(text.data() + at);
     if (marks != 0) return at + static_cast<std::size_t>(first_marked(marks));
   }
-  if (at > from) {  // the last eight bytes, of which the first are known to be plain
+  if (at > from) {  // the last eight bytes, of which the first are plain
     const std::size_t last = text.size() - 8;
     const std::uint64_t marks = special_bytes(text.data() + last);
     return marks != 0 ? last + static_cast<std::size_t>(first_marked(marks)) : text.size();
@@ -68,7 +68,7 @@ void append_special(std::string& out, CodePoint point) {
     append_utf8(out, 0xFFFD);
   } else if (const std::string_view escape = short_escape(c); !escape.empty()) {
     out += escape;
-  } else if (c < 0xA0 || c == 0x2028 || c == 0x2029) {  // what is_plain() is not among them
+  } else if (c < 0xA0 || c == 0x2028 || c == 0x2029) {  // of those that are not plain
     fmt::format_to(std::back_inserter(out), "\\u{:04x}", c);
   } else {
     append_utf8(out, c);
@@ -121,7 +121,7 @@ void Writer::close(char bracket) {
 
 void Writer::line_break() { out_.append(separator_, 1); }
 
-// What stands before a value: nothing behind a key, else a comma unless it is the first.
+// Writes what precedes a value: nothing after a key, else a comma unless it is the first.
 void Writer::before_value() {
   if (after_key_ || has_items_.empty()) {
     after_key_ = false;
@@ -144,7 +144,7 @@ void Writer::string(std::string_view value) {
 }
 
 void Writer::number(double value) {
-  // JSON has no word for NaN and the infinities.
+  // JSON cannot express NaN and infinities.
   raw(std::isfinite(value) ? number_text(value) : "null");
 }
 

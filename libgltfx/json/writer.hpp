@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// JSON out: a small streaming writer. Output is always valid UTF-8 and one value.
+/// A small streaming writer of JSON. Output is always valid UTF-8 and one value.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +32,7 @@ class Writer {
   void unsigned_integer(std::uint64_t value);
   void boolean(bool value);
   void null();
-  /// Text that is a JSON value already.
+  /// Writes text that is a JSON value already.
   void raw(std::string_view json);
 
   /// key and value in one call.
@@ -50,7 +50,7 @@ class Writer {
   bool pretty_;
   std::string separator_;  ///< between values: a comma; when pretty, line break and indentation
   bool after_key_ = false;
-  std::vector<char> has_items_;  ///< of each open container whether it is not empty
+  std::vector<char> has_items_;  ///< for each open container: whether it is not empty
 };
 
 }  // namespace gltfx::json
