@@ -15,7 +15,7 @@
 namespace gltfx::codec {
 namespace {
 
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 28U;  // that are handed over
+constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 28U;  // that are returned
 // As kSecondsPerByte.
 constexpr double kSecondsPerTexel = 1e-7;
 
@@ -23,7 +23,7 @@ std::chrono::milliseconds standstill_of(const Settings& settings) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(settings.standstill_seconds * 1000));
 }
 
-// An encoder holds the texels, what it makes of them, and tables.
+// An encoder holds the texels, its output, and tables.
 constexpr std::uint64_t kEncoderMemoryPerByte = 8;
 
 std::atomic<std::uint64_t> chances = 0;
@@ -43,7 +43,7 @@ DecodeError no_avif() {
           "This installation has no decoder of AVIF images: gltfx was built without libavif."};
 }
 
-// What `work` gives. That memory is missing here is no error of a payload.
+// The result of `work`. Missing memory in this process is not an error of a payload.
 template <typename Work>
 auto guarded(Work&& work) -> decltype(work()) {
   try {
@@ -132,7 +132,7 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
 void Client::prepare_images() {
   try {
     state_->images.prepare();
-  } catch (const std::bad_alloc&) {  // whoever needs it will say so
+  } catch (const std::bad_alloc&) {  // reported by the call that needs it
   }
 }
 

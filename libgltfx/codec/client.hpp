@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Decodes Draco meshes and images in worker processes, and encodes images there: what a hostile
-/// payload breaks is a process that has no files, no network and little memory. Nothing is started
+/// Decodes Draco meshes and images in worker processes, and encodes images there: a hostile payload
+/// can break only a process without files or network and with little memory. Nothing is started
 /// before the first call.
 #pragma once
 
@@ -18,22 +18,22 @@
 namespace gltfx::codec {
 
 enum class ErrorKind : std::uint8_t {
-  unavailable,    ///< no worker could be started: says nothing about the bytes
+  unavailable,    ///< no worker could be started; independent of the bytes
   malformed,      ///< the decoder refuses the bytes
-  too_large,      ///< more pixels than asked for, found in the header before any are decoded
-  out_of_memory,  ///< decoding takes more memory than bytes of that number may ask for
-  timed_out,      ///< decoding takes more processor time than bytes of that number may take
-  died,           ///< the worker crashed on the bytes, or answered nonsense
-  stalled,        ///< the worker neither worked nor answered: need not be the error of the bytes
+  too_large,      ///< more pixels than requested, found in the header before decoding
+  out_of_memory,  ///< decoding takes more memory than the size of the payload allows
+  timed_out,      ///< decoding takes more processor time than the size of the payload allows
+  died,           ///< the worker crashed on the bytes, or sent an invalid answer
+  stalled,        ///< the worker neither worked nor answered; the bytes may be valid
 };
 
 /// Why there is no result.
 struct DecodeError {
   ErrorKind kind = ErrorKind::malformed;
-  std::string message;  ///< one sentence; text of a decoder in it is not neutralised
+  std::string message;  ///< one sentence; text of a decoder in it is not escaped
 };
-/// Whether it took a limit of time or memory, or a process, to find it: callers with many payloads
-/// had better not ask for many of those.
+/// Whether the error cost a time or memory limit, or a process: callers with many payloads should
+/// not repeat it many times.
 inline bool is_costly(const DecodeError& error) {
   return error.kind == ErrorKind::out_of_memory || error.kind == ErrorKind::timed_out ||
          error.kind == ErrorKind::died || error.kind == ErrorKind::stalled;
@@ -48,7 +48,7 @@ enum class Component : std::uint8_t {
   int32,
   uint32,
   float32,
-  other,  ///< 64 bits or booleans; no values are handed over
+  other,  ///< 64 bits or booleans; no values are returned
 };
 
 struct DracoAttribute {
@@ -56,7 +56,7 @@ struct DracoAttribute {
   Component component = Component::float32;
   std::uint32_t components = 0;  ///< of each value, 1 to 255
   bool normalized = false;
-  /// How far apart quantised values are in each component; 0: stored as they were.
+  /// Distance of quantised values in each component; 0: not quantised.
   double quantization_step = 0;
   /// `points * components` packed components, by point.
   std::span<const std::byte> values;
@@ -73,7 +73,7 @@ struct DracoMesh {
 using DracoResult = std::variant<DracoMesh, DecodeError>;
 
 /// `radiance` and `openexr` hold floats.
-/// `avif` takes a decoder that not every installation has.
+/// `avif` needs an optional decoder.
 enum class ImageFormat : std::uint8_t { png, jpeg, webp, avif, ktx2, radiance, openexr };
 constexpr bool holds_floats(ImageFormat format) {
   return format == ImageFormat::radiance || format == ImageFormat::openexr;
@@ -83,38 +83,37 @@ constexpr bool holds_floats(ImageFormat format) {
 struct ImageRequest {
   std::span<const std::byte> bytes;
   ImageFormat format = ImageFormat::png;
-  std::uint32_t level = 0;  ///< KTX2: which one of the mipmaps, the largest first
+  std::uint32_t level = 0;  ///< KTX2: number of the mipmap, the largest first
   std::uint64_t max_pixels = std::uint64_t{1} << 28U;
-  /// Both sides may be halved so many times, up to three, where that takes less time: JPEG.
+  /// How often both sides may be halved, up to three times, if that is faster: JPEG.
   std::uint32_t halvings = 0;
-  bool pixels = false;   ///< hand over the pixels
-  bool normals = false;  ///< look at the first three channels as at a normal map
+  bool pixels = false;   ///< return the pixels
+  bool normals = false;  ///< check the first three channels as a normal map
   Origin origin = {};
 };
 
-/// One channel over all texels. Values are 0 to 255, or to 65535 where `Image::bits` is 16.
+/// One channel over all texels. Values are 0 to 255, or 0 to 65535 if `Image::bits` is 16.
 struct ChannelStatistics {
   std::uint32_t least = 0;
   std::uint32_t greatest = 0;
   std::uint64_t zeros = 0;  ///< texels with 0
-  std::uint64_t fulls = 0;  ///< texels with the greatest value that the depth has
+  std::uint64_t fulls = 0;  ///< texels with the greatest value of the bit depth
   bool constant() const { return least == greatest; }
 };
 
 /// The first three channels as vectors 2c - 1 with c from 0 to 1 (specification section 3.9.3).
-/// Texels that are grey are no vectors, but what fills an image between its charts: they are left
-/// out.
+/// Grey texels are not vectors but padding between charts: they are left out.
 struct NormalStatistics {
   std::uint64_t vectors = 0;   ///< texels that are not grey
   std::uint64_t not_unit = 0;  ///< texels whose length is not within 0.1 of 1
-  std::uint64_t far_off = 0;   ///< likewise 0.3: no rounding or lossy coding explains it
+  std::uint64_t far_off = 0;   ///< likewise 0.3: more than rounding or lossy coding causes
   std::uint64_t inward = 0;    ///< texels with z below -2/255
   double mean_length = 0;
   double steepest = 0;  ///< greatest |x| or |y|: about 1/255 in a flat map
 };
 
-/// A decoded image: alpha is not multiplied into colours; palettes and transparent colours are
-/// resolved; no colour conversion. Of an animation the first frame.
+/// A decoded image: alpha is not premultiplied; palettes and transparent colours are resolved; no
+/// colour conversion. The first frame of an animation.
 struct Image {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
@@ -122,21 +121,21 @@ struct Image {
   std::uint32_t bits = 8;                         ///< per channel: 8 or 16; 32 are floats
   std::array<ChannelStatistics, 4> statistics{};  ///< of the first `channels`; not of floats
   bool grey = true;                               ///< the colour channels are equal in all texels
-  /// What the decoder complained of although it went on, such as an end that came too early; else
-  /// empty. One line of the decoder's own words.
+  /// Problem that the decoder reported but continued after, such as an early end; else empty. One
+  /// line, the decoder's own text.
   std::string doubt;
-  NormalStatistics normals;  ///< where they were asked for and there are three channels
+  NormalStatistics normals;  ///< if requested, with at least three channels
   /// Rows from the top, packed, `channels` numbers a texel in the machine's byte order; empty
-  /// unless asked for.
+  /// unless requested.
   std::span<const std::byte> pixels;
   std::shared_ptr<const void> owner;  ///< of `pixels`
 
   std::uint64_t texels() const { return std::uint64_t{width} * height; }
   std::uint32_t full() const { return bits == 16 ? 65535 : 255; }
   bool has_alpha() const { return channels == 2 || channels == 4; }
-  /// That of alpha. Precondition: has_alpha().
+  /// Statistics of alpha. Precondition: has_alpha().
   const ChannelStatistics& alpha() const { return statistics[channels - 1]; }
-  /// Whether a channel has no values but 0 and full: the same in every colour space.
+  /// Whether all values of a channel are 0 or full, which is the same in every colour space.
   bool binary(std::size_t channel) const {
     return statistics[channel].zeros + statistics[channel].fulls == texels();
   }
@@ -161,12 +160,12 @@ struct EncodeRequest {
   Raster raster;
   /// JPEG: 1 to 100. WebP: the same, and 0 for lossless. Others lose nothing.
   std::uint32_t quality = 90;
-  std::span<const std::byte> pixels;  ///< exactly what `raster` says
+  std::span<const std::byte> pixels;  ///< exactly as many as `raster` says
   Origin origin = {};                 ///< of the asset that the image is for
 };
 
-/// The bytes of an image file: the same for the same request, whatever the time or the machine's
-/// load. Independent of the client.
+/// The bytes of an image file: the same for the same request, independent of time and load.
+/// Independent of the client.
 struct EncodedImage {
   std::uint64_t size = 0;
   std::span<const std::byte> bytes;  ///< `size` of them
@@ -178,16 +177,16 @@ struct Settings {
   /// Folder of the worker programs; empty: that of GLTFX_CODEC_WORKERS in the environment, or else
   /// that of the running program, or else the one they are installed in.
   std::string folder;
-  /// Processes of each kind at most; 0: as many as there are processors.
+  /// Maximum number of processes of each kind; 0: as many as there are processors.
   unsigned workers = 0;
-  /// What a request may take at least; more bytes may take more. The libraries that decode images
-  /// take a hundred megabytes beside that.
+  /// Least memory limit of a request; it grows with the size of the payload. The libraries that
+  /// decode images take a hundred megabytes in addition.
   std::uint64_t mesh_memory_bytes = std::uint64_t{192} << 20U;
   std::uint64_t image_memory_bytes = std::uint64_t{96} << 20U;
-  /// Of processor time of the worker, whatever the clock on the wall says; more bytes and more
-  /// pixels may take more.
+  /// Least limit of processor time of the worker, not of wall-clock time; it grows with bytes and
+  /// pixels.
   double seconds = 1;
-  /// A worker that uses no processor time at all for so long, and does not answer, is ended.
+  /// A worker that uses no processor time for so long, and does not answer, is ended.
   double standstill_seconds = 30;
 };
 
@@ -195,7 +194,7 @@ struct Settings {
 /// are not filtered is refused, unless <gltfx/decoders.hpp> permits it. Any number of threads
 /// may call; each call is one request to one worker, and waits while all are busy. A worker that
 /// dies, runs out of time or breaks the protocol is ended, and another one is started by the next
-/// call. Nothing throws but std::bad_alloc, when this process has no memory left.
+/// call. Throws only std::bad_alloc, when this process has no memory left.
 class Client {
  public:
   explicit Client(Settings settings = {});
@@ -206,13 +205,13 @@ class Client {
   /// Decodes a Draco bitstream (version 2.2) that holds a triangle mesh.
   DracoResult decode_draco(std::span<const std::byte> bytes, const Origin& origin = {});
   ImageResult decode_image(const ImageRequest& request);
-  /// A DecodeError of kind `malformed` when the format cannot hold what is asked for.
+  /// A DecodeError of kind `malformed` when the format cannot hold such an image.
   EncodeResult encode_image(const EncodeRequest& request);
-  /// Begins to load the decoders of images, without waiting for it: that takes longer than to
-  /// decode most images.
+  /// Begins to load the image decoders, without waiting: loading takes longer than decoding most
+  /// images.
   void prepare_images();
 
-  /// The one that this process shares. Its workers end with the process.
+  /// The shared client of this process. Its workers end with the process.
   static Client& shared();
 
  private:
@@ -220,9 +219,9 @@ class Client {
   std::unique_ptr<State> state_;
 };
 
-/// How often, since this process began, a worker had no result for a reason that does not lie in
-/// the bytes alone: missing memory or time, a crash, no worker. What was made meanwhile might be
-/// another thing on another machine. Any number of threads may call.
+/// How often, since this process began, a worker had no result for a reason other than the bytes
+/// alone: missing memory or time, a crash, no worker. Results made meanwhile may differ on another
+/// machine. Thread-safe.
 std::uint64_t errors_by_chance();
 
 }  // namespace gltfx::codec

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a decoder is, wherever it runs.
+/// The interface of a decoder, in a worker or in this process.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace gltfx::codec {
 
-/// Room for as many bytes that a decoder hands over, all 0; empty when there is none. Call once.
+/// Allocates the output of a decoder, all 0; empty on failure. Call once.
 using Output = std::function<std::span<std::byte>(std::uint64_t size)>;
 
-/// Decodes one payload. May throw std::bad_alloc, which becomes an answer.
+/// Decodes one payload. May throw std::bad_alloc, which becomes an error answer.
 using Decode = std::function<Answer(const Job&, std::span<const std::byte>, const Output&)>;
 
-/// The same, with an answer for whatever is thrown.
+/// The same; exceptions become error answers.
 Answer decode_safely(const Decode& decode, const Job& job, std::span<const std::byte> bytes,
                      const Output& output);
 

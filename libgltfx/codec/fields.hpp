@@ -36,7 +36,7 @@ class FieldWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Gives zeros once something was missing or out of range; `sound()` tells.
+/// Gives zeros after a field that was missing or out of range; check `sound()`.
 class FieldReader {
  public:
   explicit FieldReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -80,7 +80,7 @@ class FieldReader {
   void require(bool holds) {
     if (!holds) fail();
   }
-  /// Everything was there, and nothing is left.
+  /// Whether all fields were complete and nothing is left.
   bool complete() const { return sound_ && bytes_.empty(); }
   bool sound() const { return sound_; }
 

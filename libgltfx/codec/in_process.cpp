@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The client where a process is a sandbox by itself and can start no other: WebAssembly. A payload
+// The client in WebAssembly, where a process is a sandbox itself and cannot start others. A payload
 // that breaks the decoder, or takes all memory, ends the instance, which its owner replaces.
 #include <gltfx/decoders.hpp>
 
@@ -11,7 +11,7 @@
 
 namespace gltfx {
 
-// Nothing to choose: there are no other programs.
+// No effect: there are no other programs.
 void set_codec_folder(const std::string&) {}
 void permit_unsandboxed_decoders(bool) {}
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a payload may take, by its size.
+/// Limits of a job, by the size of its payload.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace gltfx::codec {
 
-// Decoders need some hundred bytes for each byte of a mesh or image that is packed well. What is
-// packed better still has the least amount that any request has.
+// Decoders need some hundred bytes for each byte of a well-compressed mesh or image. The least
+// limit of any request covers those that are compressed better.
 inline constexpr std::uint64_t kMemoryPerByte = 128;
-// Ten times what decoders and encoders take, so that neither slow processors nor neighbours that
-// share their caches decide.
+// Ten times what decoders and encoders take, so that slow processors and load from other processes
+// do not change results.
 inline constexpr double kSecondsPerByte = 5e-6;
 
 inline Job limited_job(const Settings& settings, Task task, std::size_t bytes) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Frames and descriptors over a socket that keeps packets whole, and what the client and the
-/// launcher of workers say to each other: one frame a packet.
+/// Frames and descriptors over a packet socket, and the messages between the client and the
+/// launcher of workers: one frame per packet.
 ///
 /// The launcher is the decoder program as the client starts it: it loads the decoders, says `ready`
-/// and never sees a payload. For each `start` it forks a worker, which gets the two descriptors
-/// that come along as its ends, and answers `started`. For each `finish` it ends that worker and
-/// answers `ended`.
+/// and never gets a payload. For each `start` it forks a worker, which gets the two descriptors of
+/// the packet as its ends, and answers `started`. For each `finish` it ends that worker and answers
+/// `ended`.
 #pragma once
 
 #include <chrono>
@@ -26,12 +26,12 @@ struct Packet {
   std::vector<UniqueFd> descriptors;  ///< closed on exec
 };
 
-/// Sends one packet with copies of up to kMostDescriptors descriptors. False when nobody is there
-/// to take it; raises no signal.
+/// Sends one packet with copies of up to kMostDescriptors descriptors. False when the other side
+/// has closed; raises no signal.
 bool send_packet(int socket, std::span<const std::byte> bytes, std::span<const int> descriptors);
 
 /// Waits for one packet. Nothing when the other side has closed, or sent more than fits into a
-/// frame or more descriptors than that.
+/// frame, or too many descriptors.
 std::optional<Packet> receive_packet(int socket);
 
 enum class Wait { ready, timed_out };
@@ -52,7 +52,7 @@ struct Control {
 };
 
 std::vector<std::byte> write_control(const Control& control);
-/// Nothing for anything but such a frame.
+/// Nothing for any other frame.
 std::optional<Control> read_control(std::span<const std::byte> frame);
 
 }  // namespace gltfx::codec

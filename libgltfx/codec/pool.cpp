@@ -27,10 +27,10 @@ void permit_unsandboxed_decoders(bool permitted) { unfiltered_permitted = permit
 namespace codec {
 namespace {
 
-// Loading libraries takes a second at most: a program that takes longer is in an endless loop.
+// Loading libraries takes a second at most: a program that takes much longer does not stop.
 constexpr std::chrono::minutes kStartTime{2};
 
-// An asset may have a hundred thousand images, each of which would start a program in vain.
+// An asset may have a hundred thousand images, and each would start a program in vain.
 constexpr int kMostFailures = 3;
 
 constexpr const char* kWrongGreeting = "it has a different protocol version";
@@ -43,7 +43,7 @@ constexpr const char* kUnfiltered =
 Worker::~Worker() {
   try {
     end();
-  } catch (const std::exception&) {  // the end of the lifeline ends the process
+  } catch (const std::exception&) {  // closing the lifeline ends the process
   }
 }
 
@@ -60,7 +60,7 @@ void Launcher::prepare() {
   if (!process_->started()) process_.reset();
 }
 
-// Sees to it that there is a launcher that has greeted.
+// Starts the launcher unless it runs, and waits for its greeting.
 Launcher::Trouble Launcher::launch() {
   if (final_) return final_;
   if (process_ && ready_) return std::nullopt;
@@ -94,8 +94,8 @@ Launcher::Trouble Launcher::greet(Worker& worker) {
   return hello->filtered || unfiltered_permitted ? Trouble() : Trouble(kUnfiltered);
 }
 
-// The answer to a message. Nothing when the launcher has ended or breaks the protocol: then there
-// is none any more.
+// The answer to a message. Nothing when the launcher has ended or breaks the protocol: it is then
+// removed.
 std::optional<Control> Launcher::ask(const Control& control, std::span<const int> descriptors) {
   std::unique_ptr<Process> process = std::move(process_);
   const int socket = process->socket();
@@ -114,7 +114,7 @@ std::variant<std::unique_ptr<Worker>, DecodeError> Launcher::start(std::uint64_t
   const std::array<int, 2> descriptors{ends.worker_socket.get(), ends.worker_lifeline.get()};
   std::unique_lock lock(mutex_);
   std::optional<Control> started;
-  // One that has died meanwhile is replaced.
+  // A launcher that has died meanwhile is replaced.
   for (int attempt = 0; attempt < 2 && !started; ++attempt) {
     if (const Trouble trouble = launch()) return not_started(*trouble);
     started = ask({Control::Kind::start, memory_bytes}, descriptors);
@@ -122,7 +122,7 @@ std::variant<std::unique_ptr<Worker>, DecodeError> Launcher::start(std::uint64_t
   if (!started || started->kind != Control::Kind::started) return not_started(kWrongGreeting);
   if (started->value == 0) return not_started("no processes left");
   lock.unlock();
-  // With no copy here, its end closes the socket.
+  // Without a copy here, the socket closes when the worker ends.
   ends.worker_socket = OwnDescriptor();
   ends.worker_lifeline = OwnDescriptor();
   auto worker = std::make_unique<Worker>(*this, static_cast<pid_t>(started->value), std::move(ends),
@@ -133,7 +133,7 @@ std::variant<std::unique_ptr<Worker>, DecodeError> Launcher::start(std::uint64_t
 
 int Launcher::finish(pid_t worker) {
   const std::lock_guard lock(mutex_);
-  if (!process_ || !ready_) return 0;  // with the launcher gone, the lifeline ends the worker
+  if (!process_ || !ready_) return 0;  // without the launcher, the lifeline ends the worker
   const auto ended = ask({Control::Kind::finish, static_cast<std::uint64_t>(worker)}, {});
   return ended && ended->kind == Control::Kind::ended ? static_cast<int>(ended->value) : 0;
 }
@@ -145,9 +145,9 @@ int Launcher::finish(pid_t worker) {
 namespace gltfx::codec {
 namespace {
 
-// What a worker may take at least whatever its job: one that served a small job serves a large one.
+// Least memory limit of a worker for any job, so that a worker of small jobs can serve a large one.
 constexpr std::uint64_t kWorkerMemory = std::uint64_t{4} << 30U;
-// A worker ends itself when its time is over. One that no longer does is ended a little later.
+// A worker ends itself when its time is over. If it does not, it is ended a little later.
 constexpr std::chrono::milliseconds kGrace{1000};
 
 Reply error(ErrorKind kind, std::string message) {
@@ -161,7 +161,7 @@ Reply overrun(const Job& job) {
                            job.input_bytes));
 }
 
-// A worker without an answer.
+// The reply for a worker without an answer.
 Reply epitaph(Worker& worker, const Job& job) {
   const int signal = worker.end();
   if (signal == SIGPROF || signal == SIGXCPU) return overrun(job);
@@ -179,7 +179,7 @@ bool is_wanted(const Answer& answer, const Job& job) {
   return image != nullptr && image->texels() <= job.max_pixels;
 }
 
-// Points a result into the memory that the worker has filled. False when it is not there.
+// Points a result into the memory that the worker has filled. False when the memory is missing.
 template <typename T>
 bool attach_memory(T& result, Taken& to, const Job& job, int memory) {
   const auto size = result_size(result);
@@ -200,7 +200,7 @@ bool attach_memory(Reply& reply, const Job& job, int memory) {
   return image == nullptr || !job.pixels || attach(*image);
 }
 
-// Whether a worker is as good as new after an answer.
+// Whether a worker can be used again after an answer.
 bool is_fresh(const Answer& answer) {
   const auto* error = std::get_if<DecodeError>(&answer);
   return error == nullptr || error->kind == ErrorKind::malformed ||
@@ -216,7 +216,7 @@ Pool::Pool(std::string program, unsigned most, std::chrono::milliseconds standst
   idle_.reserve(most_);
 }
 
-// The right to have a worker at work.
+// The permission to use a worker.
 struct Pool::Lease {
   Lease(Pool& from, const Origin& origin, std::uint64_t memory_bytes) : pool(from) {
     std::unique_lock lock(pool.mutex_);
@@ -244,8 +244,8 @@ struct Pool::Lease {
   }
 
   Pool& pool;
-  Kept worker;     ///< null: there is none that fits
-  Kept displaced;  ///< made room for another
+  Kept worker;     ///< null: no idle worker fits
+  Kept displaced;  ///< removed to make room for another
 };
 
 Reply Pool::ask(const Job& job, std::span<const std::byte> bytes, const Origin& origin) {
@@ -263,7 +263,7 @@ Reply Pool::ask(Kept& worker, const Job& job, std::span<const std::byte> bytes,
   }
   const int descriptors[] = {payload.get(), result.get()};
   const Frame frame = write_job(job);
-  // One that has died meanwhile is replaced.
+  // A worker that has died meanwhile is replaced.
   if (worker && !send_packet(worker->socket(), frame, descriptors)) worker.reset();
   if (!worker) {
     auto started = launcher_.start(std::max(kWorkerMemory, std::bit_ceil(job.memory_bytes)));
@@ -276,7 +276,7 @@ Reply Pool::ask(Kept& worker, const Job& job, std::span<const std::byte> bytes,
   return answer_of(std::exchange(worker, nullptr), job, result.get(), worker);
 }
 
-// Gives the worker back in `sound` when it has shown to be that.
+// Returns the worker in `sound` if it can be used again.
 Reply Pool::answer_of(Kept worker, const Job& job, int result, Kept& sound) const {
   const Watch watched = watch(worker->socket(), worker->id(),
                               {std::chrono::milliseconds(job.milliseconds) + kGrace, standstill_});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Workers of one kind, shared by threads: one request a worker at a time. One process loads the
+/// Workers of one kind, shared by threads: one request per worker at a time. One process loads the
 /// decoders, and each worker is a fork of it, which takes a hundredth of the time.
 #pragma once
 
@@ -32,8 +32,8 @@ class Worker;
 /// Thread-safe. Workers must not outlive it.
 class Launcher {
  public:
-  /// A program that uses no processor time for `standstill` before it greets is not started again,
-  /// nor is one that did not get as far as that three times in a row.
+  /// A program is not started again if it uses no processor time for `standstill` before it greets,
+  /// or if it fails to start three times in a row.
   Launcher(std::string program, std::chrono::milliseconds standstill)
       : program_(std::move(program)), standstill_(standstill) {}
 
@@ -45,7 +45,7 @@ class Launcher {
   int finish(pid_t worker);
 
  private:
-  // Half a sentence about what went wrong, or nothing.
+  // The reason of a failure, half a sentence, or nothing.
   using Trouble = std::optional<std::string>;
   Trouble launch();
   Trouble greet();
@@ -58,12 +58,12 @@ class Launcher {
   std::mutex mutex_;
   std::unique_ptr<Process> process_;      ///< null: not started, or it has failed
   bool ready_ = false;                    ///< the process has greeted
-  int failures_ = 0;                      ///< starts in a row that came to nothing
+  int failures_ = 0;                      ///< failed starts in a row
   Trouble final_;                         ///< why it is not started again
-  std::atomic<bool> unfiltered_ = false;  ///< its workers have no filter
+  std::atomic<bool> unfiltered_ = false;  ///< its workers have no filter of system calls
 };
 
-/// A worker process; its end ends the process.
+/// A worker process; the destructor ends it.
 class Worker {
  public:
   Worker(Launcher& launcher, pid_t id, Ends ends, std::uint64_t memory_bytes)
@@ -78,12 +78,12 @@ class Worker {
 
   pid_t id() const { return id_; }
   int socket() const { return socket_.get(); }
-  /// No job may ask for more memory.
+  /// The maximum memory of a job.
   std::uint64_t memory_bytes() const { return memory_bytes_; }
-  /// Ends the process. Gives the signal that it ended by; 0 when there was none.
+  /// Ends the process. Returns the signal that ended it, or 0.
   int end() { return id_ > 0 ? launcher_.finish(std::exchange(id_, -1)) : 0; }
 
-  Origin origin;  ///< of all that it has been given
+  Origin origin;  ///< of all bytes that it has been given
 
  private:
   Launcher& launcher_;
@@ -92,20 +92,20 @@ class Worker {
   std::uint64_t memory_bytes_;
 };
 
-/// An answer with its spans attached, and the memory they lie in.
+/// An answer with its spans attached, and the memory that they point into.
 struct Reply {
   Answer answer;
   Taken memory;
 };
 
-/// Thread-safe. Starts a worker when one is needed and fewer than `most` (0: as many as there are
-/// processors) are there. A worker is given bytes of one origin only. May throw std::bad_alloc.
+/// Thread-safe. Starts a worker when needed, up to `most` (0: as many as there are processors). A
+/// worker is given bytes of one origin only. May throw std::bad_alloc.
 class Pool {
  public:
   /// A worker that neither works nor answers for as long as `standstill` is ended.
   Pool(std::string program, unsigned most, std::chrono::milliseconds standstill);
   Reply ask(const Job& job, std::span<const std::byte> bytes, const Origin& origin);
-  /// Gets ready to start workers, without waiting for it.
+  /// Prepares to start workers, without waiting.
   void prepare() { launcher_.prepare(); }
 
  private:
@@ -119,7 +119,7 @@ class Pool {
   Launcher launcher_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Kept> idle_;  ///< used last at the back
+  std::vector<Kept> idle_;  ///< the last used at the back
   unsigned leased_ = 0;
 };
 

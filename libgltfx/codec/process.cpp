@@ -21,13 +21,14 @@
 namespace gltfx::codec {
 namespace {
 
-// Above all descriptors that a worker is given, so that giving it one does not close another.
+// Moves a descriptor above all that a worker is given, so that giving it one does not close
+// another.
 int moved_up(int fd) {
   const UniqueFd low(fd);
   return ::fcntl(fd, F_DUPFD_CLOEXEC, 16);
 }
 
-// What the new process does before it becomes the worker.
+// The actions of the new process before it becomes the worker.
 class Preparation {
  public:
   explicit Preparation(const Ends& ends) {
@@ -35,7 +36,7 @@ class Preparation {
     ::posix_spawnattr_init(&attributes_);
     if (::access("/dev/null", R_OK | W_OK) == 0) {
       ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDWR, 0);
-    } else {  // an empty system has none; a pipe that cannot be written to serves as well
+    } else {  // a minimal system has none; a pipe that cannot be written to serves as well
       ::posix_spawn_file_actions_adddup2(&actions_, ends.worker_lifeline.get(), 0);
     }
     ::posix_spawn_file_actions_adddup2(&actions_, 0, 1);
@@ -81,10 +82,10 @@ std::optional<nanoseconds> processor_time(pid_t process) {
   return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
 }
 
-// Looks are counted, not time: while this process is stopped, so may be the other one.
+// Counts polls, not time: while this process is stopped, the other one may be stopped too.
 Watch watch(int socket, pid_t process, const Patience& patience) {
   constexpr std::chrono::milliseconds kLook{250};
-  // A process that waits for ever may still use some microseconds now and then.
+  // A process that waits forever may still use some microseconds occasionally.
   constexpr std::chrono::milliseconds kProgress{10};
   const std::chrono::milliseconds look = std::min(kLook, patience.standstill);
   const nanoseconds begin = processor_time(process).value_or(nanoseconds::zero());
@@ -134,7 +135,7 @@ bool Process::lacked_resources() const {
          start_error_ == ENFILE;
 }
 
-// The signal changes nothing for a process that is about to end.
+// The signal has no effect on a process that is ending.
 std::string Process::end() {
   if (id_ <= 0) return "it exited";
   ::kill(id_, SIGKILL);

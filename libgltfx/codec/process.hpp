@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A process that decodes, the socket to it, and waiting for it by what it does, not by the clock
-/// on the wall: on a busy machine a process may get any share of a processor.
+/// A decoding process, the socket to it, and a wait that measures its processor time, not
+/// wall-clock time: on a busy machine a process may get any share of a processor.
 #pragma once
 
 #include <chrono>
@@ -16,27 +16,28 @@ namespace gltfx::codec {
 /// Processor time that a process and its threads have used. Nothing when there is no such process.
 std::optional<std::chrono::nanoseconds> processor_time(pid_t process);
 
-/// What a process may take.
+/// Time limits of a process.
 struct Patience {
-  std::chrono::milliseconds processor_time;  ///< from the beginning of the wait
+  std::chrono::milliseconds processor_time;  ///< from the start of the wait
   std::chrono::milliseconds standstill;      ///< without using 10 ms of processor time
 };
 
 enum class Watch {
   ready,       ///< there is a packet, or the other side has closed
-  overrun,     ///< more processor time
-  standstill,  ///< the process uses next to no processor time and does not answer
+  overrun,     ///< it used more processor time
+  standstill,  ///< it uses almost no processor time and does not answer
 };
 
 /// Waits for a packet of `process` at `socket`.
 Watch watch(int socket, pid_t process, const Patience& patience);
 
-/// Where a worker finds its ends.
+/// Descriptor of a worker's socket.
 inline constexpr int kSocketDescriptor = 3;
-/// Readable, without ever a byte in it: it ends when the client's process ends.
+/// Descriptor of a worker's lifeline: a pipe without data that closes when the client's process
+/// ends.
 inline constexpr int kLifelineDescriptor = 4;
 
-/// The ends of a worker or launcher: its socket and lifeline, and those that stay with the client.
+/// The ends of a worker or launcher: its socket and lifeline, and the client's.
 struct Ends {
   OwnDescriptor socket, lifeline;                // the client's
   OwnDescriptor worker_socket, worker_lifeline;  // the worker's
@@ -44,12 +45,11 @@ struct Ends {
   bool complete() const { return socket && lifeline && worker_socket && worker_lifeline; }
 };
 
-/// A running program; its end ends the process.
+/// A running program; the destructor ends it.
 class Process {
  public:
-  /// Starts a program without arguments and with an empty environment, with nothing open but its
-  /// two ends and /dev/null, all signals as they are by default. `started()` tells whether that
-  /// went well.
+  /// Starts a program without arguments and with an empty environment, with only its two ends and
+  /// /dev/null open, and default signal handling. `started()` reports success.
   explicit Process(const std::string& program);
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -58,12 +58,12 @@ class Process {
   bool started() const { return id_ > 0; }
   /// Why it was not started. Precondition: !started().
   std::string start_error() const;
-  /// Whether it was not started since the system had no process, memory or descriptor left, which
+  /// Whether it was not started because the system had no process, memory or descriptor left, which
   /// may change.
   bool lacked_resources() const;
   pid_t id() const { return id_; }
   int socket() const { return socket_.get(); }
-  /// Ends the process if it has not ended, and says how it did: half a sentence.
+  /// Ends the process if it runs, and returns how it ended: half a sentence.
   std::string end();
 
  private:

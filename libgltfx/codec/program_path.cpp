@@ -19,10 +19,10 @@ namespace gltfx {
 namespace {
 
 ForkMutex folder_mutex;
-// Not destroyed: what is decoded at the end of the program may ask for it.
+// Not destroyed: decoding at the end of the program may use it.
 std::string* chosen_folder = nullptr;
 
-// Set before main(), maybe before other variables of this file.
+// Set before main(), possibly before other variables of this file.
 std::atomic<const char*> package_header = nullptr;
 
 }  // namespace
@@ -51,12 +51,12 @@ std::string codec_folder() {
   return chosen_folder == nullptr ? std::string() : *chosen_folder;
 }
 
-// Texts, not paths: where memory is missing, libstdc++ may lose count of what a path is made of.
+// Strings, not paths: libstdc++ can corrupt a path if memory is missing.
 std::string joined(std::string folder, std::string_view name) {
   return folder.append("/").append(name);
 }
 
-// Of the headers that the program was built against. A relative path would lead elsewhere from
+// The folder of the headers that the program was built against. A relative path would be wrong in
 // another working folder.
 std::string package_folder() {
   const char* header = package_header;

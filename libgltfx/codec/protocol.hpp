@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What client and worker say to each other: one frame a packet, numbers in the machine's own order
+/// The messages between client and worker: one frame per packet, numbers in the machine's own order
 /// (both run on one machine). Payloads and results are not in frames but in shared memory, whose
-/// descriptors go along.
+/// descriptors are sent along.
 ///
 /// A worker, started as packet.hpp says, greets with a Hello. The client sends a Job with two
 /// descriptors, the payload and the empty result; the worker fills the result and sends an Answer.
-/// Neither side trusts a frame: what is read here is complete, in range and has nothing behind it.
+/// Neither side trusts a frame: the functions that read one check that it is complete, in range and
+/// without trailing bytes.
 #pragma once
 
 #include <cstddef>
@@ -25,7 +26,7 @@ inline constexpr std::size_t kMostMessageBytes = 500;
 
 using Frame = std::vector<std::byte>;
 
-/// How a worker has locked itself in.
+/// How a worker is sandboxed.
 struct Hello {
   bool filtered = false;  ///< a filter of system calls is in force
   bool operator==(const Hello&) const = default;
@@ -47,12 +48,12 @@ struct Job {
   std::uint32_t quality = 0;
   std::uint64_t input_bytes = 0;
   std::uint64_t max_pixels = 0;
-  std::uint64_t memory_bytes = 0;  ///< the worker may take, beyond what it took before any job
+  std::uint64_t memory_bytes = 0;  ///< limit, beyond what the worker used before any job
   std::uint64_t milliseconds = 0;  ///< of processor time
   bool operator==(const Job&) const = default;
 };
 
-/// Without spans and owner: those come with attach().
+/// Without spans and owner: attach() sets them.
 using Answer = std::variant<DracoMesh, Image, EncodedImage, DecodeError>;
 
 Frame write_hello(const Hello& hello);
@@ -60,22 +61,22 @@ Frame write_job(const Job& job);
 /// A message is cut to kMostMessageBytes, attributes to kMostAttributes.
 Frame write_answer(const Answer& answer);
 
-// Nothing for anything but a frame of that kind.
+// Nothing for any other frame.
 std::optional<Hello> read_hello(std::span<const std::byte> frame);
 std::optional<Job> read_job(std::span<const std::byte> frame);
 std::optional<Answer> read_answer(std::span<const std::byte> frame);
 
-/// Whether a job asks for something that there is: an encoder gets as many bytes as its raster
-/// says, and its format holds such a raster.
+/// Whether a job is possible: the payload of an encoder has the size of its raster, and the format
+/// can hold such a raster.
 bool is_consistent(const Job& job);
 
 /// Bytes of one component, 0 for `other`.
 unsigned component_size(Component component);
 
-/// Bytes of a result: the indices, then the values of each attribute, each from a multiple of eight
-/// on. Nothing when that is beyond 64 bits.
+/// Bytes of a result: the indices, then the values of each attribute, each at a multiple of eight.
+/// Nothing when that is beyond 64 bits.
 std::optional<std::uint64_t> result_size(const DracoMesh& mesh);
-/// That of the pixels.
+/// Size of the pixels.
 std::optional<std::uint64_t> result_size(const Image& image);
 std::optional<std::uint64_t> result_size(const EncodedImage& image);
 
@@ -91,7 +92,7 @@ void for_each_values(const DracoMesh& mesh, Use&& use) {
   }
 }
 
-/// Points the spans into `memory`. False when it is too short or an index leads to no point.
+/// Points the spans into `memory`. False when it is too short or an index is out of range.
 bool attach(DracoMesh& mesh, std::span<const std::byte> memory);
 bool attach(Image& image, std::span<const std::byte> memory);
 bool attach(EncodedImage& image, std::span<const std::byte> memory);

@@ -41,7 +41,7 @@ constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
 #endif
 
 // No open, no stat, no exec, no socket, no fork, no signal to others. Threads that libraries
-// started before may still be on their way into life.
+// started before may still be starting.
 constexpr std::uint32_t kAllowed[] = {
     SYS_recvmsg,
     SYS_sendmsg,
@@ -80,7 +80,7 @@ constexpr std::uint32_t kAllowed[] = {
     SYS_time,
 #endif
 #ifdef GLTFX_ADDRESS_SANITIZER
-    SYS_pipe2,  // UBSan writes memory into a pipe to learn whether it can be read
+    SYS_pipe2,  // UBSan writes memory into a pipe to check whether it is readable
 #if defined(__x86_64__)
     SYS_pipe,
 #endif
@@ -95,7 +95,7 @@ constexpr std::uint32_t kForbid = SECCOMP_RET_ERRNO | EPERM;
 void load(Program& program, std::size_t offset) {
   program.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset)));
 }
-// The next statement is taken when the loaded value is `value`, else the one behind it.
+// Runs the next statement if the loaded value is `value`, else skips it.
 void if_equal(Program& program, std::uint32_t value) {
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1));
 }
@@ -103,9 +103,10 @@ void answer(Program& program, std::uint32_t action) {
   program.push_back(BPF_STMT(BPF_RET | BPF_K, action));
 }
 
-// The call `number` is forbidden unless `jump` finds its argument; else it goes on behind this.
+// Forbids the call `number` unless `jump` accepts its argument; other calls continue after this
+// check.
 void check_argument(Program& program, std::uint32_t number, int argument, const sock_filter& jump) {
-  // Of the 64 bits the low half, which comes first in memory, holds all that the kernel looks at.
+  // The kernel uses only the low half of the 64 bits, which comes first in memory.
   const std::size_t offset = offsetof(seccomp_data, args) +
                              static_cast<std::size_t>(argument) * sizeof(seccomp_data::args[0]);
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, number, 0, 4));
@@ -115,7 +116,7 @@ void check_argument(Program& program, std::uint32_t number, int argument, const 
   answer(program, kForbid);
 }
 
-// `self`: the process that calls.
+// `self`: the id of the calling process.
 Program filter_program(std::uint32_t self) {
   Program program;
   load(program, offsetof(seccomp_data, arch));
@@ -129,8 +130,8 @@ Program filter_program(std::uint32_t self) {
   for (const std::uint32_t number : kAllowedWithoutExecution) {
     check_argument(program, number, 2, BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, PROT_EXEC, 1, 0));
   }
-  // Signals to its own threads, which end a process that aborts, and its own limits (process 0),
-  // which hard limits keep from being raised.
+  // Allowed are signals to its own threads, which abort() uses, and changes of its own limits
+  // (process 0), which hard limits bound.
   check_argument(program, SYS_tgkill, 0, BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, self, 0, 1));
   check_argument(program, SYS_prlimit64, 0, BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 0, 1));
   answer(program, kForbid);
@@ -141,7 +142,7 @@ Program filter_program(std::uint32_t self) {
 
 // Lets all threads of the process make only the calls that memory, one socket and the end of the
 // process need; others fail with EPERM. Precondition: no_new_privs. False when the system has no
-// such filters or the processor is none that this knows.
+// such filters or the processor is not supported.
 bool filter_syscalls() {
   Program program = filter_program(static_cast<std::uint32_t>(::getpid()));
   sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
@@ -157,7 +158,7 @@ constexpr bool kLimitsMemory = false;
 constexpr bool kLimitsMemory = true;
 #endif
 
-// Sets a limit, never above what the process was given; `for_good`: nor will it be raised again.
+// Sets a limit, never above the inherited one; `for_good`: it cannot be raised again.
 void set_limit(__rlimit_resource_t resource, std::uint64_t value, bool for_good) {
   rlimit limit{};
   if (::getrlimit(resource, &limit) != 0) return;
@@ -166,7 +167,8 @@ void set_limit(__rlimit_resource_t resource, std::uint64_t value, bool for_good)
   ::setrlimit(resource, &limit);
 }
 
-// What a limit is now, it stays at most. That of memory changes with each job and has its own.
+// Makes the present limits hard limits. The memory limit changes with each job and is set
+// separately.
 void keep_limits() {
   for (int i = 0; i < static_cast<int>(RLIM_NLIMITS); ++i) {
     const auto resource = static_cast<__rlimit_resource_t>(i);
@@ -176,7 +178,7 @@ void keep_limits() {
   }
 }
 
-// With them, root could raise its limits again.
+// With capabilities, root could raise its limits again.
 void drop_capabilities() {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   const __user_cap_data_struct none[_LINUX_CAPABILITY_U32S_3] = {};
@@ -210,7 +212,7 @@ void close_descriptors_from(int first) {
 }
 
 void end_with(int lifeline) {
-  // SIGIO ends a process that does not handle it; a pipe sends it when its last writer has gone.
+  // SIGIO ends a process that does not handle it; a pipe raises it when its last writer has closed.
   ::fcntl(lifeline, F_SETOWN, ::getpid());
   const int flags = ::fcntl(lifeline, F_GETFL);
   if (flags >= 0) ::fcntl(lifeline, F_SETFL, flags | O_ASYNC);

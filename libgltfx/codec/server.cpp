@@ -30,17 +30,17 @@ Answer answer_to(const Job& job, const Packet& packet, const Decode& decode) {
   });
 }
 
-// What one payload was decoded in serves for the next: pages that come from the system anew take a
-// tenth of the time.
-// NOLINTBEGIN(concurrency-mt-unsafe): before there are threads
+// Keeps freed memory for the next payload: requesting new
+// pages from the system would take a tenth of the time.
+// NOLINTBEGIN(concurrency-mt-unsafe): called before there are threads
 void keep_memory() {
-  ::mallopt(M_ARENA_MAX, 1);  // arenas of threads take address space in advance
+  ::mallopt(M_ARENA_MAX, 1);  // arenas of threads reserve address space
   ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
   ::mallopt(M_TRIM_THRESHOLD, 128 << 20);
 }
 // NOLINTEND(concurrency-mt-unsafe)
 
-// False when the client has gone or breaks the protocol.
+// False when the client has closed or breaks the protocol.
 bool serve_one(const Decode& decode, const JobLimits& limits) {
   const auto packet = receive_packet(kSocketDescriptor);
   if (!packet || packet->descriptors.size() != 2) return false;
@@ -52,7 +52,7 @@ bool serve_one(const Decode& decode, const JobLimits& limits) {
   return send_packet(kSocketDescriptor, write_answer(answer), {});
 }
 
-// What a worker does with its life. Gives the exit code.
+// The main loop of a worker. Returns the exit code.
 int work(const Decode& decode, std::uint64_t most_memory_bytes) {
   close_descriptors_from(kLifelineDescriptor + 1);
   end_with(kLifelineDescriptor);
@@ -64,7 +64,7 @@ int work(const Decode& decode, std::uint64_t most_memory_bytes) {
   return 0;
 }
 
-// Gives the id of the new process; 0 when there is none.
+// Returns the id of the new process, or 0 on failure.
 pid_t fork_worker(const Decode& decode, const Packet& packet, std::uint64_t most_memory_bytes) {
   if (packet.descriptors.size() != 2) return 0;
   const pid_t id = ::fork();
@@ -74,22 +74,22 @@ pid_t fork_worker(const Decode& decode, const Packet& packet, std::uint64_t most
       ::dup2(packet.descriptors[1].get(), kLifelineDescriptor) >= 0) {
     code = work(decode, most_memory_bytes);
   }
-  ::_exit(code);  // threads that would have to end in order are not in this process
+  ::_exit(code);  // this process has none of the threads that exit() would wait for
 }
 
-// Ends a worker. The signal changes nothing for one that is about to end. Gives the signal that it
-// ended by, or 0.
+// Ends a worker. The signal has no effect on a worker that is ending. Returns the signal that ended
+// it, or 0.
 int finish_worker(pid_t id) {
   int status = 0;
   pid_t done = ::waitpid(id, &status, WNOHANG);
-  if (done == 0) {  // so it is a worker that runs
+  if (done == 0) {  // the worker still runs
     ::kill(id, SIGKILL);
     done = ::waitpid(id, &status, 0);
   }
   return done == id && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
-// False when the client has gone or breaks the protocol.
+// False when the client has closed or breaks the protocol.
 bool launch_one(const Decode& decode) {
   const auto packet = receive_packet(kSocketDescriptor);
   const auto asked = packet ? read_control(packet->bytes) : std::nullopt;
@@ -112,7 +112,7 @@ bool launch_one(const Decode& decode) {
 int serve(const std::function<void()>& prepare, const Decode& decode) {
   close_descriptors_from(kLifelineDescriptor + 1);
   end_with(kLifelineDescriptor);
-  std::signal(SIGINT, SIG_IGN);  // goes to all of a terminal's programs; the client decides
+  std::signal(SIGINT, SIG_IGN);  // goes to all programs of a terminal; the client decides
   keep_memory();
   prepare();
   if (!send_packet(kSocketDescriptor, write_control({}), {})) return 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The life of a decoder program: what its main() calls.
+/// The main loop of a decoder program, called by its main().
 #pragma once
 
 #include <functional>
@@ -8,9 +8,9 @@
 
 namespace gltfx::codec {
 
-/// Runs `prepare`, which loads and touches all that decoding will need; then forks a worker for
-/// each time that the client asks for one, until the client closes its socket. A worker locks
-/// itself in, greets, and serves jobs. Gives the exit code.
+/// Runs `prepare`, which loads and touches everything that decoding needs; then forks a worker for
+/// each request of the client, until the client closes its socket. A worker enters its sandbox,
+/// greets, and serves jobs. Returns the exit code.
 int serve(const std::function<void()>& prepare, const Decode& decode);
 
 }  // namespace gltfx::codec

@@ -18,7 +18,8 @@ namespace {
 constexpr std::uint64_t kMostPopulated = std::uint64_t{64} << 20U;
 
 UniqueFd create_unnamed_file() {
-  const char* folder = std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe): never changed here
+  const char* folder =
+      std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe): not changed in this program
   if (folder != nullptr && *folder != '\0') {
     UniqueFd fd(::open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
     if (fd) return fd;
@@ -31,8 +32,8 @@ bool has_bytes(int fd, std::uint64_t size) {
   return end >= 0 && static_cast<std::uint64_t>(end) >= size;
 }
 
-// From here on the memory can neither shrink nor change. The kernel refuses while somebody may
-// write through a mapping.
+// Afterwards the memory can neither shrink nor change. The kernel refuses while a writable mapping
+// exists.
 bool seal(int fd) {
   return ::fcntl(fd, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) == 0;
 }
@@ -73,8 +74,8 @@ Mapping::Mapping(int fd, std::uint64_t size, Access access) {
   const bool write = access == Access::write;
   if (write && ::ftruncate(fd, static_cast<off_t>(size)) != 0) return;
   if (!write && !has_bytes(fd, size)) return;
-  // A private mapping for reading shows the very pages; sealed memory cannot be mapped otherwise.
-  // Pages that come one by one cost as much again, but what is large may never be filled.
+  // A private read-only mapping shares the pages; sealed memory cannot be mapped otherwise.
+  // Faulting pages one by one doubles the cost, but a large result may never be filled.
   const int sharing =
       (write ? MAP_SHARED : MAP_PRIVATE) | (size <= kMostPopulated ? MAP_POPULATE : 0);
   void* at = ::mmap(nullptr, size, write ? PROT_READ | PROT_WRITE : PROT_READ, sharing, fd, 0);

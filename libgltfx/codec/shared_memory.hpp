@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory that two processes see, and how to take it back so that the other one cannot change it.
+/// Memory that two processes share, and how to take it over so that the other process cannot change
+/// it.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +23,8 @@ class Mapping {
   enum class Access : std::uint8_t { read, write };
 
   Mapping() = default;
-  /// Maps the first `size` bytes; empty when that cannot be done, or they are 0. With access to
-  /// write the descriptor's memory becomes that long.
+  /// Maps the first `size` bytes; empty when that cannot be done, or they are 0. With write access,
+  /// the memory of the descriptor becomes that long.
   Mapping(int fd, std::uint64_t size, Access access);
   Mapping(Mapping&& other) noexcept;
   Mapping& operator=(Mapping&& other) noexcept;
@@ -37,7 +38,7 @@ class Mapping {
   std::span<std::byte> bytes_;
 };
 
-/// Writes `bytes` into empty shared memory. False when there is no room for them.
+/// Writes `bytes` into empty shared memory. False when memory is missing.
 bool fill_memory(int fd, std::span<const std::byte> bytes);
 
 /// The first bytes of memory that another process has filled.
@@ -45,8 +46,8 @@ struct Taken {
   std::span<const std::byte> bytes;
   std::shared_ptr<const void> owner;
 };
-/// Takes `size` bytes such that nobody changes them or cuts them off any more: sealed and mapped
-/// or, where that is refused, copied. Nothing when so many are not there.
+/// Takes over `size` bytes so that they cannot change or be truncated any more: sealed and mapped
+/// or, where sealing fails, copied. Nothing when there are fewer bytes.
 std::optional<Taken> take_memory(int fd, std::uint64_t size);
 
 }  // namespace gltfx::codec

@@ -34,15 +34,15 @@ void Statistics::note(std::size_t channel, std::uint32_t least, std::uint32_t gr
   channel_[channel].greatest = std::max(channel_[channel].greatest, greatest);
 }
 
-// Runs of lanes that lie side by side become vector instructions, as long as no branch and no
-// reference (std::min) stands among them; counters are as wide as the values, so they are emptied
-// before they overflow.
+// Adjacent lanes become vector instructions as long as there is no branch and no reference
+// (std::min) among them; counters are as wide as the values, so they are emptied before they
+// overflow.
 template <typename T>
 void Statistics::add_texels(const T* values, std::size_t count) {
   constexpr T kFull = std::numeric_limits<T>::max();
   if (with_normals_) add_normals(values, count);
   std::size_t at = 0;
-  // The comparison with the neighbour looks one value ahead.
+  // The comparison with the neighbour reads one value ahead.
   while (count - at > kLanes) {
     const std::size_t steps = std::min<std::size_t>((count - at - 1) / kLanes, 255);
     std::array<T, kLanes> least, greatest, zeros{}, fulls{}, differences{};
@@ -80,8 +80,8 @@ void Statistics::add_rest(const T* values, std::size_t count) {
   }
 }
 
-// Block by block: first the vectors are picked out of the texels, then they are measured, which
-// vector instructions do where numbers of one kind lie side by side.
+// Block by block: first the vectors are extracted from the texels, then they are measured with
+// vector instructions, which need adjacent numbers of one kind.
 template <typename T>
 void Statistics::add_normals(const T* values, std::size_t count) {
   const float scale = 2.0F / static_cast<float>(std::numeric_limits<T>::max());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Statistics over the texels of an image, row by row: no image is held for them.
+/// Statistics over the texels of an image, row by row, without keeping the image.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace gltfx::codec {
 
-/// Gathers what `Image` tells of its texels.
+/// Computes the statistics in `Image`.
 class Statistics {
  public:
-  /// Takes format and size from `image`; `normals` looks at vectors as well, where there are three
+  /// Takes format and size from `image`; `normals` also measures vectors, if there are three
   /// channels.
   Statistics(const Image& image, bool normals);
 
