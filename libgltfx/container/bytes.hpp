@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Read-only bytes with an owner (a mapping, a vector, or a part of either), and bytes that are put
-/// together from those.
+/// Read-only bytes with an owner (a mapping, a vector, or a part of either), and bytes combined
+/// from those.
 #pragma once
 
 #include <cstddef>
@@ -23,9 +23,9 @@ class Bytes {
   Bytes(std::span<const std::byte> view, std::shared_ptr<const void> owner)
       : view_(view), owner_(std::move(owner)) {}
 
-  /// Takes the text's memory.
+  /// Takes over the memory of `text`.
   static Bytes from_string(std::string text);
-  /// Shares the text's memory; empty for none.
+  /// Shares the memory of `text`; empty for null.
   static Bytes from_text(const SharedText& text);
 
   std::span<const std::byte> view() const { return view_; }
@@ -35,7 +35,7 @@ class Bytes {
   std::size_t size() const { return view_.size(); }
   bool empty() const { return view_.empty(); }
   const std::shared_ptr<const void>& owner() const { return owner_; }
-  /// A part of these bytes with the same owner. Precondition: it lies inside.
+  /// A part of these bytes with the same owner. Precondition: it is inside.
   Bytes part(std::size_t offset, std::size_t length) const {
     return {view_.subspan(offset, length), owner_};
   }
@@ -45,14 +45,14 @@ class Bytes {
   std::shared_ptr<const void> owner_;
 };
 
-/// All of them in one text.
+/// The pieces as one string.
 std::string join(const std::vector<Bytes>& pieces);
 
-/// Writes one behind the other. Of a mapped file a few megabytes are resident at a time. Nothing
-/// when all is written, else why it is not.
+/// Writes the pieces one after the other. At most a few megabytes of a mapped file are resident at
+/// a time. Nothing on success, else an Error.
 std::optional<Error> write_pieces(FileDraft& draft, const std::vector<Bytes>& pieces);
 
-/// Whether the bytes are the same; as careful with memory.
+/// Whether the bytes are equal; with the same bound on memory.
 bool same_bytes(const Bytes& one, const Bytes& other);
 
 }  // namespace gltfx::container

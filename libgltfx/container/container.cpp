@@ -49,7 +49,7 @@ Result<Container> copy_whole(const File& file, const std::filesystem::path& path
   return from_memory(std::move(copy.text), path.native());
 }
 
-/// A large file that is not text: its JSON is copied, the rest stays where it is.
+/// A large file that is not text: its JSON is copied, the rest stays mapped.
 Result<Container> open_mapped(const File& file, const std::filesystem::path& path, Format format) {
   Container container;
   container.format = format;
@@ -101,7 +101,7 @@ Container open_bytes(Bytes bytes, Format format) {
   if (container.format == Format::gltf && bytes.size() <= kMaxJson) {
     container.json = share_text(std::string(bytes.text()));
   } else if (container.format == Format::glb) {
-    read_glb(Source(bytes), container);  // memory does not fail
+    read_glb(Source(bytes), container);  // reading memory does not fail
   }
   container.bytes = std::move(bytes);
   return container;

@@ -23,7 +23,7 @@ bool named_glb(std::string_view name) {
                     [](char a, char b) { return ascii_lower(a) == b; });
 }
 
-/// A whole magic, or a file that was cut inside it.
+/// A complete magic, or a file that was truncated inside it.
 bool begins_glb(std::string_view head) {
   return head.starts_with(kGlbMagic) || kGlbMagic.starts_with(head);
 }
@@ -119,7 +119,7 @@ bool begins_with(std::string_view text, std::string_view lower) {
 }
 
 bool is_bmp(std::string_view bytes) {
-  // Behind the size of the file are four reserved bytes, always 0.
+  // After the size of the file are four reserved bytes, always 0.
   return bytes.size() >= 10 && bytes.starts_with("BM") && bytes.substr(6, 4) == "\0\0\0\0"sv;
 }
 
@@ -132,7 +132,7 @@ bool is_usdz(std::string_view bytes) {
   return dot != name.npos && name.size() - dot <= 5;
 }
 
-// 80 bytes of anything, the number of triangles, and 50 bytes for each.
+// 80 arbitrary bytes, the number of triangles, and 50 bytes per triangle.
 bool is_binary_stl(std::string_view bytes, std::uint64_t size) {
   if (bytes.size() < 84) return false;
   std::uint64_t count = 0;
@@ -142,7 +142,7 @@ bool is_binary_stl(std::string_view bytes, std::uint64_t size) {
   return count > 0 && size == 84 + 50 * count;
 }
 
-// A statement of Wavefront OBJ at the beginning of some line: a vertex, a group or a material file.
+// A statement of Wavefront OBJ at the start of a line: a vertex, a group or a material file.
 bool is_obj(std::string_view text) {
   if (std::any_of(text.begin(), text.end(), is_binary_byte)) return false;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -167,7 +167,7 @@ Content name_model_text(std::string_view head) {
   return is_obj(head) ? model_file("a Wavefront OBJ model") : Content{};
 }
 
-// Of text that may be an answer of a server instead of a file.
+// Names text that may be the answer of a server instead of a file.
 Content name_text(std::string_view head) {
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
   head.remove_prefix(std::min(head.find_first_not_of(" \t\r\n"), head.size()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What bytes are that stand where an asset, a buffer or an image should, told by their beginning.
+/// Identifies bytes in the place of an asset, a buffer or an image by their beginning.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,25 @@
 
 namespace gltfx::container {
 
-/// Bytes that are enough to tell the format.
+/// Number of bytes that identify the format.
 inline constexpr std::size_t kSniffBytes = 512;
 
-/// The first line of a Git-LFS pointer file, which stands where the real file was not fetched.
+/// Whether a file is a Git LFS pointer, which replaces a file that was not fetched.
 bool is_git_lfs_pointer(std::string_view head, std::size_t file_size);
 
-/// The format of a file that begins with `head`. Text of any kind counts as glTF: the JSON parser
-/// says best what is wrong with it. A `name` that ends in ".glb" decides where the bytes are none
-/// of the known kinds.
+/// The format of a file that begins with `head`. Any text counts as glTF: the JSON parser explains
+/// errors best. A `name` that ends in ".glb" decides if the bytes are not recognised.
 Format sniff(std::string_view head, std::size_t file_size, std::string_view name);
 
 struct Content {
   std::string_view name;        ///< "a GIF", "an HTML page (a failed download?)"; or empty
-  std::string_view media_type;  ///< of an image that no part of glTF itself knows; or empty
-  bool image = false;           ///< some reader may take it for an image
-  std::string_view advice;      ///< what to do where it is in the place of an asset; or empty
+  std::string_view media_type;  ///< of an image format that core glTF does not have; or empty
+  bool image = false;           ///< some readers accept it as an image
+  std::string_view advice;      ///< what to do if it is used as an asset; or empty
 };
 
-/// Names formats that glTF has no use for, and those that only extensions bring. PNG, JPEG, WebP
-/// and KTX 2 are named where they are too short to be read. No name: nothing that is known here.
+/// Names formats that glTF does not use, and those that only extensions allow. PNG, JPEG, WebP and
+/// KTX 2 are named if they are too short to be read. The name is empty for unknown formats.
 /// `bytes` may be the first kSniffBytes of a file of `size` bytes.
 Content name_content(std::string_view bytes, std::uint64_t size);
 inline Content name_content(std::string_view bytes) { return name_content(bytes, bytes.size()); }

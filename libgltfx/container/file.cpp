@@ -46,7 +46,7 @@ Copied copy_error(ResolveError error, std::string problem) {
   return {error, {}, std::move(problem)};
 }
 
-/// glibc has no wrapper for openat2(2), and other systems have no such call.
+/// glibc has no wrapper for openat2(2), and other systems lack this call.
 UniqueFd open_by_kernel(int root, const char* path) {
 #ifdef __linux__
   open_how how{};
@@ -61,7 +61,7 @@ UniqueFd open_by_kernel(int root, const char* path) {
 #endif
 }
 
-/// What the kernel and the walk are certain to agree on. Everything else is asked again by hand:
+/// Errors on which the kernel and the walk always agree. After any other error the walk is tried:
 /// old kernels and sandboxes refuse the call (ENOSYS, EPERM), renames disturb it (EAGAIN), and it
 /// refuses absolute links that lead back inside (EXDEV).
 bool is_final(int error) { return error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG; }
@@ -89,9 +89,9 @@ std::vector<Identity> folders_above(int root) {
   return above;
 }
 
-// RESOLVE_BENEATH done by hand, and more generous in one point: an absolute link that leads back
-// into the root is followed. Nothing outside is opened on the way but the folders above the root
-// (O_PATH: passed through, not read); links are read by name.
+// RESOLVE_BENEATH in user space, with one difference: an absolute link that leads back into the
+// root is followed. Nothing outside is opened except the folders above the root (O_PATH: passed
+// through, not read); links are read by name.
 class Walk {
  public:
   explicit Walk(int root) : root_(root) {}
@@ -112,10 +112,10 @@ class Walk {
   }
 
  private:
-  /// Where the walk stands. The root itself is not on the stack.
+  /// The current folder of the walk. The root itself is not on the stack.
   int here() const { return folders_.empty() ? root_ : folders_.back().get(); }
 
-  /// The first component comes to lie on top. Empty ones stay: "file/" must not find a file.
+  /// The first component is on top. Empty ones are kept: "file/" must not find a file.
   void push_components(std::string_view path) {
     while (true) {
       const std::size_t slash = path.rfind('/');
@@ -126,7 +126,7 @@ class Walk {
     if (!path.empty()) todo_.emplace_back(path);
   }
 
-  /// Returns whether the walk has come to its end, with the result in `file`.
+  /// Returns whether the walk has ended, with the result in `file`.
   bool step(const std::string& name, File& file) {
     if (name.empty() || name == ".") return false;
     if (name == "..") return step_up(file);
@@ -138,7 +138,7 @@ class Walk {
     if (outside_ && !leads_to_root(identity_of(status))) return end(file, file_error(EXDEV));
     if (S_ISDIR(status.st_mode)) return enter(name, file);
     if (!todo_.empty()) return end(file, file_error(ENOTDIR));
-    // A link that takes the name's place meanwhile is refused by O_NOFOLLOW.
+    // A link that replaces the name meanwhile is refused by O_NOFOLLOW.
     return end(file, open_regular(here(), name.c_str(), O_NOFOLLOW));
   }
 

@@ -27,7 +27,7 @@ std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-/// repaired: known mistakes of writers are corrected, and reported in place of what follows.
+/// repaired: known mistakes of writers are corrected, and reported instead of the resulting errors.
 enum class GlbReading : std::uint8_t { literal, repaired };
 
 /// One pass over the chunk headers. A step returns false when there is nothing left to read.
@@ -132,7 +132,7 @@ class GlbReader {
     return true;
   }
 
-  // Whether the type is the position of the chunk, and a text is where that type promises one.
+  // Whether the type is the position of the chunk, and the data is text if that type requires it.
   // False: unreadable.
   bool has_number(const Chunk& chunk, bool& found) {
     found = chunk.type == 1 && out_.chunks.size() == 1;
@@ -145,8 +145,8 @@ class GlbReader {
     return true;
   }
 
-  // Whether blanks are behind the data that the header counts, and behind those a chunk or the end
-  // of the file. False: unreadable.
+  // Whether blanks follow the data that the header counts, and a chunk or the end of the file
+  // follows these. False: unreadable.
   bool has_padding(const Chunk& chunk, char blank, bool& found) {
     const std::uint64_t end = chunk.offset + chunk.length;
     const std::uint32_t padding = 4U - chunk.length % 4;
@@ -203,7 +203,7 @@ class GlbReader {
     out_.chunks.push_back(chunk);
     if (chunk.type == kChunkBin && !out_.bin) out_.bin = chunk;
     if (chunk.type != kChunkJson || std::exchange(seen_json_, true)) return true;
-    // Half a JSON text would only add a second message about the same cut.
+    // A truncated JSON text would only add a second message about the same cause.
     if (!whole || chunk.length == 0) return true;
     if (!copy(chunk.offset, chunk.length, out_.json)) return false;
     out_.json_offset = chunk.offset;
@@ -230,7 +230,8 @@ std::uint64_t count_of(std::string_view text, std::string_view part) {
   return found;
 }
 
-// Each line feed got a carriage return in front of it, and the header knows how many there are.
+// Whether each line feed follows a carriage return, and the length in the header confirms that
+// these were added.
 bool has_new_line_ends(std::string_view bytes) {
   std::string header;
   for (std::size_t i = 0; i < bytes.size() && header.size() < kHeaderSize; ++i) {
@@ -241,8 +242,7 @@ bool has_new_line_ends(std::string_view bytes) {
          little_endian(header, 8) == bytes.size() - ends;
 }
 
-// Where all bytes are UTF-8, and some outside of the JSON are not ASCII, a program has seen to
-// that.
+// If all bytes are UTF-8, and some outside of the JSON are not ASCII, a program has converted them.
 TextDamage damage_of(std::string_view bytes, std::uint64_t json_end) {
   if (has_new_line_ends(bytes)) return TextDamage::line_ends;
   const std::string_view headers = bytes.substr(0, kHeaderSize + kChunkHeaderSize);
@@ -268,7 +268,8 @@ TextDamage damage_of(std::string_view bytes, std::uint64_t json_end) {
 
 constexpr std::uint64_t kMostText = std::uint64_t{64} << 20U;
 
-// Takes what a repaired reading finds for the errors of a literal one, which is kept beside it.
+// Replaces the errors of a literal reading by those of a repaired reading, and keeps the literal
+// one.
 void take_cause(Container& container, Container cause) {
   auto literal = std::make_shared<Container>(std::move(container));
   container = std::move(cause);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Takes a GLB apart (glTF 2.0 section 4.4) and names its errors as the Khronos validator does.
+/// Parses a GLB (glTF 2.0 section 4.4) and names its errors as the Khronos validator does.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 namespace gltfx::container {
 
 /// Fills chunks, JSON, errors and version of `container`; the file's bytes are the caller's. Never
-/// allocates by a length that stands in the file before it was checked against what is there.
-/// The return value tells why the source could not be read, if so.
+/// allocates by a length in the file before it is checked against the file's size. Returns why the
+/// source could not be read, if so.
 std::optional<Copied> read_glb(const Source& source, Container& container);
 
 }  // namespace gltfx::container

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kExportAgain = "export or copy the file again: it is probably truncated";
 
-/// Four bytes as the number they stand for, with their letters where they have some.
+/// A chunk type as a number, with its letters if it has any.
 std::string type_text(std::uint32_t type) {
   std::string letters;
   for (unsigned shift = 0; shift < 32; shift += 8) {

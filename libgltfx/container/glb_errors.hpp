@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The words for each error of a GLB. One function a code; the code is in the error.
+/// The message for each error of a GLB. One function per code; the code is in the error.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace gltfx::container {
 
-/// What a program does to a GLB that it takes for text.
+/// Damage to a GLB by a program that treats it as text.
 enum class TextDamage : std::uint8_t {
   none,
   line_ends,  ///< "\n" became "\r\n"
-  replaced,   ///< what is no UTF-8 became U+FFFD
+  replaced,   ///< bytes that are not UTF-8 became U+FFFD
   encoded,    ///< each byte became a character of UTF-8
 };
 
@@ -21,7 +21,7 @@ enum class TextDamage : std::uint8_t {
 
 namespace gltfx::container::glb_error {
 
-/// `found`: what the file is instead, as far as that is known.
+/// `found`: the actual format of the file, if known.
 ContainerError invalid_magic(std::uint32_t magic, const Content& found);
 ContainerError invalid_version(std::uint32_t version);
 ContainerError length_too_small(std::uint32_t declared);
@@ -32,7 +32,7 @@ ContainerError end_of_chunk_header(std::uint64_t header_offset, std::uint64_t ac
 ContainerError end_of_chunk_data(const Chunk& chunk, std::uint32_t declared, std::uint64_t actual);
 ContainerError too_many_chunks(std::uint64_t offset, std::uint64_t actual);
 
-/// `length` is what the chunk's header says.
+/// `length` is that of the chunk's header.
 ContainerError chunk_unaligned(const Chunk& chunk, std::uint32_t length);
 ContainerError chunk_too_big(const Chunk& chunk, std::uint32_t length, std::uint32_t declared);
 ContainerError unexpected_first(const Chunk& chunk);
@@ -42,9 +42,9 @@ ContainerError empty_bin(const Chunk& chunk);
 ContainerError duplicate(const Chunk& chunk);
 ContainerError unknown_type(const Chunk& chunk);
 
-/// What a chunk type of 0 or 1 stands for.
+/// The meaning of a chunk type of 0 or 1.
 ContainerError numbered_type(const Chunk& chunk);
-/// `length` lacks the padding, which the file has.
+/// `length` does not include the padding in the file.
 ContainerError uncounted_padding(const Chunk& chunk, std::uint32_t length);
 ContainerError changed_as_text(TextDamage damage);
 

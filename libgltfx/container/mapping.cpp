@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A list that only grows and whose entries are used again, so that it can be read at any moment, in
-// a signal handler too.
+// A list that only grows and whose entries are reused, so that it can be read at any time, also in
+// a signal handler.
 #include "container/mapping.hpp"
 
 #include <gltfx/mapping.hpp>
@@ -23,7 +23,7 @@ struct Mapping {
   std::atomic<std::uintptr_t> begin{0};  ///< 0: free
   std::atomic<std::uintptr_t> end{0};
   std::atomic<bool> torn{false};
-  std::atomic<std::size_t> read{0};  ///< bytes since its pages were let go
+  std::atomic<std::size_t> read{0};  ///< bytes since its pages were released
   Mapping* next = nullptr;           ///< set before it is listed, never changed
 
   bool holds(std::uintptr_t address) const {
@@ -47,11 +47,11 @@ Mapping* find(std::uintptr_t address) {
   return at;
 }
 
-/// Entries of the list that hold no mapping now. Never destroyed: mappings may be freed last.
+/// Entries of the list without a mapping. Never destroyed: mappings may be freed last.
 struct FreeEntries {
   ForkMutex mutex;
   std::vector<Mapping*> entries;
-  std::size_t listed = 0;  ///< all entries, for which there is room in `entries`
+  std::size_t listed = 0;  ///< all entries; `entries` has room for them
 };
 
 FreeEntries& free_entries() {
@@ -76,7 +76,7 @@ Mapping* take_entry() {
   return fresh;
 }
 
-/// Ends a mapping with its last owner.
+/// Unmaps a mapping with its last owner.
 struct Unmap {
   Mapping* mapping;
   std::size_t length;
@@ -115,7 +115,7 @@ bool is_torn(const Bytes& bytes) {
 
 ReadMeter::ReadMeter(const Bytes& bytes) : mapping_(mapping_of(bytes)) {}
 
-// The mapping is read-only: its pages can be had again.
+// The mapping is read-only: its pages can be read again.
 void ReadMeter::add(std::size_t bytes) const {
   if (mapping_ == nullptr || mapping_->read.fetch_add(bytes) + bytes < kMostResident) return;
   mapping_->read = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which memory is a mapped file, so that a signal handler can tell.
+/// Lists the memory of mapped files for signal handlers.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +14,18 @@ struct Mapping;
 /// Owns `length` bytes mapped at `start`: unmaps them when the last copy is gone.
 std::shared_ptr<const void> own_mapping(void* start, std::size_t length);
 
-/// Whether the file behind the bytes became shorter while it was read, as far as somebody called
-/// repair_mapping(). False for bytes that are no mapping.
+/// Whether the mapped file became shorter while it was read and repair_mapping() was called. False
+/// for bytes that are not a mapping.
 bool is_torn(const Bytes& bytes);
 
-/// Bounds how much of a mapped file is resident while somebody reads it: after every few megabytes
-/// that were read, by whichever thread, all of its pages are let go. What is read again comes from
-/// the system's cache. Does nothing for bytes that are no mapping.
+/// Bounds how much of a mapped file is resident during reading: after every few megabytes read by
+/// any thread, all of its pages are released. Repeated reads come from the system's cache. No
+/// effect for bytes that are not a mapping.
 class ReadMeter {
  public:
   /// `bytes` outlives it.
   explicit ReadMeter(const Bytes& bytes);
-  /// So many bytes were read.
+  /// Counts bytes that were read.
   void add(std::size_t bytes) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Assets in memory, as users hand them over, opened like those in files.
+/// Assets in memory, opened like those in files.
 #pragma once
 
 #include <gltfx/memory_asset.hpp>
@@ -14,8 +14,8 @@ namespace gltfx::container {
 /// The bytes of the asset itself.
 Container open_memory(std::string bytes, const std::string& name, AssetFormat format);
 
-/// Of what it refers to. `root`: where files are looked up that do not come with it; empty:
-/// nowhere.
+/// A resolver of the asset's resources. `root`: the folder of files that the asset does not
+/// include; empty: none.
 Resolver resolver_of(const MemoryAsset& asset, const std::string& root);
 
 }  // namespace gltfx::container

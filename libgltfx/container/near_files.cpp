@@ -38,7 +38,7 @@ std::string_view stem_of(std::string_view name) { return name.substr(0, name.rfi
 
 bool same_letters(std::string_view a, std::string_view b) { return lower_case(a) == lower_case(b); }
 
-// Runs of letters and runs of digits, without what is between them.
+// Runs of letters and runs of digits, without other characters.
 Words words_of(std::string_view text) {
   const auto kind = [](char c) {
     if (is_digit(c)) return 1;
@@ -54,7 +54,7 @@ Words words_of(std::string_view text) {
   return words;
 }
 
-// Numbers and short words tell files of a series apart: "wood_n" is not "wood_d".
+// Numbers and short words distinguish files of a series: "wood_n" is not "wood_d".
 bool is_misspelt(std::string_view wanted, std::string_view found) {
   constexpr std::size_t kShort = 4;
   if (wanted == found) return true;
@@ -80,7 +80,7 @@ bool is_spelt_alike(const std::string& wanted, const std::string& found) {
   return std::equal(left.begin(), left.end(), right.begin(), right.end(), is_misspelt);
 }
 
-/// Collects what is near, each path once.
+/// Collects near files, each path once.
 class Search {
  public:
   Search(const Resolver& resolver, std::string_view path)
@@ -89,7 +89,7 @@ class Search {
   std::vector<NearFile> run() {
     if (names_.empty()) return {};
     wanted_ = lower_case(names_.back());
-    // The folder that is named, then the asset's own folder and those behind the steps of the path.
+    // The named folder, then the asset's own folder and those of the later steps of the path.
     for (std::size_t first = 0; first < names_.size(); ++first) {
       const std::string folder = find_folder(first);
       if (folder != kNoFolder) look_into(folder, first == 0 && is_inside_);
@@ -104,8 +104,8 @@ class Search {
  private:
   static constexpr std::string_view kNoFolder = "/";
 
-  // The folder of the path from step `first` on, in any case of letters: empty or with a '/' at its
-  // end; kNoFolder: there is none.
+  // The folder of the path from step `first` on, case-insensitive: empty or with a '/' at its end;
+  // kNoFolder: there is none.
   std::string find_folder(std::size_t first) const {
     std::string folder;
     for (std::size_t i = first; i + 1 < names_.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files that a reference to a missing one may mean.
+/// Files that a reference to a missing file may mean.
 #pragma once
 
 #include <cstdint>
@@ -11,12 +11,12 @@
 
 namespace gltfx::container {
 
-/// How the path of a file differs from the path that leads nowhere, the smallest difference first.
+/// How the path of a file differs from the path of the missing file, the smallest difference first.
 enum class Nearness : std::uint8_t {
   letter_case,
   folder,    ///< the same name elsewhere in the folder of the asset
   ending,    ///< "a.jpg" and "a.png"
-  spelling,  ///< up to two edits in words; a number behind the name, "a.001.png"
+  spelling,  ///< up to two edits in words; a number after the name, "a.001.png"
 };
 
 struct NearFile {
@@ -24,11 +24,12 @@ struct NearFile {
   Nearness nearness = Nearness::letter_case;
 };
 
-/// The nearest first, files of the same nearness by name. Looks into few folders, follows no
-/// symbolic links, and opens no file. `path` as Uri::path has it; it may lead out of the folder.
+/// The nearest first, files of the same nearness by name. Lists few folders, follows no symbolic
+/// links, and opens no file. `path` is a Uri::path; it may lead out of the folder.
 std::vector<NearFile> find_near_files(const Resolver& resolver, std::string_view path);
 
-/// A relative URI for a path: what a URI cannot hold is escaped, letters of all languages stay.
+/// A relative URI for a path: characters that a URI cannot hold are escaped, letters of all
+/// languages stay.
 std::string uri_of_path(std::string_view path);
 
 }  // namespace gltfx::container

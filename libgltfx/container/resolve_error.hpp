@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Why a file could not be read, and how that is told to a person.
+/// Reasons why a file could not be read, and their texts for people.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +21,14 @@ enum class ResolveError : std::uint8_t {
   too_large,
 };
 
-/// The error that a system call's errno stands for.
+/// The error for the errno of a system call.
 ResolveError error_of_errno(int error);
 
-/// The system's words for an errno, safe to call from several threads.
+/// The system's text for an errno. Thread-safe.
 std::string errno_text(int error);
 
-/// One sentence that names `path` (shown printable) and what is wrong with it. `problem` is a
-/// detail such as `Resolved::problem`, put behind a colon where it adds something.
+/// One sentence that names `path` (shown printable) and the error. `problem` is a detail such as
+/// `Resolved::problem`, appended after a colon if it adds something.
 std::string describe(ResolveError error, std::string_view path, std::string_view problem = {});
 
 /// What to do about it, one sentence; empty for `none`.

@@ -24,7 +24,7 @@ std::filesystem::path or_current(const std::filesystem::path& path) {
   return path.empty() ? std::filesystem::path(".") : path;
 }
 
-/// `base` seen from `root`, both without links; empty when they are one folder.
+/// `base` relative to `root`, both without links; empty when they are one folder.
 std::string relative_base(const std::filesystem::path& root, const std::filesystem::path& base,
                           ResolveError& error) {
   if (root == base) return {};
@@ -44,7 +44,7 @@ std::string relative_base(const std::filesystem::path& root, const std::filesyst
   return relative.native() + '/';
 }
 
-/// The components of a path, without those that name nothing.
+/// The components of a path, without empty ones and ".".
 std::vector<std::string_view> components(std::string_view path) {
   std::vector<std::string_view> names;
   for (std::size_t begin = 0; begin < path.size();) {
@@ -56,7 +56,7 @@ std::vector<std::string_view> components(std::string_view path) {
   return names;
 }
 
-// What follows `folder` in `path`, where it is written so and has no ".."; else empty.
+// The rest of `path` after `folder`, if it begins with that and has no ".."; else empty.
 std::string_view below(std::string_view folder, std::string_view path) {
   if (!path.starts_with(folder)) return {};
   path.remove_prefix(folder.size());
@@ -69,14 +69,14 @@ std::string_view below(std::string_view folder, std::string_view path) {
   return leaves ? std::string_view() : path;
 }
 
-// Where an open folder lies now; empty where the system does not tell.
+// The current path of an open folder; empty if the system does not report it.
 std::string path_of(int folder) {
   std::error_code error;
   return std::filesystem::read_symlink(fmt::format("/proc/self/fd/{}", folder), error).native();
 }
 
-// `path` seen from the root. One that leaves the root and names the root's own folders on the way
-// back is shortened by that; whatever it then passes is still opened beneath the root.
+// `path` relative to the root. If it leaves the root and comes back through the root's own folders,
+// that part is removed; the result is still opened beneath the root.
 std::string from_root(int root, const std::string& base, std::string_view path) {
   std::string whole = base + std::string(path);
   std::size_t up = 0;
@@ -98,7 +98,7 @@ std::string from_root(int root, const std::string& base, std::string_view path) 
   return path.ends_with('/') ? inside + '/' : inside;
 }
 
-// Of a path as container::Uri has it: ".." is only at the front.
+// Whether a path leads out; in a Uri::path, ".." is only at the front.
 bool leads_out(std::string_view path) {
   return path == ".." || path.starts_with("../") || path.starts_with('/');
 }

@@ -22,7 +22,7 @@ constexpr std::string_view kDataScheme = "data:";
 // C0 controls and DEL.
 constexpr bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\x7f'; }
 
-// Whether it begins with "data:", in whatever case.
+// Whether it begins with "data:", in any case.
 bool has_data_scheme(std::string_view uri) {
   return uri.size() >= kDataScheme.size() &&
          std::equal(kDataScheme.begin(), kDataScheme.end(), uri.begin(),
@@ -31,7 +31,7 @@ bool has_data_scheme(std::string_view uri) {
 
 constexpr std::size_t npos = std::string_view::npos;
 
-// Where the first '%' stands that begins no escape, or npos.
+// Position of the first '%' that does not begin an escape, or npos.
 std::size_t find_bad_escape(std::string_view text) {
   std::size_t at = text.find('%');
   while (at != npos && is_escape(text, at)) at = text.find('%', at + 3);
@@ -43,7 +43,7 @@ std::size_t find_bad_escape(std::string_view text) {
 std::string remove_dot_segments(std::string_view path, bool hollow_count = false) {
   std::vector<std::string_view> segments;
   std::size_t parents = 0;  // leading ".." in `segments`
-  bool folder = false;      // the last segment is no name, so a '/' follows what is left
+  bool folder = false;      // the last segment is not a name, so a '/' ends the result
   for (std::size_t begin = 0; begin <= path.size();) {
     const std::size_t end = std::min(path.find('/', begin), path.size());
     const std::string_view segment = path.substr(begin, end - begin);
@@ -70,9 +70,8 @@ std::string remove_dot_segments(std::string_view path, bool hollow_count = false
 
 bool leads_up(std::string_view path) { return path == ".." || path.starts_with("../"); }
 
-/// Where readers end up that take a decoded path for one of the file system: doubled slashes are
-/// one, '\\' may be a slash, and nothing is above "/". Only told where it leads out of the folder;
-/// empty otherwise.
+/// The path for readers that treat a decoded path as one of the file system: double slashes are
+/// one, '\\' may be a slash, and nothing is above "/". Empty unless it leads out of the folder.
 std::string way_out(std::string_view decoded) {
   std::string path;
   for (const char c : decoded) {
@@ -98,7 +97,7 @@ std::string hide_colons(std::string path) {
   return path;
 }
 
-/// What no URI may hold, as the end of a sentence; empty when there is nothing.
+/// The first character that no URI may hold, as the end of a sentence; empty when there is none.
 std::string find_problem(std::string_view uri) {
   if (uri.empty()) return "is empty";
   for (std::size_t i = 0; i < uri.size(); ++i) {
@@ -125,7 +124,7 @@ std::string find_problem(std::string_view uri) {
   return {};
 }
 
-// What no file beside the asset is called.
+// A URI that does not name a file beside the asset.
 Uri elsewhere(const UriParts& parts) {
   Uri out;
   out.kind = UriKind::non_relative;
@@ -135,7 +134,7 @@ Uri elsewhere(const UriParts& parts) {
   return out;
 }
 
-// A ':' that would end a scheme, were the path read again.
+// Hides a ':' that would end a scheme if the path were parsed again.
 std::string hide_scheme(std::string path) {
   const std::size_t colon = path.find_first_of(":/");
   if (colon == npos || path[colon] != ':') return path;
@@ -143,12 +142,12 @@ std::string hide_scheme(std::string path) {
   return path.replace(colon, 1, "%3A");
 }
 
-// The decoded path of a reference; empty where it would hold a NUL.
+// The decoded path of a reference; empty if it would hold a NUL.
 std::string path_of(const std::string& escaped, const std::string& normalized) {
-  // Again, because an escaped slash may have hidden a dot segment.
+  // Repeated, because an escaped slash may have hidden a dot segment.
   std::string path =
       normalized.empty() ? normalized : remove_dot_segments(percent_decode(normalized));
-  // Readers decode before or after they follow dot segments.
+  // Some readers decode before they resolve dot segments, others after.
   for (const std::string* each : {&escaped, &normalized}) {
     if (leads_up(path) || path.starts_with('/')) break;
     std::string found = way_out(percent_decode(*each));
@@ -159,7 +158,7 @@ std::string path_of(const std::string& escaped, const std::string& normalized) {
 
 constexpr std::string_view kBase64 = "base64";
 
-// What readers make of base64 for URLs, without padding or with escapes.
+// The payload as lenient readers accept it: base64 for URLs, without padding or with escapes.
 std::string repaired_base64(std::string_view payload) {
   std::string text = percent_decode(payload);
   std::replace(text.begin(), text.end(), '-', '+');
@@ -168,7 +167,7 @@ std::string repaired_base64(std::string_view payload) {
   return text;
 }
 
-/// Cuts the part before the next ';' off the front.
+/// Removes and returns the part before the next ';'.
 std::string_view next_part(std::string_view& rest) {
   const std::size_t end = rest.find(';');
   const std::string_view part = rest.substr(0, end);

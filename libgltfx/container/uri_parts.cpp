@@ -18,7 +18,7 @@ constexpr Position kNowhere = std::string_view::npos;
 
 constexpr bool is_slash(char c) { return c == '/' || c == '\\'; }
 
-// Cuts off what is before `end`, or all of it.
+// Removes and returns the part before `end`, or all of it.
 std::string_view take_until(std::string_view& rest, Position end) {
   const std::string_view taken = rest.substr(0, end);
   rest.remove_prefix(taken.size());
@@ -53,7 +53,7 @@ bool is_ipv4(std::string_view text) {
   return false;
 }
 
-// RFC 3986 section 3.2.2: eight groups, of which one "::" may leave out some.
+// RFC 3986 section 3.2.2: eight groups, some of which one "::" may replace.
 bool is_ipv6(std::string_view text) {
   const Position gap = text.find("::");
   unsigned groups = 0;
@@ -84,7 +84,7 @@ std::string lower_but_escapes(std::string_view host) {
   return out;
 }
 
-// A host in brackets, up to its ']'; empty where that is missing or what is inside is no address.
+// A host in brackets, up to its ']'; empty if that is missing or the content is not an address.
 std::string_view bracketed(std::string_view text) {
   const Position end = text.find(']');
   if (end == kNowhere || !is_ipv6(text.substr(1, std::min(end, text.find('%')) - 1))) return {};

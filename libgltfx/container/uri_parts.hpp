@@ -8,14 +8,14 @@
 
 namespace gltfx::container {
 
-/// Normalized as RFC 3986 sections 6.2.2 and 6.2.3 have it, but for the dot segments of a path that
-/// is relative. What no URI may hold is escaped, and '\\' is read as '/'.
+/// Normalized as in RFC 3986 sections 6.2.2 and 6.2.3, except the dot segments of a relative path.
+/// Forbidden characters are escaped, and '\\' is read as '/'.
 struct UriParts {
   std::string scheme;  ///< lower case; empty: none
   std::optional<std::string> authority;
   std::string path;
   std::optional<std::string> query, fragment;
-  /// What is wrong with scheme, host or port, as the end of a sentence; the rest is unset then.
+  /// The error in scheme, host or port, as the end of a sentence; the other members are then unset.
   std::string problem;
 
   bool has_place() const { return !scheme.empty() || authority || path.starts_with('/'); }
