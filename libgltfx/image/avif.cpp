@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // AVIF (AV1 Image File Format 1.1) to the items of its meta box: boxes of ISO/IEC 14496-12, items
-// and properties of ISO/IEC 23008-12. Checked are that boxes lie inside the file, that there is a
-// primary item of AV1 or a grid of them, and that it has an extent. What is not checked, with the
-// reason:
+// and properties of ISO/IEC 23008-12. The checks: boxes are inside the file, there is a primary
+// item of AV1 or a grid of such items, and it has an extent. Not checked, with the reason:
 // - where the data of items lie, the AV1 in them: they must be decoded, which `--pixels` does;
-// - profiles, essential flags, properties of other items, brands beyond the first known: readers go
-//   by what they can decode;
-// - tracks of animations: that there are some is reported.
+// - profiles, essential flags, properties of other items, brands beyond the first known: readers
+//   ignore them;
+// - tracks of animations: their presence is reported.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -31,8 +30,8 @@ std::string_view text_of(Bytes bytes, std::size_t offset, std::size_t length) {
   return {reinterpret_cast<const char*>(bytes.data()) + offset, length};
 }
 
-// The box that `bytes` begin with, which is taken from them; nothing at their end and where the box
-// ends behind it.
+// Removes and returns the box at the start of `bytes`; nothing at their end, or if the box is
+// longer than the bytes.
 std::optional<Box> next_box(Bytes& bytes) {
   Cursor at(bytes);
   std::uint64_t size = at.be32();
@@ -65,11 +64,11 @@ struct Full {
     flags |= at.u8();
   }
   Bytes rest(Bytes content) const { return content.subspan(at.position()); }
-  // A number of 16 bits, or of 32 from a version on.
+  // A number of 16 bits, or of 32 bits from version `wide_from` on.
   std::uint32_t id(std::uint8_t wide_from) { return version < wide_from ? at.be16() : at.be32(); }
 };
 
-// What a meta box says of its items.
+// The items of a meta box.
 struct Items {
   std::uint32_t primary = 0;
   std::map<std::uint32_t, std::string_view> types;              // by item
@@ -77,7 +76,7 @@ struct Items {
   std::map<std::uint32_t, std::vector<std::uint16_t>> of_item;  // properties
   std::multimap<std::uint32_t, std::uint32_t> auxiliary;        // of an item
   bool premultiplied = false;
-  bool data = false;  // some lie in the meta box
+  bool data = false;  // some data is in the meta box
 
   const Box* property(std::uint32_t item, std::string_view type) const {
     const auto found = of_item.find(item);
@@ -92,7 +91,7 @@ struct Items {
 
 void read_types(Bytes content, Items& items) {
   Full full(content);
-  full.id(1);  // how many there are, which their end tells as well
+  full.id(1);  // the number of entries, which their end gives as well
   for_each_box(full.rest(content), [&](const Box& box) {
     if (box.type != "infe") return;
     Full entry(box.content);
@@ -260,7 +259,7 @@ bool is_avif(std::span<const std::byte> bytes) {
   if (!at.at("ftyp"sv)) return false;
   at.skip(4);
   if (at.at("avif"sv) || at.at("avis"sv)) return true;
-  const auto box = next_box(bytes);  // another brand stands first, such as "mif1"
+  const auto box = next_box(bytes);  // another brand is first, such as "mif1"
   return box && (has_brand(box->content, "avif") || has_brand(box->content, "avis"));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Reads numbers of a header one after the other and remembers when the bytes ran out; the readers
-/// behind `read_header` that do so.
+/// Reads numbers of a header one after the other and records when the bytes end; the readers that
+/// `read_header` calls.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace gltfx::image {
 
-/// Every read past the end gives 0 and makes ok() false for good.
+/// Every read past the end gives 0 and makes ok() permanently false.
 class Cursor {
  public:
   explicit Cursor(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -40,7 +40,7 @@ class Cursor {
     }
   }
 
-  /// Whether `text` stands here; does not move.
+  /// Whether `text` is at the current position, which does not change.
   bool at(std::string_view text) const {
     return text.size() <= left() && std::memcmp(bytes_.data() + at_, text.data(), text.size()) == 0;
   }
@@ -78,11 +78,11 @@ inline HeaderError invalid(std::string problem) {
   return {HeaderError::Kind::invalid, std::move(problem)};
 }
 
-/// Keeps the first problem that makes readers refuse an image.
+/// Records the first problem that makes readers refuse an image.
 inline void doubt(Header& header, std::string problem) {
   if (header.doubt.empty()) header.doubt = std::move(problem);
 }
-/// Keeps the first problem that readers pass over, or over which they differ.
+/// Records the first problem that readers ignore, or handle differently.
 inline void remark(Header& header, std::string problem, bool readers_differ) {
   if (!header.remark.empty() && header.readers_differ >= readers_differ) return;
   header.remark = std::move(problem);

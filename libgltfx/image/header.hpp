@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the first bytes of an image say about it: format, size, channels, colour space. Nothing is
-/// decoded; a few hundred bytes are read of an image of any size.
+/// Headers of images: format, size, channels, colour space. Nothing is decoded; a few hundred bytes
+/// are read of an image of any size.
 ///
 /// Sources: PNG (W3C, third edition), JPEG (ITU-T T.81), WebP container (RFC 9649), AVIF 1.1 (with
 /// ISO/IEC 14496-12 and 23008-12), KTX 2.0.
@@ -34,32 +34,30 @@ constexpr bool has_alpha(Channels channels) {
 enum class Tag : std::uint8_t { none, srgb, linear, custom };
 std::string_view tag_name(Tag tag);
 
-/// What is told of colours is what the file declares by its form: a grey photograph stored as RGB
-/// is not `grey`. Pixels and bits are what the file declares; nobody has looked whether they are
-/// there.
+/// The declarations of an image file. Colours are those of the stored form: a grey photograph
+/// stored as RGB is not `grey`. Whether the declared pixels exist is not checked.
 struct Header {
   Format format = Format::png;
   std::uint32_t width = 0;   ///< pixels
   std::uint32_t height = 0;  ///< pixels
   std::uint32_t bits = 8;    ///< per channel
   Channels channels = Channels::rgb;
-  Tag primaries = Tag::none;  ///< `none` where the format has no say in it
+  Tag primaries = Tag::none;  ///< `none` if the format does not define it
   Tag transfer = Tag::none;
   bool square_pixels = true;
   bool animated = false;
   bool interlaced = false;  ///< or progressive
   bool palette = false;
-  bool opaque = false;  ///< there is an alpha channel, but all it can hold is 1 (PNG: tRNS)
-  bool grey = false;    ///< R, G and B cannot differ
-  bool two_level =
-      false;  ///< no channel can hold anything but 0 and 1: the same in sRGB and linear
+  bool opaque = false;     ///< there is an alpha channel, but its values can only be 1 (PNG: tRNS)
+  bool grey = false;       ///< R, G and B cannot differ
+  bool two_level = false;  ///< channels can hold only 0 and 1: the same in sRGB and linear
   bool icc_profile = false;
   bool exif = false;  ///< WebP: metadata of a camera
-  /// What the format forbids in a header that could be read all the same: readers refuse such an
-  /// image. One sentence; else empty.
+  /// A violation of the format in a header that could be read: readers refuse such an image. One
+  /// sentence; else empty.
   std::string doubt;
-  /// What readers pass over although the format forbids it, or what few of them know. One sentence;
-  /// else empty. `doubt` says more where both are there.
+  /// A violation that readers ignore, or a feature that few of them support. One sentence; else
+  /// empty. `doubt` is more important if both are set.
   std::string remark;
   bool readers_differ = false;  ///< over the remark: some show another picture, or none
 };
@@ -67,15 +65,15 @@ struct Header {
 /// Why there is no header.
 struct HeaderError {
   enum class Kind : std::uint8_t {
-    unrecognized,    ///< the bytes are of no format known here
+    unrecognized,    ///< unknown format
     unexpected_end,  ///< the image ends before its header does
     invalid,         ///< the header contradicts its format
   };
   Kind kind = Kind::unrecognized;
-  std::string problem;  ///< one sentence; empty where the kind says it all
+  std::string problem;  ///< one sentence; empty if the kind is enough
 };
 
-/// Fewer bytes cannot be told apart.
+/// Fewer bytes cannot be identified.
 inline constexpr std::size_t kSniffBytes = 14;
 
 inline std::uint64_t texels_of(const Header& header) {
@@ -97,24 +95,24 @@ constexpr bool can_be_transparent(const Header& header) {
 }
 
 /// Reads the header of a PNG (to the first IDAT, and whether its end is there), JPEG (to the first
-/// scan), WebP (to the image data) or AVIF (its items and their properties). KTX2 is told, not
-/// read: see image/ktx2.hpp.
+/// scan), WebP (to the image data) or AVIF (its items and their properties). KTX2 is recognised,
+/// not read: see image/ktx2.hpp.
 ///
-/// What is checked stands at the head of each format's file. What the formats demand and is not
-/// checked, with the reason:
+/// The checks are listed at the start of each format's file. Requirements of the formats that are
+/// not checked, with the reason:
 /// - All: compressed data and their checksums; they must be decoded, which `--pixels` does.
 /// - PNG: chunks about colour, text and time, and their order; glTF ignores them.
 /// - PNG: checksums of ancillary chunks; only that of tRNS matters, and few readers skip it for
 /// that.
-/// - PNG: tRNS values beyond the bit depth, the reserved letter of names; readers cope alike.
+/// - PNG: tRNS values beyond the bit depth, the reserved letter of names; all readers accept them.
 /// - PNG: frames of an animation; they are ignored.
-/// - JPEG: EOI; data behind it, as cameras append them, make it costly to find. Decoders tell.
+/// - JPEG: EOI; it is costly to find when data follows it, as from cameras. Decoders check it.
 /// - JPEG: 16-bit quantisation tables, steps of 0, table numbers of baseline, component ids that
-///   repeat, restart intervals, JFIF and Adobe segments; readers cope alike.
-/// - JPEG: scans behind the first; they lie behind compressed data.
+///   repeat, restart intervals, JFIF and Adobe segments; all readers accept them.
+/// - JPEG: scans after the first; they follow compressed data.
 /// - WebP: flags of metadata, padding bytes, unknown chunks; readers skip them.
-/// - WebP: frames of an animation; that there is one is reported.
-/// - AVIF: what image/avif.cpp says.
+/// - WebP: frames of an animation; its presence is reported.
+/// - AVIF: see image/avif.cpp.
 /// - KTX2: see image/ktx2.hpp.
 HeaderResult read_header(std::span<const std::byte> bytes);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// JPEG (ITU-T T.81), from SOI to the first scan header. Checked are the coding process, the frame
-// header, tables in front of the first scan, and the header of that scan.
+// JPEG (ITU-T T.81), from SOI to the first scan header. The checks cover the coding process, the
+// frame header, tables before the first scan, and the header of that scan.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -27,8 +27,7 @@ bool stands_alone(std::uint8_t marker) {
   return marker == 0x01 || (marker >= 0xD0 && marker <= 0xD9);
 }
 
-// As decoders do it, bytes between segments are not held against a file; `loose` says that there
-// were some.
+// As in decoders, bytes between segments are ignored; `loose` says that there were some.
 std::optional<Segment> next_segment(Cursor& at, std::span<const std::byte> bytes, bool& loose) {
   bool fill = false;
   while (at.ok()) {
@@ -61,7 +60,7 @@ struct Jpeg {
   std::uint8_t process = 0;  // its frame marker; 0 before the frame
   std::vector<Component> components;
   std::array<bool, 4> quantisation{}, dc{}, ac{};
-  bool loose = false;  // what the segments are is not sure
+  bool loose = false;  // the segments are not certain
 
   void refuse(std::string problem) {
     if (!loose) doubt(header, std::move(problem));
@@ -80,7 +79,7 @@ void read_quantisation(Cursor at, Jpeg& jpeg) {
   }
 }
 
-// Whether codes of these lengths can be told apart; none consists of ones only (section C.2).
+// Whether codes of these lengths form a prefix code; none consists of ones only (section C.2).
 bool is_prefix_code(const std::array<std::uint32_t, 16>& counts, std::uint32_t left) {
   std::uint32_t code = 0;
   for (std::size_t i = 0; i < counts.size() && left > 0; ++i, code <<= 1U) {
@@ -101,7 +100,7 @@ void read_huffman(Cursor at, Jpeg& jpeg) {
       count = at.u8();
       sum += count;
     }
-    bool symbols = true;  // those of DC are numbers of bits
+    bool symbols = true;  // symbols of DC are numbers of bits
     for (std::uint32_t i = 0; i < sum; ++i)
       symbols = (at.u8() <= 15 || table_class != 0) && symbols;
     if (table_class > 1 || id > 3 || sum > 256 || !at.ok() || !is_prefix_code(counts, sum) ||
@@ -152,7 +151,7 @@ void read_components(Cursor at, std::uint8_t count, std::uint16_t length, Jpeg& 
   }
 }
 
-// An error where nothing can be said of the image.
+// An error if the image cannot be described.
 std::optional<HeaderError> read_frame_header(Segment segment, Jpeg& jpeg) {
   Header& header = jpeg.header;
   Cursor& at = segment.content;
@@ -248,7 +247,7 @@ void check_scan(Segment segment, Jpeg& jpeg) {
   check_band(band, count, jpeg);
 }
 
-// What a segment in front of the first scan says, apart from frames.
+// Reads a segment before the first scan, except frames.
 void read_segment(const Segment& segment, Jpeg& jpeg) {
   if (segment.marker == 0xDB) read_quantisation(segment.content, jpeg);
   if (segment.marker == 0xC4) read_huffman(segment.content, jpeg);

@@ -56,7 +56,7 @@ void check_fields(Ktx2Reading& reading) {
   }
 }
 
-// A range of the index when it is sound, otherwise an empty one.
+// A range of the index if it is valid, otherwise an empty one.
 Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
                std::uint64_t alignment) {
   const auto bad = [&](std::string problem) {
@@ -74,8 +74,8 @@ Ktx2Range part(Ktx2Reading& reading, Ktx2Range range, std::string_view name,
   return range;
 }
 
-// The descriptor is padded on neither side, the global data to 8 bytes. Readers that go by the
-// index do not notice. After other errors nobody knows where the parts begin.
+// The descriptor has no padding on either side, the global data is padded to 8 bytes. Readers that
+// use the index ignore this. After other errors the start of the parts is unknown.
 void check_gaps(Ktx2Reading& reading, std::uint64_t index_end) {
   const auto bad = [&](std::string problem) {
     reading.tolerated_error(Code::KTX2_INDEX_INVALID, std::move(problem));
@@ -127,7 +127,7 @@ void read_index(Cursor& at, Ktx2Reading& reading) {
   reading.global = part(reading, global, "The supercompression global data", 8);
 }
 
-// As many levels as the extents allow; what was declared beyond has been reported.
+// As many levels as the extents allow; further declared levels have been reported.
 bool read_levels(Cursor& at, Ktx2& file) {
   const std::uint32_t count = std::clamp(file.level_count, 1U, file.full_pyramid());
   for (std::uint32_t i = 0; i < count; ++i) {

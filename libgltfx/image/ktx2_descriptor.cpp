@@ -84,8 +84,8 @@ bool is_basic_block(Cursor& at, std::uint64_t room, std::uint64_t& size) {
          (size - kBlockHeaderBytes) % kSampleBytes == 0;
 }
 
-// ETC1S and UASTC: blocks of 4 by 4 texels, and samples of whole blocks. Former editions wrote no
-// bytes of planes where data are supercompressed.
+// ETC1S and UASTC: blocks of 4 by 4 texels, and samples of whole blocks. Earlier editions of the
+// specification wrote no bytes of planes for supercompressed data.
 void check_universal_blocks(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   const bool etc1s = file.model == Ktx2Model::etc1s;
@@ -124,8 +124,8 @@ void keep_value(std::string_view key, std::string_view value, Ktx2& file) {
   if (key == "KTXswizzle") file.swizzle = std::string(value);
 }
 
-// Keys whose presence or value the format restricts, and that no rule of glTF looks at. Each can
-// stand once at most, since keys that repeat end the metadata.
+// Keys whose presence or value the format restricts, and that no rule of glTF checks. Each occurs
+// at most once, since repeated keys end the metadata.
 void check_value(std::string_view key, std::string_view value, Ktx2Reading& reading) {
   if (!value.empty() && value.back() == '\0') value.remove_suffix(1);
   const bool mapping =
@@ -149,7 +149,7 @@ void read_ktx2_descriptor(Ktx2Reading& reading) {
   Ktx2& file = reading.file;
   const Ktx2Range range = reading.descriptor;
   if (range.length == 0) {
-    // An index that was wrong has been reported.
+    // A wrong index has been reported.
     const bool told = std::any_of(file.errors.begin(), file.errors.end(), [](const auto& error) {
       return error.code == Code::KTX2_INDEX_INVALID;
     });

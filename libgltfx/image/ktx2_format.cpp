@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // vkFormat of a KTX2 file against its data format descriptor, and typeSize against both (KTX 2.0
-// sections 3.2, 3.3 and 3.10). What texels a format has follows from its name, as the
-// specification says.
+// sections 3.2, 3.3 and 3.10). The texels of a format follow from its name, as in the
+// specification.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -25,7 +25,7 @@ bool is_known_to_vulkan(std::uint8_t model) {
          model == kPvrtc2;
 }
 
-// --- What a name says ---
+// --- Names ---
 
 // A component of an uncompressed texel.
 struct Part {
@@ -36,7 +36,7 @@ struct Part {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The number at `at`, which is moved behind it.
+// The number at `at`, which is moved past it.
 std::uint32_t number(std::string_view text, std::size_t& at) {
   std::uint32_t value = 0;
   for (; at < text.size() && is_digit(text[at]); ++at) {
@@ -45,7 +45,7 @@ std::uint32_t number(std::string_view text, std::size_t& at) {
   return value;
 }
 
-// "R5G6B5" in its components.
+// The components of a layout such as "R5G6B5".
 std::vector<Part> parts_of(std::string_view layout) {
   std::vector<Part> parts;
   for (std::size_t at = 0; at < layout.size();) {
@@ -71,7 +71,7 @@ std::uint32_t type_size(const VkFormat& format) {
   return parts_of(format.layout).front().bits / 8;
 }
 
-// What a descriptor says of the texel blocks of a format.
+// The texel blocks of a format, as a descriptor has them.
 struct Blocks {
   std::uint8_t model = kRgbsda;
   std::uint32_t width = 1, height = 1;
@@ -99,7 +99,7 @@ Blocks blocks_of(const VkFormat& format) {
   return {kRgbsda, 1, 1, bits / 8};
 }
 
-// --- The same of a descriptor ---
+// --- Descriptors ---
 
 char letter_of(std::uint8_t channel) {
   switch (channel) {
@@ -153,7 +153,7 @@ std::string model_text(const Ktx2Reading& reading) {
                       : fmt::format("{} ({})", reading.color_model, name);
 }
 
-// --- Both ---
+// --- Names against descriptors ---
 
 class FormatCheck {
  public:
@@ -184,7 +184,7 @@ class FormatCheck {
     reading_.error(Code::KTX2_FORMAT_MISMATCH, sentence(problem));
   }
 
-  // Former editions wrote no bytes where data are supercompressed.
+  // Earlier editions of the specification wrote no bytes for supercompressed data.
   void check_blocks(const Blocks& blocks) {
     const std::array<std::uint8_t, 4>& block = reading_.file.block;
     const std::uint32_t width = block[0] + 1U, height = block[1] + 1U;
@@ -255,7 +255,7 @@ std::string named(std::uint32_t value) {
   return format ? fmt::format("{} ({})", value, format->name()) : fmt::to_string(value);
 }
 
-// UASTC and ETC1S, which Vulkan has no formats for.
+// UASTC and ETC1S, for which Vulkan has no formats.
 void check_universal(Ktx2Reading& reading) {
   const Ktx2& file = reading.file;
   if (file.vk_format != 0) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The global data of BasisLZ in a KTX2 file: codebooks, and where the slices of images lie
-// (KTX 2.0, "BasisLZ Global Data").
+// The global data of BasisLZ in a KTX2 file: codebooks, and the slices of images (KTX 2.0, "BasisLZ
+// Global Data").
 #include <array>
 #include <numeric>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint64_t kGlobalHeaderBytes = 20;
 constexpr std::uint64_t kImageDescriptionBytes = 20;
 
-// Descriptions of the images of all levels, or nothing when no file can have that many.
+// Number of images of all levels, or nothing when no file can have that many.
 Checked all_images(const Ktx2& file) {
   Checked sum = 0;
   for (std::size_t level = 0; level < file.levels.size() && sum; ++level) {
@@ -49,7 +49,7 @@ struct Slices {
   }
 };
 
-// Images by level. Flags, which readers of still images ignore, are told once.
+// Images by level. Flags, which readers of still images ignore, are reported once.
 class ImageCheck {
  public:
   explicit ImageCheck(Ktx2Reading& reading)
@@ -94,7 +94,7 @@ class ImageCheck {
   bool told_ = false;
 };
 
-// Behind the descriptions of images, one after the other.
+// After the descriptions of images, one after the other.
 Ktx2Codebooks codebooks_at(std::uint64_t offset, const std::array<std::uint64_t, 4>& lengths) {
   Ktx2Codebooks books;
   books.endpoints = {offset, lengths[0]};

@@ -16,8 +16,8 @@ constexpr std::uint8_t kRgbsda = 1, kFirstBlockModel = 128;
 
 bool is_block_model(const Ktx2Reading& reading) { return reading.color_model >= kFirstBlockModel; }
 
-// Bytes of a texel block, or 0 where nobody knows: PVRTC has extents of its own, and 4:2:2 texels
-// several planes.
+// Bytes of a texel block, or 0 if unknown: PVRTC has special extents, and 4:2:2 texels have several
+// planes.
 std::uint64_t block_size(const Ktx2Reading& reading) {
   constexpr std::uint8_t kPvrtc = 164, kPvrtc2 = 165;
   const std::uint8_t model = reading.color_model;

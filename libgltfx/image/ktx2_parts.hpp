@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The parts of a KTX2 file, one after the other. Each reads what it can and names what is wrong.
+/// The parts of a KTX2 file, one after the other. Each reads what it can and records errors.
 #pragma once
 
 #include <array>
@@ -23,12 +23,12 @@ struct Ktx2Sample {
   bool is_float = false, is_signed = false;
 };
 
-/// A file while it is read. Ranges lie inside the bytes, or are empty.
+/// A file during reading. Ranges are inside the bytes, or empty.
 struct Ktx2Reading {
   std::span<const std::byte> bytes;
   Ktx2& file;
   Ktx2Range descriptor, metadata, global;
-  /// Of the basic descriptor block.
+  /// A member of the basic descriptor block.
   std::uint8_t color_model = 0;
   std::array<std::uint8_t, 2> plane_bytes{};  ///< of a texel block in the first two planes
   std::vector<Ktx2Sample> samples;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// PNG (W3C Portable Network Graphics, third edition), from the signature to the first IDAT. Checked
-// are the fields of IHDR and how they go together, PLTE and tRNS for the colour type, the checksums
-// of IHDR and PLTE, names of critical chunks, the first bytes of the compressed data, and that IEND
-// is there.
+// PNG (W3C Portable Network Graphics, third edition), from the signature to the first IDAT. The
+// checks cover the fields of IHDR and their combinations, PLTE and tRNS for the colour type, the
+// checksums of IHDR and PLTE, names of critical chunks, the first bytes of the compressed data, and
+// the presence of IEND.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -20,7 +20,7 @@ constexpr std::uint32_t tag(const char (&name)[5]) {
          static_cast<std::uint32_t>(name[2]) << 8 | static_cast<std::uint32_t>(name[3]);
 }
 
-// What the chunks before the image data have said so far.
+// State of the chunks before the image data.
 struct Chunks {
   Header header;
   std::uint32_t palette_entries = 0;
@@ -53,7 +53,7 @@ bool set_channels(Header& header, std::uint8_t color_type) {
   return true;
 }
 
-// The bit depths that go with a colour type, in words; `bits` is a power of two when it is sound.
+// Checks the bit depth of a colour type; `bits` is a power of two if it is valid.
 void check_depth(Header& header, std::uint8_t color_type) {
   struct Depths {
     std::uint32_t bits;
@@ -165,7 +165,7 @@ void read_palette(Cursor at, std::uint32_t length, Chunks& chunks) {
 }
 
 // Section 11.3.1.1: a byte for each of the first entries of a palette; otherwise one colour. Some
-// readers refuse what others skip.
+// readers refuse errors here that others skip.
 void check_transparency(std::uint32_t length, Chunks& chunks) {
   Header& header = chunks.header;
   if (has_alpha(header.channels)) {
@@ -195,9 +195,9 @@ void read_transparency(Cursor at, std::uint32_t length, Chunks& chunks) {
   }
 }
 
-// --- Chunks as such ---
+// --- All chunks ---
 
-// Section 5.4: the first letter is small where readers may skip a chunk they do not know.
+// Section 5.4: the first letter is lower case if readers may skip an unknown chunk.
 void check_name(std::uint32_t type, Header& header) {
   std::string name;
   for (int shift = 24; shift >= 0; shift -= 8) name += static_cast<char>(type >> shift & 0xFFU);
@@ -263,7 +263,7 @@ void read_chunk(Cursor at, std::uint32_t type, std::uint32_t length, Chunks& chu
 
 // The first bytes of a zlib stream (RFC 1950): deflate, a window of 32 KiB at most, no dictionary.
 void check_stream(Cursor at, std::uint32_t length, Header& header) {
-  if (length < 2) return;  // it goes on in the next chunk
+  if (length < 2) return;  // it continues in the next chunk
   const std::uint32_t method = at.u8(), flags = at.u8();
   const bool sound = (method & 0x0FU) == 8 && method >> 4U <= 7 && (flags & 0x20U) == 0 &&
                      (method << 8U | flags) % 31 == 0;
@@ -272,8 +272,8 @@ void check_stream(Cursor at, std::uint32_t length, Header& header) {
   }
 }
 
-// Whether the first IDAT ends inside the file and IEND is there. That stands at the very end, but
-// where bytes that nobody reads follow. `at` is at the content of the IDAT.
+// Whether the first IDAT ends inside the file and IEND exists. IEND is at the end of the file
+// unless unread bytes follow. `at` is at the content of the IDAT.
 bool has_end(std::span<const std::byte> bytes, Cursor at, std::uint32_t length) {
   using namespace std::literals;
   constexpr std::string_view kEnd = "\0\0\0\0IEND\xae\x42\x60\x82"sv;
@@ -287,11 +287,10 @@ bool has_end(std::span<const std::byte> bytes, Cursor at, std::uint32_t length) 
     if (type == tag("IEND")) return true;
     at.skip(std::uint64_t{length} + 4);
   }
-  return true;  // nobody knows
+  return true;  // unknown
 }
 
-// A colour that counts as transparent makes an alpha channel of it. What says nothing about colour
-// is sRGB.
+// A transparent colour adds an alpha channel. Without chunks about colour, the image is sRGB.
 void finish(Chunks& chunks) {
   Header& header = chunks.header;
   if (header.primaries == Tag::none) header.primaries = Tag::srgb;

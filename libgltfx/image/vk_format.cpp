@@ -7,11 +7,11 @@
 namespace gltfx::image {
 namespace {
 
-// Formats of one layout, numbered one after the other.
+// Formats of one layout, with consecutive numbers.
 struct Run {
   std::uint32_t first;
   std::string_view layout;
-  std::string_view types;  // with a space between two
+  std::string_view types;  // separated by spaces
   std::uint32_t word_bits = 0;
 };
 
@@ -105,7 +105,7 @@ constexpr std::array kRuns = {
     Run{1000340001, "A4B4G4R4", "UNORM", 16},
 };
 
-// Word `index` of a list with spaces between, or nothing.
+// Word `index` of a list separated by spaces, or nothing.
 std::optional<std::string_view> word(std::string_view list, std::uint32_t index) {
   for (; index > 0; --index) {
     const std::size_t space = list.find(' ');
@@ -144,7 +144,7 @@ std::optional<VkFormat> vk_format(std::uint32_t value) {
 bool is_prohibited_vk_format(std::uint32_t value) {
   const std::optional<VkFormat> format = vk_format(value);
   if (format) return format->type.ends_with("SCALED");
-  // Extensions 156 and 330 of Vulkan bring texels of two or three planes among others.
+  // Extensions 156 and 330 of Vulkan add texels of two or three planes, among others.
   struct Range {
     std::uint32_t first, last;
   };

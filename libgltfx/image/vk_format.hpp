@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the names of Vulkan's formats say of their texels.
+/// The texels of Vulkan's formats, from their names.
 #pragma once
 
 #include <cstdint>
@@ -22,11 +22,10 @@ struct VkFormat {
   bool is_srgb() const { return type == "SRGB"; }
 };
 
-/// The format of a number, or nothing where the number is not known here.
+/// The format with a number, or nothing if the number is unknown.
 std::optional<VkFormat> vk_format(std::uint32_t value);
 
-/// Whether KTX 2.0 forbids a format of Vulkan (section 3.2): numbers that are scaled, and several
-/// planes.
+/// Whether KTX 2.0 forbids a format of Vulkan (section 3.2): scaled numbers and several planes.
 bool is_prohibited_vk_format(std::uint32_t value);
 
 }  // namespace gltfx::image

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// WebP container (RFC 9649), to its image data: lossy, lossless or extended. Checked are the sizes
-// of the file and of its chunks, the headers of both bitstreams, and canvas and alpha of the
+// WebP container (RFC 9649), to its image data: lossy, lossless or extended. The checks cover the
+// sizes of the file and of its chunks, the headers of both bitstreams, and canvas and alpha of the
 // extended form against the image in it.
 #include <algorithm>
 #include <optional>
@@ -16,7 +16,7 @@ constexpr std::size_t kHeaderBytes = 30;
 constexpr std::size_t kLosslessBytes = 25;
 constexpr std::uint64_t kChunkHeaderBytes = 8;
 
-// Section 2.7.1.1 with the frame header of RFC 6386 section 9.1. `at` is behind the name.
+// Section 2.7.1.1 with the frame header of RFC 6386 section 9.1. `at` is after the name.
 void read_lossy(Cursor at, Header& header) {
   const std::uint32_t size = at.le32();
   const std::uint32_t frame = at.le24();
@@ -49,7 +49,7 @@ void read_lossless(Cursor at, Header& header) {
 
 // --- The extended form (section 2.7.1) ---
 
-// What is checked against the image behind it.
+// The image that the extended header is checked against.
 struct Found {
   bool image = false;
   bool whole = false;  // its chunk ends inside the file
@@ -57,7 +57,7 @@ struct Found {
   Header header;  // of the image
 };
 
-// Whether a chunk at `at`, which is moved behind it, lies inside the file.
+// Whether a chunk at `at`, which is moved past it, is inside the file.
 bool skip_chunk(Cursor& at) {
   at.skip(4);
   const std::uint64_t size = at.le32();
@@ -66,7 +66,7 @@ bool skip_chunk(Cursor& at) {
 }
 
 // The image data: a still image, or the first frame of an animation, whose header is not read.
-// Nothing where so many chunks stand before it that it is not looked for.
+// Nothing if too many chunks precede it.
 std::optional<Found> find_image(Cursor at, bool animated) {
   constexpr int kMaxChunks = 1 << 16;
   Found found;
@@ -136,7 +136,7 @@ std::uint64_t file_size(std::span<const std::byte> bytes) {
   return kChunkHeaderBytes + at.le32();
 }
 
-// Whether the bytes go as far as the file and its first chunk say.
+// Whether the file has as many bytes as its header and its first chunk say.
 void check_sizes(std::span<const std::byte> bytes, Header& header) {
   const std::uint64_t file = file_size(bytes);
   Cursor at(bytes);
