@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Objects of extensions, wherever they are in a document.
+/// Finds the objects of extensions in a document.
 #pragma once
 
 #include "json/document.hpp"
 
 namespace gltfx::graph {
 
-/// Calls `visit` with the members of `extensions` in the nodes [begin, end), but for those in
+/// Calls `visit` with the members of `extensions` in the nodes [begin, end), except those in
 /// `extras`.
 template <class Visit>
 void each_extension(const json::Document& document, json::NodeId begin, json::NodeId end,

@@ -19,7 +19,7 @@ std::vector<json::NodeId> likely_indices(const json::Document& document,
       return lower.find(word) != std::string::npos;
     });
   };
-  json::NodeId end = 0;  // of the extras that are being looked at
+  json::NodeId end = 0;  // of the current extras
   for (json::NodeId id = 0; id < document.node_count(); ++id) {
     const json::Node& node = document.node(id);
     if (node.kind != json::Kind::key) continue;

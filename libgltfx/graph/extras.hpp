@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Members of `extras` that look as if they referred to something.
+/// Members of `extras` that may be references.
 #pragma once
 
 #include <initializer_list>

@@ -14,7 +14,7 @@
 namespace gltfx::graph {
 namespace {
 
-// "{name}" and "[name]" stand for what is chosen at run time.
+// "{name}" and "[name]" are chosen at run time.
 bool is_parameter(const std::string& step) {
   return step.find('{') != std::string::npos || step.find('[') != std::string::npos;
 }
@@ -23,7 +23,7 @@ bool is_varied(const schema::Target& target) {
   return std::find(target.steps.begin(), target.steps.end(), "*") != target.steps.end();
 }
 
-// Where all arrays are that a target with "*" may mean.
+// The value that holds all arrays that a target with "*" may mean.
 json::NodeId root_of_targets(const Tree& tree, const schema::Target& target) {
   json::NodeId at = tree.document().root();
   for (const std::string& step : target.steps) {
@@ -34,7 +34,7 @@ json::NodeId root_of_targets(const Tree& tree, const schema::Target& target) {
   return at;
 }
 
-/// Values by name; kNoNode where several have it.
+/// Values by name; kNoNode if several have it.
 using Named = std::unordered_map<std::string, json::NodeId>;
 
 // What a name may refer to: members of objects, and objects with a string member.
@@ -145,7 +145,7 @@ class Graph::Reader {
     }
   }
 
-  // Lists whose elements refer to something at times.
+  // Records lists whose elements may be references.
   void note_lists(const schema::ObjectType& type, json::NodeId object) {
     for (const schema::Property& property : type.properties) {
       if (property.shape == schema::kNone) continue;
@@ -163,7 +163,7 @@ class Graph::Reader {
     }
   }
 
-  // When all types are known.
+  // Called when all types are known.
   void note_indices(const List& list) {
     std::uint64_t position = 0;
     json::NodeId target = list.object;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What refers to what in a document. Schemas alone tell what is a reference.
+/// All references of a document. Only schemas define which values are references.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace gltfx::graph {
 
-/// How a value is referred to.
+/// The kind of a reference.
 enum class UseKind : std::uint8_t {
   index,
   pointer,  ///< a JSON pointer
-  name,     ///< that no other value has to which this name may refer
+  name,     ///< a name that is unique among the values that it may refer to
   implied,  ///< the default of a member that is absent
 };
 
@@ -31,44 +31,45 @@ struct Use {
   UseKind kind = UseKind::index;
 };
 
-/// An index, also one that leads nowhere.
+/// An index, also a broken one.
 struct IndexUse {
   Place at;
   Span span;               ///< of the number
-  std::string_view array;  ///< pointer to the array where the schema names one: "/textures"
+  std::string_view array;  ///< pointer to the array if the schema names one: "/textures"
   std::uint64_t index = 0;
-  json::NodeId list = json::kNoNode;  ///< the array that it leads into; kNoNode: none
-  /// The value that holds all arrays that may be meant; kNoNode: there is one array only.
+  json::NodeId list = json::kNoNode;  ///< the array that it points into; kNoNode: none
+  /// The value that holds all arrays that may be meant; kNoNode: there is only one array.
   json::NodeId ambiguous = json::kNoNode;
 };
 
-/// A string that is a JSON pointer, also one that leads nowhere.
+/// A string that is a JSON pointer, also a broken one.
 struct PointerText {
   json::NodeId at = json::kNoNode;
   std::vector<std::string> steps;
-  std::vector<json::NodeId> way;  ///< where each step leads; shorter than `steps`: to nothing more
-  /// The value whose member or element is chosen at run time ("{i}", "[i]"); kNoNode: none is.
+  std::vector<json::NodeId>
+      way;  ///< the value of each step; shorter than `steps` if the pointer is broken
+  /// The value whose member or element is chosen at run time ("{i}", "[i]"); kNoNode: none.
   json::NodeId varying = json::kNoNode;
 };
 
 /// The result of one walk. The document and the Set must outlive it. Iterative; takes time
-/// n log n. Not thread-safe, as its tree is not.
+/// n log n. Not thread-safe, because its tree is not.
 class Graph {
  public:
-  /// `slots`: whether CheckResult::slots are wanted.
+  /// `slots`: whether CheckResult::slots are filled.
   Graph(const json::Document& document, const schema::Set& set, bool slots = false);
   Graph(const Graph&) = delete;
   Graph& operator=(const Graph&) = delete;
 
   const Tree& tree() const { return tree_; }
   const schema::Set& set() const { return set_; }
-  /// What the walk learned beside references.
+  /// Other results of the walk.
   const schema::CheckResult& checked() const { return checked_; }
 
-  /// In the order of the walk; those of lists that only may refer come last.
+  /// In the order of the walk; those of lists that may be references come last.
   const std::vector<IndexUse>& indices() const { return indices_; }
   const std::vector<PointerText>& pointers() const { return pointers_; }
-  /// All references that lead to a value, sorted by target.
+  /// All references to existing values, sorted by target.
   const std::vector<Use>& uses() const { return uses_; }
   /// References to exactly this value.
   std::span<const Use> users(json::NodeId target) const;
@@ -81,10 +82,10 @@ class Graph {
       visit(use);
     }
   }
-  /// The values, and all to which they or these refer, directly or not. Sorted.
+  /// The values, and all that they refer to directly or indirectly. Sorted.
   std::vector<json::NodeId> closure(std::vector<json::NodeId> roots) const;
 
-  /// Objects of extensions that no schema describes where they are: they may refer to anything.
+  /// Objects of extensions without a schema at their place: they may refer to anything.
   const std::vector<json::NodeId>& unknown_extensions() const { return unknown_; }
   /// Whether the elements of an array are references.
   bool is_list_of_references(json::NodeId array) const;

@@ -13,7 +13,7 @@ Orphans::Orphans(const Graph& graph) : graph_(graph) {
   }
 }
 
-// The element that a reference from elsewhere leads to or into, or kNoNode.
+// The element that a reference from outside it leads to or into, or kNoNode.
 json::NodeId Orphans::element_of(const Use& use) const {
   const json::NodeId element = graph_.tree().root_element(use.target);
   return element == graph_.tree().root_element(use.at.node) ? json::kNoNode : element;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Elements of root arrays that lose their last reference when objects go.
+/// Elements of root arrays that lose their last reference when objects are removed.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace gltfx::graph {
 
-/// Counts the references that are left while objects go. References of an element to itself do not
-/// count. The graph must outlive it.
+/// Counts the remaining references while objects are removed. References of an element to itself do
+/// not count. The graph must outlive it.
 class Orphans {
  public:
   explicit Orphans(const Graph& graph);
 
   bool is_used(json::NodeId element) const;
-  /// An object that goes, and the elements to which only it and what went before it refer. Linear
-  /// in these. Precondition: it has not gone before.
+  /// Removes an object. Returns it and the elements that only it and earlier removed objects refer
+  /// to. Linear in these. Precondition: it was not removed before.
   std::vector<json::NodeId> take(json::NodeId object);
 
  private:
@@ -28,8 +28,8 @@ class Orphans {
   std::unordered_map<json::NodeId, std::uint64_t> left_;  ///< by element
 };
 
-/// Those of `candidates`, sorted elements of root arrays, to which nothing refers but others of
-/// them that are found.
+/// Those of `candidates`, sorted elements of root arrays, that are without references except from
+/// each other.
 std::vector<json::NodeId> find_orphans(const Graph& graph,
                                        const std::vector<json::NodeId>& candidates);
 

@@ -13,7 +13,8 @@
 
 namespace gltfx::graph {
 
-/// A string that is a pointer into a root array, or a template of some ("/materials/{i}/...").
+/// A string that is a pointer into a root array, or a template of such pointers
+/// ("/materials/{i}/...").
 struct PointerUse {
   json::NodeId node = json::kNoNode;
   std::vector<std::string> steps;
@@ -23,11 +24,11 @@ class Pointers {
  public:
   Pointers(const json::Document& document, const schema::Set& set);
 
-  /// Those that lead to, or below, a place of an element of a root array, templates of such too.
+  /// Pointers and templates that lead to, or below, a place of an element of a root array.
   std::vector<const PointerUse*> below(std::string_view array, std::string_view index,
                                        std::span<const std::string> steps) const;
-  /// Whether one leads to, or below, a place of an element of a root array. A template leads to
-  /// every element.
+  /// Whether a pointer leads to, or below, a place of an element of a root array. A template leads
+  /// to every element.
   bool lead_below(std::string_view array, std::string_view index,
                   std::span<const std::string> steps) const;
   const std::vector<PointerUse>& all() const { return uses_; }

@@ -10,7 +10,7 @@
 namespace gltfx::graph {
 namespace {
 
-// The text of a pointer that leads to the same value; empty where it stays as it is.
+// The text of a pointer to the same value; empty if it does not change.
 std::string moved(const Tree& tree, const PointerText& pointer, const NewPosition& now) {
   std::string text;
   bool changed = false;

@@ -14,8 +14,8 @@ namespace gltfx::graph {
 /// The new position of the element of a list.
 using NewPosition = std::function<std::uint64_t(json::NodeId list, std::uint64_t position)>;
 
-/// Edits of the numbers and strings that refer to elements which move, but for those of which
-/// `is_gone` is true. Indices and steps that lead to no element stay.
+/// Edits of the numbers and strings that refer to moved elements, except those for which `is_gone`
+/// is true. Broken indices and steps stay.
 std::vector<json::Edit> renumber(const Graph& graph, const NewPosition& now,
                                  const std::function<bool(Place)>& is_gone);
 

@@ -13,7 +13,7 @@ std::uint64_t member_key(json::NodeId object, json::KeyId name) {
   return (std::uint64_t{object} << 32U) | name;
 }
 
-// An index as RFC 6901 section 4 has it: digits without leading zeros.
+// An index as in RFC 6901 section 4: digits without leading zeros.
 std::optional<std::uint64_t> index_of(std::string_view step) {
   std::uint64_t index = 0;
   const auto [end, error] = std::from_chars(step.data(), step.data() + step.size(), index);

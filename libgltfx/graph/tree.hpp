@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the values of a document stand in it: what holds them, and at which position.
+/// The tree of a document: the container and position of each value.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace gltfx::graph {
 
-/// A value: a node, or an element of a number_array, which has none of its own.
+/// A value: a node, or an element of a number_array, which does not have a node.
 struct Place {
   json::NodeId node = json::kNoNode;  ///< of an element: its array
   std::optional<std::uint64_t> element;
 };
 
-/// Any number of questions take time linear in them and in the document. The document must outlive
-/// it. Not thread-safe.
+/// The time of all calls together is linear in their number and in the document. The document must
+/// outlive it. Not thread-safe.
 class Tree {
  public:
   explicit Tree(const json::Document& document);
@@ -31,7 +31,8 @@ class Tree {
   json::NodeId parent(json::NodeId value) const { return parents_[value]; }
   /// The position of an element in its array.
   std::uint32_t position(json::NodeId element) const { return positions_[element]; }
-  /// The element of an array of the root object that a value is, or is in; kNoNode: there is none.
+  /// The element of an array of the root object that is or contains the value; kNoNode: there is
+  /// none.
   json::NodeId root_element(json::NodeId value) const;
   bool is_member(json::NodeId value) const {
     return value > 0 && document_.kind(value - 1) == json::Kind::key;
@@ -45,13 +46,13 @@ class Tree {
   std::uint64_t size(json::NodeId container) const;
   /// The element of a number_array that begins at that byte of the text.
   std::uint64_t number_at(json::NodeId array, std::uint32_t begin) const;
-  /// The node of an element; kNoNode where there is none.
+  /// The node of an element; kNoNode if there is none.
   json::NodeId element(json::NodeId array, std::uint64_t index) const;
-  /// The value of a member; kNoNode where there is none.
+  /// The value of a member; kNoNode if there is none.
   json::NodeId member(json::NodeId object, std::string_view name) const;
-  /// What the step of a pointer leads to from a value; a null node: nothing.
+  /// The target of one pointer step from a value; a null node: none.
   Place step(json::NodeId from, std::string_view name) const;
-  /// The place that a pointer names; a null node: it leads nowhere, or is none.
+  /// The place that a pointer names; a null node: it is broken, or not a pointer.
   Place find(std::string_view pointer) const;
   std::string pointer(Place place) const;
   std::string pointer(json::NodeId value) const { return pointer(Place{value, std::nullopt}); }
@@ -63,9 +64,9 @@ class Tree {
   const json::Document& document_;
   std::vector<json::NodeId> parents_;     ///< by node
   std::vector<std::uint32_t> positions_;  ///< by node
-  std::vector<std::uint32_t> sizes_;      ///< by node, of containers that have nodes inside
+  std::vector<std::uint32_t> sizes_;      ///< by node, of containers with nodes
   mutable std::unordered_map<json::NodeId, std::vector<json::NodeId>> elements_;
-  /// Where the elements of number_arrays begin.
+  /// First bytes of the elements of number_arrays.
   mutable std::unordered_map<json::NodeId, std::vector<std::uint32_t>> numbers_;
   mutable std::unordered_map<std::uint64_t, json::NodeId> members_;  ///< by object and KeyId
   mutable std::unordered_set<json::NodeId> known_objects_;           ///< in members_
