@@ -16,13 +16,13 @@ namespace {
 
 using model::RootArray;
 
-/// What bytes are for, and of which mesh, image, animation or skin they are part.
+/// The use of bytes, and the mesh, image, animation or skin that they belong to.
 struct Owner {
   ByteUse use = ByteUse::other;
   std::uint32_t index = 0;
 };
 
-// The owner of what an element of a root array refers to.
+// The owner of the data that an element of a root array refers to.
 Owner owner_of(const graph::Tree& tree, json::NodeId element) {
   constexpr std::pair<std::string_view, ByteUse> kOwners[] = {{"meshes", ByteUse::meshes},
                                                               {"images", ByteUse::images},
@@ -35,9 +35,10 @@ Owner owner_of(const graph::Tree& tree, json::NodeId element) {
   return {};
 }
 
-constexpr std::uint64_t kPadding = 15;  // bytes between two objects that nobody calls unused
+constexpr std::uint64_t kPadding =
+    15;  // at most so many bytes between two objects count as padding
 
-/// Bytes that stand in a row: a file, a chunk, what a data URI stands for.
+/// Contiguous bytes: a file, a chunk, the content of a data URI.
 struct Store {
   struct Part {
     std::uint64_t begin = 0, end = 0;
@@ -79,7 +80,7 @@ class Counter {
   const json::Document& document() const { return asset_.document(); }
   std::uint64_t& share(ByteUse use) { return count_.shares[static_cast<std::size_t>(use)]; }
 
-  // Chunks that nobody knows are unused; all that is no chunk is headers and padding.
+  // Unknown chunks are unused; all bytes outside of chunks are headers and padding.
   void take_container() {
     count_.files.push_back({{}, container_.bytes.size()});
     std::uint64_t inner = document().text().size();
@@ -99,7 +100,7 @@ class Counter {
     share(ByteUse::padding) += whole - inner;
   }
 
-  // The store that a `uri` leads to. `decoded`: bytes that stand for a data URI.
+  // The store that a `uri` leads to. `decoded`: the bytes of a data URI.
   std::optional<std::size_t> store_of(json::NodeId object,
                                       const std::optional<container::Bytes>& decoded) {
     const json::NodeId member = document().find(object, "uri");
@@ -149,7 +150,7 @@ class Counter {
     }
   }
 
-  // The owner of an accessor: of those that refer to it the first in the order of ByteUse.
+  // The owner of an accessor: the first of those that refer to it, in the order of ByteUse.
   std::optional<Owner> owner_of_accessor(json::NodeId accessor) const {
     std::optional<Owner> owner;
     for (const graph::Use& use : graph_.users(accessor)) {
@@ -160,7 +161,7 @@ class Counter {
     return owner;
   }
 
-  // What refers to a buffer view takes bytes; an accessor does for those that refer to it.
+  // Assigns bytes to a user of a buffer view; an accessor assigns them to its own users.
   void place(const graph::IndexUse& use) {
     const auto index = asset_.index(static_cast<double>(use.index), RootArray::buffer_views);
     if (!index) return;
@@ -182,7 +183,8 @@ class Counter {
     }
   }
 
-  // To the part of the view that the elements take; those of sparse ones take all of theirs.
+  // Narrows the range to the part of the view that the elements use; sparse accessors use all of
+  // their views.
   static void narrow(const model::Accessor& accessor, std::uint32_t view_index,
                      std::uint64_t& begin, std::uint64_t& length, std::uint64_t stride) {
     if (accessor.buffer_view != view_index || stride == 0) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the bytes of an asset's files go.
+/// Counts the bytes of an asset's files by use.
 #pragma once
 
 #include <gltfx/inspect.hpp>
@@ -16,14 +16,15 @@
 
 namespace gltfx::inspect {
 
-/// Of files, all of them and object by object.
+/// Bytes of the files, in total and by object.
 struct ByteCount {
-  std::vector<FileFacts> files;  ///< the asset first, then others by the first that names them
-  ByteShares shares{};           ///< add up to the files
+  std::vector<FileFacts>
+      files;            ///< the asset first, then the others in the order of their first reference
+  ByteShares shares{};  ///< add up to the files
   std::vector<std::uint64_t> meshes, images, animations, skins;  ///< by index
 };
 
-/// Files that are not there, and references that lead nowhere, count nothing. Takes time n log n.
+/// Missing files and broken references count nothing. Takes time n log n.
 ByteCount count_bytes(const container::Container& container, container::OpenedFiles& files,
                       const model::Asset& asset, const model::Views& views,
                       const model::ResourceData& resources, const graph::Graph& graph);

@@ -27,7 +27,7 @@ using model::RootArray;
 
 constexpr std::uint64_t kInstanceBytes = std::uint64_t{1} << 28U;
 
-/// Everything that is read once and asked by all parts.
+/// Data that is read once and used by all parts.
 struct Source {
   const model::Asset asset;
   const model::Views& views;
@@ -102,7 +102,7 @@ std::vector<ExtensionFacts> extensions_of(const Source& source) {
   return list;
 }
 
-/// Meshes, with what their accessors take when they are decompressed.
+/// Meshes, with the size of their decompressed accessors.
 class MeshReader {
  public:
   explicit MeshReader(const Source& source)
@@ -146,7 +146,7 @@ class MeshReader {
     for (const model::Attribute& attribute : attributes) take(attribute.accessor, facts);
   }
 
-  // Several primitives may share one.
+  // Several primitives may share an accessor.
   void take(const std::optional<std::uint32_t>& index, MeshFacts& facts) {
     if (!index || counted_[*index]) return;
     counted_[*index] = true;
@@ -180,7 +180,7 @@ std::vector<MaterialFacts> materials_of(const Source& source) {
   return list;
 }
 
-// Slots say by their pointers which material they belong to.
+// The pointer of a slot gives its material.
 void count_slots(const Source& source, std::vector<MaterialFacts>& materials) {
   constexpr std::string_view kStart = "/materials/";
   for (const schema::SlotUse& use : source.graph.checked().slots) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is in an asset, whether it is valid or not.
+/// The contents of an asset, valid or not.
 #pragma once
 
 #include <gltfx/inspect.hpp>
@@ -9,10 +9,10 @@
 
 namespace gltfx::inspect {
 
-/// Pure but for the files that the asset refers to, which are opened and, but for headers of images
-/// and compressed geometry, not read. The document has a root object. What is malformed counts as
-/// absent, what cannot be read is named in `problems`. Takes time n log n in the text and the bytes
-/// of compressed geometry; nothing recurses.
+/// Pure except that it opens the files that the asset refers to, and reads headers of images and
+/// compressed geometry. Precondition: the document has a root object. Malformed parts count as
+/// absent, unreadable ones are named in `problems`. Takes time n log n in the text and the bytes of
+/// compressed geometry; nothing recurses.
 AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
                          unsigned jobs);
 

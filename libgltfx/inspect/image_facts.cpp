@@ -43,8 +43,8 @@ std::string encoding_name(const Ktx2& file) {
   return fmt::format("Vulkan format {}", file.vk_format);
 }
 
-// What is transcoded takes a byte a texel, or half a byte where ETC1S has no alpha; everything else
-// is kept as it is stored.
+// Transcoded formats take one byte per texel, or half a byte for ETC1S without alpha; all others
+// are kept as stored.
 std::uint64_t gpu_bytes(const Ktx2& file) {
   const std::uint64_t count = texels(file.width, std::max(file.height, 1U));
   const bool alpha = file.contents && image::has_alpha(*file.contents);
@@ -131,7 +131,7 @@ class Reader {
       if (parts.kind != container::UriKind::data) facts.uri = std::move(parts.normalized);
     }
     const model::ImageData& data = resources_.images[index];
-    if (!data.bytes) return;  // said by who tried to open it
+    if (!data.bytes) return;  // reported where it was opened
     read_pixels(data, facts);
     if (facts.width > 0) return;
     problems_.push_back(

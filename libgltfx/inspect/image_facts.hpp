@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images: what their first bytes say, who shows them, what they cost.
+/// Images: their headers, users and sizes.
 #pragma once
 
 #include <gltfx/inspect.hpp>
@@ -13,7 +13,8 @@
 
 namespace gltfx::inspect {
 
-/// By index, all but `bytes`. Adds to `problems` a sentence for each whose header cannot be read.
+/// By index, all members except `bytes`. Adds to `problems` a sentence for each whose header cannot
+/// be read.
 std::vector<ImageFacts> image_facts(const model::Asset& asset, const model::ResourceData& resources,
                                     const std::vector<schema::SlotUse>& slots,
                                     std::vector<std::string>& problems);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What structural metadata an asset has.
+/// The structural metadata of an asset.
 #pragma once
 
 #include <gltfx/inspect.hpp>
@@ -9,7 +9,7 @@
 
 namespace gltfx::inspect {
 
-/// Classes of the schema, where it stands in the asset, and property tables. Linear in the
+/// Adds the classes of the schema, if it is in the asset, and property tables. Linear in the
 /// document.
 void add_metadata_facts(const model::Asset& asset, const model::Views& views, AssetFacts& facts);
 
