@@ -12,7 +12,7 @@
 namespace gltfx::target {
 namespace {
 
-// A target that is read when it is first asked for. A test reads them all: they have no errors.
+// A target that is read at first use. A test reads them all: they have no errors.
 using BuiltinTarget = MadeOnce<std::shared_ptr<const Target>>;
 
 std::shared_ptr<const Target> read_once(std::size_t position) {

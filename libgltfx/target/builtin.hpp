@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One of the targets that the library knows, without the others.
+/// A single built-in target.
 #pragma once
 
 #include <gltfx/targets.hpp>
@@ -9,8 +9,7 @@
 
 namespace gltfx::target {
 
-/// The target of that name, or null. Read when it is first asked for; any number of threads may
-/// call.
+/// The target of that name, or null. Read at first use. Thread-safe.
 std::shared_ptr<const Target> builtin_target(std::string_view name);
 
 }  // namespace gltfx::target

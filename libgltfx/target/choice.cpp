@@ -17,7 +17,7 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-// "0.187.0" as its numbers; nothing when it is no version.
+// The numbers of a version such as "0.187.0"; nothing when it is not a version.
 std::optional<Numbers> numbers_of(std::string_view version) {
   Numbers numbers;
   const char* at = version.data();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a user means by "three@0.187".
+/// The target and version of a text such as "three@0.187".
 #pragma once
 
 #include <gltfx/targets.hpp>

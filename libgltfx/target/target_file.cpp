@@ -23,7 +23,7 @@ using json::NodeId;
 
 constexpr double kFormat = 1;
 
-/// Reads members and keeps the first problem, with its line.
+/// Reads members and records the first problem, with its line.
 class Reader {
  public:
   explicit Reader(std::string_view text)
@@ -41,7 +41,7 @@ class Reader {
   const std::optional<Error>& error() const { return error_; }
   void fail(NodeId node, std::string_view problem) { fail(document_.span(node), problem); }
 
-  /// Empty where it is absent; another value than a string is a problem.
+  /// Empty if absent; a value other than a string is a problem.
   std::string text(NodeId object, std::string_view name, bool needed = false) {
     const NodeId value = document_.find(object, name);
     if (value != kNoNode && document_.is_string(value)) return document_.string(value);
@@ -50,7 +50,7 @@ class Reader {
     return {};
   }
 
-  /// The member as an object or array of objects; kNoNode, with a problem, where it is none.
+  /// The member as an object or array of objects; kNoNode, with a problem, if it is not one.
   NodeId container(NodeId object, std::string_view name, json::Kind kind) {
     const NodeId value = document_.find(object, name);
     if (value != kNoNode && document_.kind(value) == kind) return value;

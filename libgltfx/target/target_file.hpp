@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files of targets and features into values. The text is untrusted: a target may be the user's
-/// own. Their formats are schema/meta/target.schema.json and schema/meta/features.schema.json.
+/// Reads files of targets and features. The text is untrusted: users may have targets of their own.
+/// Their formats are schema/meta/target.schema.json and schema/meta/features.schema.json.
 #pragma once
 
 #include <gltfx/targets.hpp>
@@ -13,7 +13,7 @@
 
 namespace gltfx::target {
 
-/// The Error is a clause that names the line where there is one.
+/// The Error is a clause that names the line, if any.
 Result<Target> read_target(std::string_view text);
 
 /// The same for the list of features.
