@@ -34,7 +34,7 @@ Bounds bounds_of(const unsigned char* from, std::size_t stride, std::size_t coun
   return bounds;
 }
 
-// As the bounds are compared: in single precision.
+// Compares bounds in single precision.
 bool agree(const std::vector<double>& stated, const std::vector<double>& found) {
   return std::equal(
       stated.begin(), stated.end(), found.begin(), found.end(),

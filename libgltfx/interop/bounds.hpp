@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The least and greatest numbers of an accessor.
+/// The minima and maxima of an accessor.
 #pragma once
 
 namespace tinygltf {
@@ -9,9 +9,9 @@ struct Accessor;
 
 namespace gltfx::interop {
 
-/// Sets `minValues` and `maxValues`, those of them that are there, to what the bytes of the model
-/// hold. False when they said so before, or when the elements do not lie plain: sparse ones, and
-/// matrices of small numbers. Precondition: the accessor has a buffer view and lies inside it.
+/// Sets `minValues` and `maxValues`, if present, to the bounds of the values in the model. False
+/// when they were right before, or when the elements are not contiguous: sparse accessors, and
+/// padded matrices. Precondition: the accessor has a buffer view and is inside it.
 bool restate_bounds(const tinygltf::Model& model, tinygltf::Accessor& accessor);
 
 }  // namespace gltfx::interop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The buffer of a model that decoded bytes go into. For files that include <tiny_gltf.h>.
+/// The buffer of a model for decoded bytes. For files that include <tiny_gltf.h>.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gltfx::interop {
 
-/// Elements that lie packed.
+/// Packed elements.
 struct PackedElements {
   std::span<const std::byte> bytes;
   std::size_t element_size = 1;
@@ -19,7 +19,7 @@ class DecodedBuffer {
  public:
   explicit DecodedBuffer(tinygltf::Model& model) : model_(model) {}
 
-  /// Copies bytes to a boundary that every component type can have, and lets the view show them.
+  /// Copies bytes to a boundary that suits every component type, and points the view to them.
   void show(tinygltf::BufferView& view, std::span<const std::byte> bytes) {
     view.buffer = index();
     view.byteOffset = room_for(bytes.size());
@@ -27,8 +27,8 @@ class DecodedBuffer {
     std::memcpy(data().data() + view.byteOffset, bytes.data(), bytes.size());
   }
 
-  /// A new view with elements: vertices begin at multiples of four bytes each, as the specification
-  /// wants it (section 3.6.2.4). Its index.
+  /// Adds a view with elements: each vertex begins at a multiple of four bytes, as the
+  /// specification requires (section 3.6.2.4). Returns its index.
   int add_view(const PackedElements& elements, int target) {
     tinygltf::BufferView view;
     view.target = target;

@@ -18,7 +18,7 @@ namespace {
 
 using model::RootArray;
 
-// Of accessors that are expanded: they may be mostly zeros that take no bytes in the file.
+// Limit of expanded accessors: they may be mostly zeros that take no bytes in the file.
 constexpr std::uint64_t kExpandedBytes = std::uint64_t{1} << 30U;
 
 void forget(std::vector<std::string>& names, std::string_view name) {
@@ -49,7 +49,7 @@ class Placement {
     return static_cast<std::size_t>(&accessor - model_.accessors.data());
   }
 
-  // Buffer views of meshoptimizer.
+  // Decodes buffer views of meshoptimizer.
   void place_streams() {
     const auto& views = source_.views.buffer_views;
     for (std::size_t i = 0; i < views.size() && i < model_.bufferViews.size(); ++i) {
@@ -82,7 +82,7 @@ class Placement {
     notes_.changed(Path(extensions, stream.extension), "is decoded");
   }
 
-  // Primitives of Draco.
+  // Decodes Draco primitives.
   void place_meshes() {
     const auto& meshes = source_.views.meshes;
     for (std::size_t m = 0; m < meshes.size() && m < model_.meshes.size(); ++m) {
@@ -144,7 +144,7 @@ class Placement {
     }
   }
 
-  // Encoders may add and drop vertices: what they say is what holds.
+  // Encoders may add and drop vertices: the decoded count is used.
   void show(tinygltf::Accessor& accessor, int view, std::size_t count) {
     if (accessor.count != count) {
       const std::string pointer = fmt::format("/accessors/{}/count", index_of(accessor));
@@ -156,7 +156,7 @@ class Placement {
     decoded_views_.insert(view);
   }
 
-  // Compression rounds, and some encoders state the bounds of what there was before.
+  // Compression rounds, and some encoders state the bounds of the original values.
   void restate_all_bounds() {
     for (tinygltf::Accessor& accessor : model_.accessors) {
       if (decoded_views_.count(accessor.bufferView) == 0) continue;
@@ -167,7 +167,7 @@ class Placement {
   }
 
   void place_indices(const codec::DracoMesh& mesh, tinygltf::Primitive& to) {
-    // Whatever was encoded, what is decoded are single triangles.
+    // The decoder gives separate triangles for any encoded mode.
     to.mode = TINYGLTF_MODE_TRIANGLES;
     if (to.indices < 0) {
       tinygltf::Accessor accessor;
@@ -178,7 +178,7 @@ class Placement {
     }
     if (!placed_.insert(to.indices).second) return;
     tinygltf::Accessor& accessor = model_.accessors[static_cast<std::size_t>(to.indices)];
-    // The greatest number of each type means something else.
+    // The greatest index of each type has a special meaning.
     if (accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && mesh.points < 256) {
       show_indices<std::uint8_t>(accessor, mesh);
     } else if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT &&
@@ -219,7 +219,7 @@ class Placement {
                                   source_.views.accessors[index], model::Malformed::unusable);
     if (!data) return false;
     const std::size_t packed = data->components() * component_size(data->format().component);
-    // Columns of some matrices are padded, which is no more to be seen here.
+    // Columns of some matrices are padded, which is not visible here any more.
     if (packed != model::element_size(data->format()) ||
         !budget.take(checked_mul(data->count(), packed))) {
       return false;
@@ -235,7 +235,7 @@ class Placement {
     return true;
   }
 
-  // A buffer without bytes is of no use to anybody, and tinygltf writes none.
+  // A buffer without bytes is useless, and tinygltf does not write one.
   void check_buffers() {
     for (std::size_t i = 0; i < model_.buffers.size(); ++i) {
       if (!model_.buffers[i].data.empty()) continue;
@@ -256,8 +256,8 @@ class Placement {
   tinygltf::Model& model_;
   Notes& notes_;
   DecodedBuffer buffer_;
-  std::set<int> placed_;         // accessors that show decoded geometry
-  std::set<int> decoded_views_;  // buffer views that show decoded bytes
+  std::set<int> placed_;         // accessors of decoded geometry
+  std::set<int> decoded_views_;  // buffer views of decoded bytes
 };
 
 }  // namespace

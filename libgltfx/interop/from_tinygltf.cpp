@@ -25,13 +25,13 @@ bool is_glb(const std::string& name) {
   return ending_of(name) == ".glb" || ending_of(name) == ".vrm";
 }
 
-/// One model on its way into bytes that are valid.
+/// The conversion of one model into a valid asset.
 class Serialization {
  public:
   Serialization(const tinygltf::Model& model, const FromTinygltfOptions& options)
       : model_(model), options_(options) {}
 
-  /// `resolver` finds files that are there already.
+  /// `resolver` finds existing files.
   TinygltfReport run(MemoryAsset& asset, container::Resolver resolver) {
     MemoryAsset fresh;
     fresh.name = asset.name;

@@ -19,13 +19,13 @@
 namespace gltfx::interop {
 namespace {
 
-// Pixels of one asset, all images together.
+// Limit of the pixels of all images of one asset.
 constexpr std::uint64_t kPixelBytes = std::uint64_t{4} << 30U;
-// Images that run into a limit cost seconds each: one asset gets no more than two of them.
+// Images that exceed a limit cost seconds each: at most two are tried per asset.
 constexpr int kMostCostly = 2;
 constexpr std::uint32_t kChannels = 4;
 
-// Any number of channels as RGBA, which is what loaders of tinygltf give.
+// Any number of channels as RGBA, as loaders of tinygltf give them.
 template <class T>
 std::vector<unsigned char> as_rgba(const codec::Image& image) {
   std::vector<unsigned char> bytes(static_cast<std::size_t>(image.texels()) * kChannels *
@@ -83,11 +83,12 @@ class Decoding {
     return {codec::ErrorKind::too_large, std::move(why)};
   }
 
-  // What memory there may be is settled here, image by image, whatever the number of threads.
+  // The memory of each image is decided here, in order, so that it does not depend on the number of
+  // threads.
   codec::ImageResult plan(std::size_t index, model::MemoryBudget& budget) const {
     const model::ImageData& data = resources_.images[index];
     if (!data.header) return error("has no header that can be read");
-    // What is written again is a PNG, which the extension of such an image does not allow.
+    // Such an image would be written as a PNG, which its extension does not allow.
     if (data.header->format == image::Format::ktx2 || data.header->format == image::Format::avif) {
       return error("is not decoded here");
     }

@@ -14,8 +14,8 @@ struct Image;
 
 namespace gltfx::interop {
 
-/// Gives every image of the model its bytes, encoded or decoded on up to `jobs` threads. What
-/// cannot be decoded stays encoded, with a note; an image without bytes makes notes fail.
+/// Gives every image of the model its bytes, encoded or decoded on up to `jobs` threads. Images
+/// that cannot be decoded stay encoded, with a note; an image without bytes makes notes fail.
 void place_images(const model::ResourceData& resources, TinygltfImages form, unsigned jobs,
                   tinygltf::Model& model, Notes& notes);
 
@@ -25,9 +25,9 @@ struct ImageFile {
   std::string media_type;
 };
 
-/// The file that holds what the image holds: as it is, or its pixels as PNG, or as WebP without
-/// loss where it says that it is one. Nothing when it has no bytes or they are no pixels that can
-/// be written; then notes fail, unless there are none.
+/// The file of an image: its encoded bytes, or its pixels as PNG, or as lossless WebP if that is
+/// its type. Nothing when it has no bytes, or its pixels cannot be written; in the second case
+/// notes fail.
 std::optional<ImageFile> image_file(const tinygltf::Image& image, const Path& path, Notes& notes);
 
 }  // namespace gltfx::interop

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which member of glTF is which field of tinygltf, said once for both directions. `Io` is a
+/// The mapping of members of glTF to fields of tinygltf, for both directions. `Io` is a
 /// ModelReader, which fills the fields, or a ModelWriter, which writes what is not the default;
-/// their functions take the member's name, the field and, where there is one, the default.
-/// For files that include <tiny_gltf.h>.
+/// their functions take the member's name, the field and, where there is one, the default. For
+/// files that include <tiny_gltf.h>.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ namespace gltfx::interop {
 template <class Io, class T>
 using Field = typename Io::template Field<T>;
 
-inline constexpr int kTriangles = 4;  // the mode of primitives that name none
+inline constexpr int kTriangles = 4;  // the mode of primitives without one
 
-/// What every object of glTF may have.
+/// Members that every object of glTF may have.
 template <class Io, class T>
 void describe_rest(Io& io, T& object) {
   io.extensions(object.extensions);
@@ -104,7 +104,7 @@ void describe(Io& io, Field<Io, tinygltf::Texture>& texture) {
   describe_rest(io, texture);
 }
 
-/// What the three kinds of texture infos share.
+/// Members that the three kinds of texture infos share.
 template <class Io, class T>
 void describe_slot(Io& io, T& info) {
   io.index("index", info.index);
@@ -276,7 +276,7 @@ void describe(Io& io, Field<Io, tinygltf::Light>& light) {
   describe_rest(io, light);
 }
 
-/// The whole document. Its extensions come with the lights, which tinygltf has a list of.
+/// The whole document. Its extensions include the lights, for which tinygltf has a list.
 template <class Io>
 void describe(Io& io, Field<Io, tinygltf::Model>& model) {
   io.object("asset", model.asset, true);

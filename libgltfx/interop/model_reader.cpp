@@ -19,7 +19,7 @@ namespace {
 
 using json::NodeId;
 
-/// One object. What was not asked for by finish() has no place in tinygltf.
+/// Reads one object. Members that were not read before finish() have no field in tinygltf.
 class ModelReader {
  public:
   template <class T>
@@ -97,7 +97,7 @@ class ModelReader {
     }
   }
 
-  /// Members that tinygltf keeps beside those of the object around.
+  /// Reads members that tinygltf stores in the enclosing object.
   template <class Read>
   void part(std::string_view name, const Read& read) {
     const NodeId object = take_if(name, [&](NodeId id) { return document_.is_object(id); });
@@ -176,7 +176,7 @@ class ModelReader {
     image.uri.clear();
   }
 
-  /// What older programs look at: properties by name, with one field for each type they may have.
+  /// Fills the older fields: properties by name, with one field per type.
   void parameters(tinygltf::Material& material) {
     const NodeId pbr = document_.find(object_, "pbrMetallicRoughness");
     if (pbr != json::kNoNode && document_.is_object(pbr)) add_parameters(pbr, material.values);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Models as JSON: everything but the bytes of buffers and images.
+/// Models as JSON, without the bytes of buffers and images.
 #pragma once
 
 #include <string>
@@ -10,8 +10,9 @@
 
 namespace gltfx::interop {
 
-/// Fills `model`, which is a fresh one, from a document without errors. Buffers and images have no
-/// bytes yet. What tinygltf has no field for is noted; numbers that do not fit make notes fail.
+/// Fills `model`, which must be empty, from a document without errors. Buffers and images have no
+/// bytes yet. Members without a field in tinygltf are noted; numbers that do not fit make notes
+/// fail.
 void read_model(const json::Document& document, tinygltf::Model& model, Notes& notes);
 
 /// Where the bytes of a buffer or image are.

@@ -110,7 +110,7 @@ class ModelWriter {
   void object(std::string_view name, const T& value, bool present) {
     section(name, present, [&](ModelWriter& inner) { describe(inner, value); });
   }
-  /// Left out when all of it is the default.
+  /// Left out when it has only defaults.
   template <class T>
   void optional_object(std::string_view name, const T& value) {
     std::string json;
@@ -214,7 +214,7 @@ class ModelWriter {
     writer_.end_object();
   }
 
-  // Whatever the extension has beside its lights is among the extensions.
+  // The other members of the extension are among the extensions.
   void write_lights(const tinygltf::Model& model, const Path& path) {
     writer_.begin_object();
     const auto known = model.extensions.find(std::string(kLightsExtension));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a conversion has to say.
+/// Notes of a conversion.
 #pragma once
 
 #include <gltfx/tinygltf.hpp>
@@ -15,13 +15,13 @@ namespace gltfx::interop {
 
 class Notes {
  public:
-  /// The other side has no place for a value.
+  /// The other side cannot hold a value.
   void lost(const Path& path, std::string_view why) { add(path.pointer(), why, true); }
   void lost(std::string pointer, std::string_view why) { add(std::move(pointer), why, true); }
-  /// It is there in another form.
+  /// The value has another form.
   void changed(const Path& path, std::string_view how) { add(path.pointer(), how, false); }
   void changed(std::string pointer, std::string_view how) { add(std::move(pointer), how, false); }
-  /// The conversion would be wrong: it must not be used. The first reason is kept.
+  /// The result would be wrong and must not be used. The first reason is kept.
   void fail(std::string reason) {
     if (error_.empty()) error_ = std::move(reason);
   }

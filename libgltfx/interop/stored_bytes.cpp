@@ -21,7 +21,7 @@ std::string_view text_of(const std::vector<unsigned char>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// "a/wood.jpg" as "a/wood.png": the ending tells readers what is in it.
+// "a/wood.jpg" as "a/wood.png": readers use the ending.
 std::string with_ending(const std::string& uri, std::string_view media_type) {
   const std::string ending = media_type == "image/webp" ? ".webp" : ".png";
   const std::size_t dot = uri.rfind('.');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the bytes of a model go when it is written: files, data URIs, the BIN chunk.
+/// Storage of the bytes of a written model: files, data URIs, the BIN chunk.
 #pragma once
 
 #include <map>
@@ -13,14 +13,14 @@ namespace gltfx::interop {
 
 /// How an asset is written.
 struct StorageForm {
-  std::string name;  ///< of the asset, which files without a name of their own are called after
+  std::string name;  ///< of the asset; the base of generated file names
   bool glb = false;
   bool embed = false;  ///< data URIs instead of files
 };
 
 class StoredBytes {
  public:
-  /// Encodes pixels and settles all names. Two buffers with one `uri` share a file when the shorter
+  /// Encodes pixels and chooses all names. Two buffers with one `uri` share a file when the shorter
   /// one is its beginning; otherwise notes fail.
   StoredBytes(const tinygltf::Model& model, const StorageForm& form, Notes& notes);
 
@@ -34,7 +34,7 @@ class StoredBytes {
   void place_buffer(const tinygltf::Model& model, std::size_t index);
   void place_image(const tinygltf::Model& model, std::size_t index);
   std::string own_name(std::size_t index, std::string_view ending) const;
-  /// The URI under which the bytes are to be found. `wanted` may be empty.
+  /// The URI of the bytes. `wanted` may be empty.
   std::string keep(std::string_view wanted, std::string_view media_type, std::string_view bytes,
                    const std::string& pointer);
   void add_file(const std::string& path, std::string_view bytes, const std::string& pointer);

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One asset on its way into a model.
+/// The conversion of one asset into a model.
 class Conversion {
  public:
   Conversion(model::OpenedAsset asset, const ToTinygltfOptions& options)
@@ -81,7 +81,7 @@ class Conversion {
     interop::place_images(loaded.data, options_.images, options_.jobs, model, notes_);
   }
 
-  // As many bytes as are declared: files may be longer.
+  // Copies the declared number of bytes: files may be longer.
   void copy_buffers(const model::Asset& asset, const model::ResourceData& resources,
                     tinygltf::Model& model) {
     const auto& objects = asset.elements(model::RootArray::buffers);

@@ -17,7 +17,7 @@ namespace {
 
 using tinygltf::Value;
 
-// Values are copied and destroyed by recursion, in tinygltf and in those who use it.
+// tinygltf and its users copy and destroy values by recursion.
 constexpr unsigned kDeepest = 256;
 constexpr std::string_view kTooDeep = "is nested too deep: null takes its place";
 
@@ -115,7 +115,7 @@ class ValueWriter {
   }
 
  private:
-  // Written so that it is no integer for the next reader.
+  // Written so that it is not read as an integer.
   void real(double value) {
     const bool whole =
         std::abs(value) <= std::numeric_limits<int>::max() && value == std::trunc(value);
