@@ -66,8 +66,8 @@ struct Ktx2Error {
 
 struct Ktx2 {
   std::uint32_t vk_format = 0, type_size = 0;
-  std::uint32_t width = 0, height = 0, depth = 0;  ///< texels; 0: the image has no such extent
-  std::uint32_t layers = 0;                        ///< 0: no array
+  std::uint32_t width = 0, height = 0, depth = 0;  ///< texels; 0: not in this dimension
+  std::uint32_t layers = 0;                        ///< 0: not an array
   std::uint32_t faces = 0, level_count = 0;
   std::uint32_t scheme = 0;  ///< a Ktx2Scheme, or an unknown number
   std::vector<Ktx2Level> levels;
