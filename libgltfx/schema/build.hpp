@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the stages of compilation share, and the Set that they make.
+/// State that the stages of compilation share, and construction of the Set.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,7 @@
 
 namespace gltfx::schema {
 
-/// What a Set consists of, open to the compiler.
+/// The contents of a Set, accessible to the compiler.
 struct SetParts {
   std::vector<Shape> shapes;
   std::vector<ObjectType> types;
@@ -35,15 +35,15 @@ struct LazyParts {
 
 struct WalkPlans;
 
-/// The one way into a Set, and out of it.
+/// The only access to the contents of a Set.
 class SetWriter {
  public:
   /// Makes the walk's tables and closes the Set.
   static std::shared_ptr<const Set> close(SetParts parts, const Hash128& sources = {});
-  /// The same with shapes and types that are read later, which `parts` has none of, and what the
-  /// walk's tables say of them.
+  /// The same with shapes and types that are read later, of which `parts` has none, and the walk's
+  /// plans for them.
   static std::shared_ptr<const Set> close(SetParts parts, LazyParts lazy, WalkPlans plans);
-  /// A copy of what a Set consists of.
+  /// A copy of the contents of a Set.
   static SetParts open(const Set& set);
 
  private:
@@ -71,12 +71,12 @@ struct Build {
   std::string text(Site at) const { return document(at).string(at.node); }
   static std::uint64_t key(Site at) { return (std::uint64_t{at.source} << 32) | at.node; }
 
-  /// The shape made for a node, behind its $refs; kNone when it accepts everything.
+  /// The shape of a node, with its $refs followed; kNone when it accepts everything.
   ShapeId shape_of(Site at) const;
-  /// What a `$ref` names, or a site that does not exist, with an error.
+  /// The target of a `$ref`, or a site that does not exist, with an error.
   Site resolve(Site reference);
-  /// Whether so many bytes of what was built may be copied once more; an error at `at` where copies
-  /// are too large together.
+  /// Whether so many more bytes may be copied; an error at `at` when all copies together are too
+  /// large.
   bool may_copy(std::uint64_t bytes, Site at);
 
  private:
@@ -85,18 +85,19 @@ struct Build {
   Site unresolved(Site reference, std::string message, std::string_view word, const Map& known);
 };
 
-/// `$ref`s that lead to nothing but another `$ref`, in a row.
+/// Maximum length of a chain of `$ref`s to `$ref`s.
 inline constexpr int kLongestChain = 40;
 
 /// Sets up `by_id` and the extensions' ids; errors for `$id`s that occur twice.
 void register_sources(Build& build);
 /// Makes shapes and types of all files.
 void build_shapes(Build& build);
-/// Makes extensions of the annotations of extension files, and their objects' types for each home.
+/// Makes extensions from the annotations of extension files, and their objects' types for each
+/// host.
 void build_extensions(Build& build);
-/// Takes `extensions` and `extras` out of types that list them without saying anything of them.
+/// Removes `extensions` and `extras` from types that list them without a description.
 void drop_common_members(SetParts& set);
-/// Resolves what can only be known when everything is there: targets, slots' factors, loops.
+/// Resolves what needs all files: targets, slots' factors, loops.
 void check_references(Build& build);
 
 }  // namespace gltfx::schema

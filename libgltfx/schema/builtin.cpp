@@ -23,7 +23,7 @@ const std::vector<SourceFile>& builtin_files() {
 }
 
 const std::shared_ptr<const Set>& builtin_set() {
-  // Not destroyed, which would take longer than some runs have.
+  // Not destroyed, which would take longer than some runs.
   static constinit MadeOnce<std::shared_ptr<const Set>> set;
   return set.get([] {
     auto ready = read_image(embedded_image(), embedded_texts());

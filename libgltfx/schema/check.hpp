@@ -17,37 +17,36 @@
 
 namespace gltfx::schema {
 
-/// What a walk is after.
+/// The part of the checks that a walk does.
 enum class Part : std::uint8_t {
   all,
-  form,        ///< all but references between objects; those of the root object itself are form
-  references,  ///< indices and what they lead to; findings on form go to the sink all the same
+  form,        ///< all except references between objects; those of the root object count as form
+  references,  ///< indices and their targets; findings on form go to the sink as well
 };
 
-/// What becomes of a member.
+/// How a member is treated.
 enum class Reading : std::uint8_t {
-  judge,  ///< the walk looks at it
-  keep,   ///< it does not
-  drop,   ///< nor does anybody else: the member is hidden
+  judge,  ///< the walk checks it
+  keep,   ///< the walk does not check it
+  drop,   ///< the member is hidden
 };
 
-/// What a reader does on its way through the members of an object, in their order. Paths are only
-/// valid during the call.
+/// Callbacks for the members of an object, in their order. Paths are only valid during the call.
 class MemberVisitor {
  public:
   virtual ~MemberVisitor() = default;
-  /// What is called for objects of a type.
+  /// The callbacks for objects of a type.
   struct Calls {
     static constexpr std::uint32_t kLast = 63;
     bool before = false;
-    std::uint64_t behind = 0;  ///< bit i: behind property i; bit kLast: behind all from there on
+    std::uint64_t behind = 0;  ///< bit i: after property i; bit kLast: after all from there on
   };
-  /// Asked once for each object.
+  /// Called once for each object.
   virtual Calls calls(const ObjectType& type) = 0;
-  /// Before a member that is there.
+  /// Before a member that is present.
   virtual Reading before(const ObjectType& type, std::string_view member, json::NodeId object,
                          json::NodeId value, const Path& object_path) = 0;
-  /// Behind the place of a member, whether it is there or not.
+  /// After the place of a member, present or not.
   virtual void behind(const ObjectType& type, std::string_view member, json::NodeId object,
                       const Path& object_path) = 0;
   /// Before a member of an object that is a map of names.
@@ -59,19 +58,19 @@ class MemberVisitor {
   MemberVisitor& operator=(const MemberVisitor&) = default;
 };
 
-/// An index, JSON pointer or name of the document, also one that leads nowhere.
+/// An index, JSON pointer or name of the document, also a broken one.
 struct ReferenceUse {
   enum class Kind : std::uint8_t { index, pointer, name };
   Kind kind = Kind::index;
   json::NodeId value = json::kNoNode;  ///< the number or string, or the number_array of the number
   const Target* target = nullptr;      ///< null for a pointer; lives in the Set
   // Members of an index:
-  /// That is meant, such as "/textures"; empty for one that is not reached from the root, or when
-  /// it may be one of several.
+  /// Pointer to the array, such as "/textures"; empty for one that is not reached from the root, or
+  /// when it may be one of several.
   std::string_view array;
   std::uint64_t index = 0;
   Span span;                          ///< of the number
-  json::NodeId list = json::kNoNode;  ///< the array; kNoNode: not there, or one of several
+  json::NodeId list = json::kNoNode;  ///< the array; kNoNode: missing, or one of several
 };
 using ReferenceVisitor = std::function<void(const ReferenceUse&)>;
 
@@ -79,12 +78,12 @@ struct CheckOptions {
   Deviations deviations = {};
   Part part = Part::all;
   /// The document that is checked, in which the walk hides members with a broken value:
-  /// Deviations::broken_values_are_absent. Null leaves it as it is.
+  /// Deviations::broken_values_are_absent. Null: members are not hidden.
   json::Document* shown = nullptr;
-  MemberVisitor* members = nullptr;              ///< or nobody
+  MemberVisitor* members = nullptr;              ///< may be null
   const ReferenceVisitor* references = nullptr;  ///< Part::all
-  bool slots = true;                             ///< whether CheckResult::slots are wanted
-  TypeId root = kNone;  ///< of the document's root object; none: that of glTF
+  bool slots = true;                             ///< whether CheckResult::slots are filled
+  TypeId root = kNone;                           ///< type of the root object; none: that of glTF
 };
 
 /// A texture slot that is filled.
@@ -92,13 +91,12 @@ struct SlotUse {
   json::NodeId texture_info = json::kNoNode;
   json::NodeId owner = json::kNoNode;  ///< object that holds the slot
   TypeId owner_type = kNone;
-  ShapeId shape = kNone;  ///< the slot's shape (has `slot`)
-  const Slot* slot =
-      nullptr;          ///< the shape's, or that of the extension's generation; lives in the Set
-  std::string pointer;  ///< of the texture info
+  ShapeId shape = kNone;       ///< the slot's shape (has `slot`)
+  const Slot* slot = nullptr;  ///< of the shape, or of the extension's generation; lives in the Set
+  std::string pointer;         ///< of the texture info
 };
 
-/// Indices that some reference points at: one flag per element of a target array.
+/// Elements with references: one flag per element of a target array.
 class UsedElements {
  public:
   void resize(std::size_t count) { used_.resize(count, 0); }
@@ -127,39 +125,39 @@ struct TargetArray {
   UsedElements used;
 };
 
-/// What the walk learned beside the findings.
+/// Results of the walk in addition to the findings.
 struct CheckResult {
-  std::vector<TargetArray> targets;  ///< arrays that the document has and something may refer to
-  /// Arrays inside an object that references from beside it point into (the samplers of an
-  /// animation): those that were referred to, in the order of the first reference.
+  std::vector<TargetArray> targets;  ///< arrays of the document that references may point into
+  /// Arrays inside an object that references of its other members point into (the samplers of an
+  /// animation): those with references, in the order of the first reference.
   std::vector<TargetArray> local_targets;
   std::vector<SlotUse> slots;
-  std::vector<std::string> extensions_seen;  ///< names of extension objects met anywhere, once each
-  /// Of extensions with a member that serves other readers: those with an object beside which it
-  /// is missing, once each.
+  std::vector<std::string>
+      extensions_seen;  ///< names of extension objects found anywhere, once each
+  /// Extensions whose host must have a fallback member: those with an object without it, once each.
   std::vector<std::string> without_fallback;
   std::vector<std::string> extensions_used;      ///< as declared, once each
   std::vector<std::string> extensions_required;  ///< as declared, once each
-  /// Part::form: a walk for Part::references may find more, because references were left to it or
+  /// Part::form: a walk for Part::references may find more, because references were left for it or
   /// because members are hidden now.
   bool has_open_references = false;
-  /// Deviations::other_versions_end_the_walk: it did.
+  /// Deviations::other_versions_end_the_walk ended the walk.
   bool stopped_at_asset = false;
 
-  /// Of `targets`, or null.
+  /// The element of `targets` with that pointer, or null.
   const TargetArray* target(std::string_view pointer) const;
-  /// The one that is a member of the root object, or null.
+  /// The target that is a member of the root object, or null.
   const TargetArray* root_target(std::string_view name) const;
 };
 
-/// Called for each object with a type, behind its members: the place for rules that need several
-/// members of one object. `path` is only valid during the call.
+/// Called for each object with a type, after its members: for rules that need several members of
+/// one object. `path` is only valid during the call.
 using ObjectVisitor =
     std::function<void(const ObjectType& type, json::NodeId object, const Path& path)>;
 
-/// Checks a whole document. Findings about the document's own form go to `schema_sink`, those about
-/// references between objects to `reference_sink`, which is reported behind it.
-/// Iterative; linear in the document.
+/// Checks a whole document. Findings about the document's form go to `schema_sink`, those about
+/// references between objects to `reference_sink`, which is reported after it. Iterative; linear in
+/// the document.
 CheckResult check(const json::Document& document, const Set& set, const CheckOptions& options,
                   Sink& schema_sink, Sink& reference_sink, const ObjectVisitor& visitor = {});
 

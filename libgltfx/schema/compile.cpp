@@ -16,7 +16,7 @@
 namespace gltfx::schema {
 namespace {
 
-// Checks one file with a list of objects still to look at.
+// Checks one file with a list of objects still to check.
 class FileCheck {
  public:
   FileCheck(const Source& source, SourceId id, ErrorList& errors)
@@ -85,7 +85,7 @@ class FileCheck {
     error(key, quoted(name) + " is not a member of " + std::string(context_name(context)) + hint);
   }
 
-  // Simple forms are judged at once; objects of the vocabulary are put on the list.
+  // Simple forms are checked at once; objects of the vocabulary are put on the list.
   void value(const Word& word, json::NodeId node) {
     switch (word.form) {
       case Form::schema:
@@ -153,7 +153,7 @@ class FileCheck {
     }
   }
 
-  // A lower limit above its upper one leaves no value.
+  // A lower limit above the upper limit allows no value.
   void limits(json::NodeId schema) {
     constexpr std::array<std::array<std::string_view, 2>, 7> kPairs{
         {{"minimum", "maximum"},
@@ -187,7 +187,7 @@ class FileCheck {
 };
 
 // Adds an error for every word that is not in the vocabulary and every value of a wrong form.
-// Behind it the compiler may rely on the forms. Iterative.
+// Afterwards the compiler may rely on the forms. Iterative.
 void check_vocabulary(const std::vector<Source>& sources, ErrorList& errors) {
   for (SourceId id = 0; id < sources.size(); ++id) FileCheck(sources[id], id, errors).run();
 }
@@ -282,7 +282,7 @@ Compiled compile(const std::vector<SourceFile>& files) {
   ErrorList errors(sources);
   check_vocabulary(sources, errors);
   Build build(sources, errors);
-  // Each stage relies on the one before.
+  // Each stage relies on the previous one.
   for (const auto stage : {register_sources, build_shapes, build_extensions, check_references}) {
     if (!errors.empty() || !result.errors.empty()) break;
     stage(build);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Schema files in, a Set out. Used at build time (a mistake fails the build), at start for the
+/// Compiles schema files to a Set. Used at build time (a mistake fails the build), at start for the
 /// embedded files and at run time for a user's own.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace gltfx::schema {
 
-/// Bytes of a user's schema file, many times what the longest of ours has.
+/// Maximum size of a user's schema file in bytes, many times the longest of ours.
 inline constexpr std::size_t kLongestFile = 256U << 10U;
 
 struct SourceFile {
@@ -29,7 +29,7 @@ struct SchemaError {
   std::uint32_t line = 0;    ///< 1-based
   std::uint32_t column = 0;  ///< 1-based, in code points
   std::string pointer;       ///< JSON pointer to the key in the file
-  std::string message;       ///< with did-you-mean where a key is misspelt
+  std::string message;       ///< with a suggestion if a key is misspelt
 
   /// "file:line:column: /pointer: message"
   std::string text() const;
@@ -48,7 +48,7 @@ const std::shared_ptr<const Set>& builtin_set();
 /// The texts it was compiled from, `name` relative to schema/.
 const std::vector<SourceFile>& builtin_files();
 
-/// The built-in files with a user's own added or put in their place.
+/// The built-in files with a user's own, which are added or replace built-in ones.
 Compiled compile_with(const std::vector<SourceFile>& extra);
 
 }  // namespace gltfx::schema

@@ -6,18 +6,18 @@
 namespace gltfx::schema {
 
 /// All false: the specification is followed, with one finding for each cause. Members say what the
-/// validator does, what the specification says, and what shows it.
+/// validator does, what the specification says, and the evidence.
 struct Deviations {
-  // --- What counts as there ---
+  // --- What counts as present ---
 
   /// Khronos: a member whose value is invalid counts as absent, with the array around it, and so
-  /// does an index that leads nowhere. Rules that need the member are silent; rules that miss it
-  /// are not. Specification: silent. Seen: its source reads such members as null.
+  /// does a broken index. Rules that need the member are silent; rules that report its absence are
+  /// not. Specification: silent. Seen: its source reads such members as null.
   bool broken_values_are_absent = false;
 
   /// Khronos: extensions have a meaning when it supports them and the asset declares them; the
   /// content of all others is skipped. Specification ("Specifying Extensions"): each extension
-  /// defines its content. Seen: no findings on content behind UNSUPPORTED_EXTENSION.
+  /// defines its content. Seen: no findings on content after UNSUPPORTED_EXTENSION.
   bool unsupported_extensions_are_skipped = false;
 
   /// Khronos: null is of the wrong type, and a required member that is null is missing, too.
@@ -28,18 +28,18 @@ struct Deviations {
   /// be an object. Seen: no NON_OBJECT_EXTRAS for null.
   bool null_extras_are_allowed = false;
 
-  /// Khronos: what is no index in a map of indices (attributes) is INVALID_INDEX and stays in the
-  /// map. Specification: a value of the wrong type. Seen: reports on attributes.
+  /// Khronos: a value that is not an index in a map of indices (attributes) is INVALID_INDEX and
+  /// stays in the map. Specification: a value of the wrong type. Seen: reports on attributes.
   bool invalid_indices_stay_in_maps = false;
 
   /// Khronos: a number beyond the range of a double is VALUE_NOT_IN_RANGE. Specification ("JSON
   /// Encoding"): leaves the range to JSON; elsewhere it is an error of the text. Seen: its source
-  /// asks whether numbers are infinite.
+  /// checks whether numbers are infinite.
   bool infinite_numbers_are_out_of_range = false;
 
   // --- What is reported ---
 
-  /// Khronos: has none of the rules and limits that this program adds, not under its codes either.
+  /// Khronos: has none of the rules and limits that this program adds, also not under other codes.
   /// Specification: has most of them as requirements. Seen: its list of codes.
   bool no_additional_rules = false;
 
@@ -48,12 +48,12 @@ struct Deviations {
   bool each_finding_is_listed = false;
 
   /// Khronos: a member of a draft, or under a draft's name, is unexpected. Specification: has no
-  /// such member; elsewhere the finding names the draft, or what the member is called now. Seen:
+  /// such member; elsewhere the finding names the draft, or the present name of the member. Seen:
   /// UNEXPECTED_PROPERTY.
   bool draft_names_are_unexpected = false;
 
   /// Khronos: an index into an array of an extension that the root lacks is UNSATISFIED_DEPENDENCY
-  /// of the object that has it. Specification: a reference that leads nowhere. Seen: reports on
+  /// of the object that has it. Specification: a broken reference. Seen: reports on
   /// KHR_lights_punctual and KHR_materials_variants.
   bool root_extension_is_a_dependency = false;
 
@@ -62,17 +62,17 @@ struct Deviations {
   /// all that it does not support.
   bool extension_names_are_judged_alone = false;
 
-  /// Khronos: stops behind an `asset` that is missing or whose version is not 2.x. Specification
+  /// Khronos: stops after an `asset` that is missing or whose version is not 2.x. Specification
   /// ("Asset"): such an asset is not glTF 2.0. Seen: reports that end there.
   bool other_versions_end_the_walk = false;
 
-  /// Khronos: findings stand in the order in which objects are read and then linked: those of a
-  /// rule behind the member that it is about, extensions of a primitive before the primitive,
-  /// broken references where linking comes to them. Specification: silent. Seen: its reports.
+  /// Khronos: findings are in the order in which objects are read and then linked: those of a rule
+  /// after its member, extensions of a primitive before the primitive, broken references in the
+  /// order of linking. Specification: silent. Seen: its reports.
   bool reading_order = false;
 };
 
-/// All of them.
+/// All deviations.
 inline constexpr Deviations kKhronosValidator{.broken_values_are_absent = true,
                                               .unsupported_extensions_are_skipped = true,
                                               .null_counts_as_missing = true,

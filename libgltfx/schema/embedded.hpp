@@ -10,7 +10,7 @@ namespace gltfx::schema {
 
 /// The files, relative to schema/.
 Texts embedded_names();
-/// What they contain, in the same order.
+/// Their contents, in the same order.
 Texts embedded_texts();
 /// The Set they make, as `schema/image.hpp` reads it with these texts.
 std::string_view embedded_image();

@@ -233,8 +233,8 @@ class ExtensionBuilder {
     return size;
   }
 
-  // The object that a definition describes gets a type of its own at each home. The first takes the
-  // definition's own, further ones are copies.
+  // The object that a definition describes gets a separate type on each host. The first is the
+  // definition's own type, further ones are copies.
   ShapeId object_at(ShapeId definition, const std::string& name) {
     SetParts& set = build_.set;
     Shape shape = definition == kNone ? Shape() : set.shapes[definition];

@@ -9,7 +9,7 @@
 namespace gltfx::schema {
 namespace {
 
-// From the registry of Khronos, its open proposals and the lists of the vendors.
+// From the Khronos registry, its open proposals and the lists of vendors.
 constexpr std::string_view kWithoutSchema[]{
     "BENTLEY_materials_line_style",
     "EXT_mesh_bmesh",

@@ -8,15 +8,15 @@
 
 namespace gltfx::schema {
 
-/// A registered or widespread name, or that of a draft, of which no schema here tells more.
+/// A registered or widespread name, or that of a draft, without a schema here.
 bool is_known_without_schema(std::string_view name);
 
-/// Whether an extension may add values to lists of the core for all that is known here: it has no
-/// schema, and is neither known to add none nor misspelt.
+/// Whether an extension may add values to lists of the core: it has no schema, is not known to add
+/// none, and is not misspelt.
 bool may_add_values(const Set& set, std::string_view name);
 
-/// The known name of which `name`, itself unknown, is a typing slip: at most two edits away, or
-/// another spelling of case and '_'. Empty: of none. Lives as long as the Set.
+/// The known name that the unknown `name` misspells: at most two edits away, or different in case
+/// and '_' only. Empty: none. Lives as long as the Set.
 std::string_view misspelt_extension(const Set& set, std::string_view name);
 
 }  // namespace gltfx::schema

@@ -57,7 +57,7 @@ bool is_member_path(std::string_view path) {
   return is_target(path) && path.front() != '/' && path.find('*') == std::string_view::npos;
 }
 
-// "2025-09-15 b102d2d": a year, month or day, and maybe the commit.
+// "2025-09-15 b102d2d": a year, month or day, optionally with the commit.
 bool is_revision(std::string_view text) {
   const std::size_t space = std::min(text.find(' '), text.size());
   const std::string_view date = text.substr(0, space);
@@ -71,7 +71,7 @@ bool is_revision(std::string_view text) {
   return commit.size() >= 7 && commit.find_first_not_of("0123456789abcdef") == commit.npos;
 }
 
-// One of the first extensions has a name that is a prefix alone.
+// The name of an early extension is only a prefix.
 bool is_name_of_extension(std::string_view name) {
   return is_extension_name(name) || is_extension_name(std::string(name) + "_x");
 }
@@ -87,7 +87,7 @@ bool is_channels(std::string_view channels) {
   return !channels.empty();
 }
 
-// "r>a": where a channel is read and where it goes.
+// "r>a": the source and the target of a channel.
 bool is_swizzle(std::string_view text) {
   constexpr std::string_view kChannels = "rgba";
   return text.size() == 3 && text[1] == '>' && kChannels.find(text[0]) != kChannels.npos &&
@@ -100,7 +100,7 @@ bool is_media_type(std::string_view type) {
          type.find('/', slash + 1) == std::string_view::npos;
 }
 
-// What a text of some form has to be; null where any text will do.
+// The check of texts of a form; null if any text is allowed.
 struct TextRule {
   bool (*holds)(std::string_view);
   std::string_view expected;

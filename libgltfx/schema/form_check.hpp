@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Values of words in schema files that are no objects of the vocabulary: texts, lists, names.
+/// Values of words in schema files that are not objects of the vocabulary: texts, lists, names.
 #pragma once
 
 #include <optional>
@@ -11,13 +11,13 @@
 
 namespace gltfx::schema {
 
-/// What is wrong with a value: continues "'word' ...".
+/// The flaw of a value: continues "'word' ...".
 struct Flaw {
   json::NodeId node;
   std::string message;
 };
 
-/// Judges values of one file.
+/// Checks values of one file.
 class FormCheck {
  public:
   explicit FormCheck(const json::Document& document) : document_(document) {}

@@ -20,7 +20,7 @@ bool Holds::holds(ShapeId id, Value value, int depth) {
   if (id == kNone || depth > kDepth) return true;
   const json::Kind kind = values_.kind(value);
   const bool container = kind == json::Kind::object || kind == json::Kind::array;
-  // What is soon judged again is not worth being remembered.
+  // Shallow shapes are fast to check again and not cached.
   if (!container || set_.walk_tables().shapes[id].shallow) {
     return judge(set_.shape(id), value, depth);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether a value fits a shape, without a word: for conditions and alternatives.
+/// Whether a value fits a shape, without findings: for conditions and alternatives.
 #pragma once
 
 #include <unordered_map>
@@ -9,9 +9,8 @@
 
 namespace gltfx::schema {
 
-/// One document against one Set. Answers about containers are remembered, so that the work of one
-/// question is bounded by the number of shapes times that of nodes; below `kDepth` levels
-/// everything holds.
+/// One document against one Set. Results for containers are cached, so that the work of one call is
+/// bounded by the number of shapes times that of nodes; below `kDepth` levels everything holds.
 class Holds {
  public:
   /// `names` are those of the document in the Set; all three must outlive this.
@@ -23,8 +22,8 @@ class Holds {
   }
 
  private:
-  // Answers are shared by the questions about one value and its surroundings; more of them only
-  // leave the processor's cache.
+  // Results are shared by the calls for one value and its surroundings; more entries would only
+  // exceed the processor's cache.
   static constexpr std::size_t kMostKnown = 1U << 12U;
   static constexpr int kDepth = 100;
   bool holds(ShapeId shape, Value value, int depth);
@@ -43,7 +42,7 @@ class Holds {
   std::unordered_map<std::uint64_t, bool> known_;
 };
 
-/// Whether a number is a multiple of another, within what doubles can tell.
+/// Whether a number is a multiple of another, within the precision of doubles.
 bool is_multiple(double number, double of);
 
 }  // namespace gltfx::schema

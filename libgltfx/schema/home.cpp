@@ -42,7 +42,7 @@ Home through_property(const Set& set, const json::Document& document, json::Node
   return home;
 }
 
-// The only one, or the only one that the document has.
+// The only home, or the only one that the document has.
 Home choose(const std::vector<Home>& homes) {
   if (homes.size() == 1) return homes.front();
   const auto is_there = [](const Home& home) { return home.object != json::kNoNode; };
@@ -82,7 +82,7 @@ std::vector<Home> in_extensions(const Set& set, const json::Document& document,
 
 Home find_home(const Set& set, const json::Document& document, const Neighbourhood& around,
                std::string_view name) {
-  // Many objects have a name: it says nothing of where it belongs.
+  // Many types have `name`, so it does not identify a home.
   if (around.type == kNone || name == "name") return {};
   const std::vector<Home> homes = in_core(set, document, around, name);
   return choose(homes.empty() ? in_extensions(set, document, around, name) : homes);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where a member belongs that the type of its object does not know, as far as the schemas of the
-/// objects nearby tell.
+/// Finds the object nearby that a misplaced member belongs to, by the schemas of these objects.
 #pragma once
 
 #include <cstdint>
@@ -12,33 +11,33 @@
 
 namespace gltfx::schema {
 
-/// An object, and the one that holds it, be it as the element of an array or in `extensions`.
+/// An object, and the one that contains it, as the element of an array or in `extensions`.
 struct Neighbourhood {
   TypeId type = kNone;
   json::NodeId object = json::kNoNode;
-  TypeId type_above = kNone;  ///< kNone: of the root there is none
+  TypeId type_above = kNone;  ///< kNone for the root
   json::NodeId object_above = json::kNoNode;
-  bool among_others = false;  ///< an element of an array that has more of them
+  bool among_others = false;  ///< an element of an array with several elements
 };
 
 struct Home {
   enum class Way : std::uint8_t {
-    none,       ///< nowhere, or there are several
+    none,       ///< no place, or several
     member,     ///< in a member of the object
     element,    ///< in an element of an array that is a member
     above,      ///< in the object above
     extension,  ///< in an extension of the object
   };
   Way way = Way::none;
-  TypeId type = kNone;       ///< that knows the member
+  TypeId type = kNone;       ///< type that has the member
   std::string_view through;  ///< name of that member, array or extension; lives in the Set
-  /// The object, where there is exactly one; kNoNode: it can be made, if the way is `member`.
+  /// The object, if there is exactly one; kNoNode: it can be created if the way is `member`.
   json::NodeId object = json::kNoNode;
-  bool is_certain = false;  ///< which object it is, or that it is to be made
+  bool is_certain = false;  ///< the object, or that it must be created, is certain
 };
 
-/// The only place nearby that knows a member of that name. Of several places the one that the
-/// document has; those of extensions are looked at last.
+/// The only place nearby for a member of that name. Of several places, the one that exists in the
+/// document; extensions come last.
 Home find_home(const Set& set, const json::Document& document, const Neighbourhood& around,
                std::string_view name);
 

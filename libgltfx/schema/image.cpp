@@ -167,7 +167,7 @@ class Writer {
   std::string bytes;
 
  private:
-  // Small numbers take one byte; all ones, which stand for "none", too.
+  // Small numbers take one byte, and so do all ones, which mean "none".
   void put_number(std::uint64_t value) {
     ++value;
     while (value >= 0x80) {
@@ -188,7 +188,7 @@ class Writer {
       exchange(*this, value);
     }
   }
-  // Twice the size; one more for a place.
+  // Writes twice the size, plus one for a place.
   void put(std::string_view text) {
     const auto place = index_->find(text);
     put_number(2 * text.size() + (place ? 1 : 0));
@@ -219,7 +219,7 @@ class Writer {
   const TextIndex* index_;
 };
 
-// Trusts that the bytes were written by Writer; notices when there are too few of them.
+// Relies on bytes that Writer wrote; only checks that they are complete.
 class Reader {
  public:
   Reader(std::string_view bytes, Texts texts)
@@ -229,7 +229,7 @@ class Reader {
     (get(values), ...);
   }
   bool is_done() const { return at_ == end_ && !short_; }
-  /// The next bytes, as they are.
+  /// The next bytes.
   std::string_view take(std::size_t size) {
     if (!has(size)) return {};
     return {std::exchange(at_, at_ + size), size};
@@ -251,7 +251,7 @@ class Reader {
     }
     return value - 1;
   }
-  // Everything that is counted takes at least a byte.
+  // Each counted item takes at least a byte.
   std::size_t get_count() {
     const std::uint64_t count = get_number();
     return has(count) ? static_cast<std::size_t>(count) : 0;
@@ -310,8 +310,7 @@ class Reader {
   bool short_ = false;
 };
 
-// Names of types that are not the types' own: those of definitions that stand at several
-// attachment points.
+// Alternative names of types: those of definitions with several attachment points.
 using Names = std::vector<std::pair<std::string, std::uint32_t>>;
 
 template <class Map>
@@ -321,7 +320,7 @@ Names sorted(const Map& map) {
   return names;
 }
 
-// Parts that are read one by one: where each ends, then all of them.
+// Parts that are read one by one: the end of each, then all of them.
 template <class T>
 void put_parts(Writer& writer, const TextIndex& index, std::vector<T>& parts) {
   Writer all(index);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The parts of a Set: all of them, or those of an image, each read when it is first asked for. A
-/// document needs a tenth of what comes with the program.
+/// The parts of a Set: all of them, or those of an image, each read at first use. A document needs
+/// a tenth of the built-in parts.
 #pragma once
 
 #include <atomic>
@@ -15,14 +15,14 @@
 
 namespace gltfx::schema {
 
-/// May be asked by any number of threads. `read_part(bytes, texts, part)` reads a T.
+/// Thread-safe. `read_part(bytes, texts, part)` reads a T.
 template <class T>
 class Lazy {
  public:
   explicit Lazy(std::vector<T> all) : all_(std::move(all)), made_(all_.size()) {
     for (std::size_t i = 0; i < all_.size(); ++i) made_[i] = &all_[i];
   }
-  /// `bytes` and `texts` stay where they are while this lives; part i ends before byte `ends[i]`.
+  /// `bytes` and `texts` must outlive this; part i ends before byte `ends[i]`.
   Lazy(std::string_view bytes, std::vector<std::uint32_t> ends, Texts texts)
       : bytes_(bytes), texts_(texts), ends_(std::move(ends)), made_(ends_.size()) {}
   ~Lazy() {

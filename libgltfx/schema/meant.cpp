@@ -22,7 +22,7 @@ bool is_integer(std::string_view literal) {
   return json::parse(share_text(std::string(literal))).document.number(0).is_integer();
 }
 
-// Of "1,500" nobody knows which comma it is.
+// The comma of "1,500" may be a decimal one or group thousands.
 bool may_group_thousands(std::string_view whole, std::string_view fraction) {
   return fraction.size() == 3 && whole.size() <= 3 && whole.front() != '0';
 }
@@ -50,7 +50,7 @@ bool accepts(const Set& set, const Shape& shape, std::string_view text) {
   return listed && (shape.pattern == kNone || set.matches(shape.pattern, text));
 }
 
-// A version is written 2 where "2.0" is meant.
+// The number 2 for a version means "2.0".
 std::string meant_text(const Set& set, const Shape& shape, const std::string& number) {
   for (const std::string& text : {number, number + ".0"}) {
     if (accepts(set, shape, text)) return '"' + text + '"';
@@ -86,7 +86,7 @@ std::string with_decimal_points(const json::Document& document, json::NodeId num
   const std::uint32_t begin = document.span(numbers).begin;
   std::string text(document.raw(numbers));
   std::uint64_t count = 0;
-  bool fraction = false;  // whether the number before is one
+  bool fraction = false;  // whether the previous number is one
   Span before;
   std::vector<std::uint32_t> commas;
   for (json::NumberCursor at(document, numbers); at.valid(); at.advance()) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The members that a schema describes, into an ObjectType.
-// Values inside x-gltfx, behind the vocabulary check: their forms can be relied on.
+// Reads the members that a schema describes into an ObjectType. Values inside x-gltfx have passed
+// the vocabulary check: their forms are right.
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
@@ -11,7 +11,7 @@
 namespace gltfx::schema {
 namespace {
 
-// Beside its known members every object may have these two; a schema need not list them.
+// Every object may have these two in addition to its known members; a schema need not list them.
 bool is_common_member(std::string_view name) { return name == "extensions" || name == "extras"; }
 
 // Listed only because other validators need it: {} or { "type": "object" }.
@@ -113,7 +113,7 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
   return property;
 }
 
-// A required member that the object does not know can never be there rightly.
+// A required member that the object does not have can never be valid.
 void ShapeBuilder::report_misspelt_required(const Members& members, const ObjectType& type) {
   if (!members.required.exists() || !members.properties.exists()) return;
   const json::Document& document = build_.document(members.required);

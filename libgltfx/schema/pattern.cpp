@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thompson's simulation: all ways through the program advance together, one code point at a time.
+// Thompson's simulation: all paths through the program advance together, one code point at a time.
 #include "schema/pattern.hpp"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ using Op = Pattern::Op;
 constexpr std::size_t kShort = 64;
 using Positions = fmt::basic_memory_buffer<std::int32_t, kShort>;
 
-// The code point at `at`, which moves on. A byte that is no UTF-8 stands for itself.
+// The code point at `at`, which is advanced. A byte that is not UTF-8 counts as a code point.
 char32_t next_code_point(std::string_view text, std::size_t& at) {
   const auto lead = static_cast<unsigned char>(text[at++]);
   const int more = lead >= 0xF0 ? 3 : lead >= 0xE0 ? 2 : lead >= 0xC0 ? 1 : 0;
@@ -28,7 +28,7 @@ char32_t next_code_point(std::string_view text, std::size_t& at) {
   return c;
 }
 
-// Positions in the program that are reached without reading anything, each once.
+// Positions in the program that are reached without input, each once.
 class Threads {
  public:
   explicit Threads(std::size_t size) {
@@ -42,7 +42,7 @@ class Threads {
     waiting_.clear();
   }
 
-  // Adds `start` and what follows from it; true when the program's end is among it.
+  // Adds `start` and its closure; true when that includes the program's end.
   bool add(const std::vector<Instruction>& program, std::int32_t start, bool at_begin,
            bool at_end) {
     stack_.push_back(start);

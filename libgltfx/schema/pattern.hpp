@@ -22,11 +22,11 @@ namespace gltfx::schema {
 /// A compiled expression; immutable, so any number of threads may match with it.
 class Pattern {
  public:
-  /// The program for an expression, or why there is none.
+  /// The program of an expression, or an Error.
   static Result<Pattern> compile(std::string_view expression);
 
-  /// Whether some part of a UTF-8 text matches (expressions are not anchored by themselves).
-  /// Time is the length of the text times that of the expression.
+  /// Whether some part of a UTF-8 text matches (expressions are not anchored implicitly). Time is
+  /// the length of the text times that of the expression.
   bool matches(std::string_view text) const;
 
   const std::string& text() const { return text_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the text of an expression to a program.
+// Parses an expression into a program.
 #include <algorithm>
 
 #include "base/text.hpp"
@@ -12,7 +12,7 @@ using Instruction = Pattern::Instruction;
 using Op = Pattern::Op;
 using Fragment = std::vector<Instruction>;
 
-constexpr std::size_t kMaxProgram = 5000;  // bounds what {n,m} inside {n,m} can build
+constexpr std::size_t kMaxProgram = 5000;  // bounds the size of {n,m} inside {n,m}
 constexpr int kMaxNesting = 64;
 constexpr std::uint32_t kMaxRepeat = 1000;
 
@@ -148,7 +148,7 @@ class PatternParser {
     Fragment all;
     for (std::uint32_t i = 0; i < least; ++i) append(all, one);
     if (endless) append(all, any_number(one));
-    // Each further repeat may jump over itself and all behind it.
+    // Each further repeat may jump over itself and all after it.
     const std::int32_t step = length(one) + 1;
     for (std::uint32_t i = least; !endless && i < most; ++i) {
       all.push_back({Op::split, 1, static_cast<std::int32_t>(most - i) * step});
@@ -157,7 +157,7 @@ class PatternParser {
     return checked(std::move(all));
   }
 
-  // Reads * + ? {n} {n,} {n,m}; a brace that is none of these is a literal.
+  // Reads * + ? {n} {n,} {n,m}; any other brace is a literal.
   bool quantifier(std::uint32_t& least, std::uint32_t& most) {
     if (take('*')) return least = 0, most = UINT32_MAX, true;
     if (take('+')) return most = UINT32_MAX, true;

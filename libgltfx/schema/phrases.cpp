@@ -28,7 +28,7 @@ std::string literal_text(const Literal& literal) {
   return literal.name.empty() ? number : number + " (" + literal.name + ")";
 }
 
-// What may stand in the text, as it stands there.
+// The allowed values as JSON text.
 std::string json_literals(const Shape& shape) {
   std::vector<std::string> texts;
   for (const Literal& literal : shape.literals) {
@@ -38,7 +38,7 @@ std::string json_literals(const Shape& shape) {
   return join_or(texts);
 }
 
-// One value where so many of them should stand.
+// Help for a single value in place of an array of a fixed size.
 std::string array_help(const Shape& shape, const std::string& value) {
   constexpr std::uint64_t kMost = 4;
   if (shape.min_items > kMost) return {};

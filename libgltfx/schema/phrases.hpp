@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The words of findings: what is there, what is expected.
+/// The phrases of findings: what was found, what is expected.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ std::string name_of(const Path& path);
 std::string clause(std::string text);
 /// A scalar as written, cut; "an array", "an object".
 std::string shown(const Values& values, Value value);
-/// "a number", "a string or an object"; of one shape.
+/// "a number", "a string or an object"; for one shape.
 std::string type_phrase(std::uint8_t types);
 /// What a number must be: "between 0 and 1", "above 0"; empty without limits.
 std::string range_phrase(const Shape& shape);
@@ -24,13 +24,13 @@ std::string list_phrase(const Shape& shape);
 /// "exactly 3", "at least 1", "between 1 and 16" for a count of things; `one` and `many` name them.
 std::string count_phrase(std::uint64_t least, std::uint64_t most, const char* one,
                          const char* many);
-/// All that a shape asks of a scalar, for shapes that are alternatives: "0", "at least 1".
+/// All requirements of a shape on a scalar, for shapes that are alternatives: "0", "at least 1".
 std::string scalar_phrase(const Set& set, const Shape& shape);
 /// "'a'", "'a' and 'b'", "'a', 'b' and 'c'".
 std::string all_of_phrase(const std::vector<std::string>& names);
 
-/// What to write instead of a value of the wrong type; empty when there is nothing obvious.
-/// `optional`: it is that of a member which may be absent.
+/// What to write instead of a value of the wrong type; empty when nothing is obvious. `optional`:
+/// the value is that of an optional member.
 std::string type_help(const Set& set, const Values& values, const Shape& shape, Value value,
                       bool optional);
 /// What to add for a member that is missing.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be judged only when all files are compiled: where references lead, which property scales
-// a slot, whether shapes contain themselves.
+// Checks that need all files: targets of references, properties that scale a slot, shapes that
+// contain themselves.
 #include <algorithm>
 
 #include "base/text.hpp"
@@ -9,9 +9,8 @@
 namespace gltfx::schema {
 namespace {
 
-constexpr int kDeepestNesting =
-    40;  // combinators inside one another; the walk recurses on these only
-// Schemas that one value is held against, each as often as combinators lead to it.
+constexpr int kDeepestNesting = 40;  // nested combinators; the walk recurses on these only
+// Maximum number of schemas for one value, each counted as often as combinators lead to it.
 constexpr std::uint32_t kMostShapes = 1000;
 
 class ReferenceCheck {
@@ -46,7 +45,7 @@ class ReferenceCheck {
     return build_.member(build_.member(schema, "x-gltfx"), name);
   }
 
-  // Where a path of names stands: at an object type or at a shape.
+  // The position of a path of names: an object type or a shape.
   struct Place {
     TypeId type = kNone;
     ShapeId shape = kNone;
@@ -54,7 +53,7 @@ class ReferenceCheck {
 
   void target(ShapeId id, Target& target, std::string_view which) {
     const Site at = word(id, which);
-    if (!at.exists()) return;  // a copy: judged at the original
+    if (!at.exists()) return;  // a copy: checked at the original
     Place place{set_.find_type("glTF"), kNone};
     if (target.base == Target::Base::enclosing) {
       const std::string type = target.text.substr(0, target.text.find('/'));
@@ -62,7 +61,7 @@ class ReferenceCheck {
       if (place.type == kNone) return unknown(at, type, "not an object type", type_names());
       target.enclosing = set_.types[place.type].origin;
     } else if (place.type == kNone) {
-      return;  // files without the root of glTF: nothing to judge by
+      return;  // files without the root of glTF: nothing to check against
     }
     for (std::size_t i = 0; i < target.steps.size(); ++i) {
       if (!step(place, target.steps, i, at)) return;
@@ -172,7 +171,7 @@ class ReferenceCheck {
                build_.member(build_.member(root, "x-gltfx"), "strength"));
   }
 
-  // Members that generations speak of have to exist on the extension's object.
+  // Members in the conditions of generations must exist on the extension's object.
   void generations(SourceId id) {
     const Extension& extension = set_.extensions[build_.extension_of[id]];
     if (extension.attachment_points.empty()) return;
@@ -205,15 +204,15 @@ class ReferenceCheck {
     return set_.shapes[extension.attachment_points.front().second].type;
   }
 
-  // An upgrade of ours may lead to an extension that a file of the user describes otherwise: then
-  // there is none.
+  // A built-in upgrade may lead to an extension that a user's file describes differently: the
+  // upgrade is then dropped.
   bool is_outdated(SourceId id) const {
     return !build_.sources[id].from_user &&
            std::any_of(build_.sources.begin(), build_.sources.end(),
                        [](const Source& source) { return source.from_user; });
   }
 
-  // What an upgrade takes has to exist on the extension's object, what it gives on its successor's.
+  // The sources of an upgrade must exist on the extension's object, its targets on the successor's.
   void upgrade(SourceId id) {
     const Extension& extension = set_.extensions[build_.extension_of[id]];
     const Site root{id, build_.sources[id].document.root()};
@@ -302,7 +301,7 @@ class ReferenceCheck {
             type == kNone ? std::vector<std::string_view>() : member_names(type));
   }
 
-  // Shapes that hold for one value together: a cycle among them would never end.
+  // Shapes that apply to one value together: a cycle among them would never end.
   std::vector<ShapeId> in_place(const Shape& shape) const {
     std::vector<ShapeId> all;
     for (const auto* list : {&shape.all_of, &shape.any_of, &shape.one_of}) {
@@ -316,8 +315,7 @@ class ReferenceCheck {
     return all;
   }
 
-  // Depth first with a stack of its own: how deep combinators are nested, and whether in
-  // themselves.
+  // Depth first with an explicit stack: finds the nesting depth of combinators, and cycles.
   void nesting() {
     std::vector<int> depth(set_.shapes.size(), 0);  // 0: not seen, -1: on the way, else depth
     std::vector<std::uint32_t> work(set_.shapes.size(), 0);
@@ -348,7 +346,7 @@ class ReferenceCheck {
     }
   }
 
-  // Told once: what holds such a schema is not reported again.
+  // Reported once: schemas that contain such a schema are not reported again.
   std::uint32_t work_of(ShapeId id, const std::vector<ShapeId>& inside,
                         const std::vector<std::uint32_t>& work) {
     bool reported = false;

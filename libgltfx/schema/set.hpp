@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What gltfx knows of glTF, compiled from schema files: object types, their properties,
-/// extensions.
+/// The compiled schema files: object types, their properties, extensions.
 ///
-/// A Set is built once (`schema/compile.hpp`) and then only read, by any number of threads. Nothing
-/// in the library knows a property, a range or an extension's home but through it.
+/// A Set is built once (`schema/compile.hpp`) and then only read, by any number of threads. The
+/// library gets properties, ranges and hosts of extensions from the Set only.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +43,7 @@ enum class Status : std::uint8_t {
   draft,
   legacy,
   archived,
-  registered_vendor,  ///< a vendor's, in the registry of Khronos
+  registered_vendor,  ///< a vendor's, in the Khronos registry
   vendor
 };
 std::string_view status_name(Status status);  ///< as in the files: "release-candidate"
@@ -58,7 +57,7 @@ struct Slot {
   std::vector<std::pair<std::string, std::string>> factors;
 };
 
-/// What an integer indexes, or a string names.
+/// The target of an index or a name.
 struct Target {
   enum class Base : std::uint8_t { root_array, root_path, enclosing };
   Base base = Base::root_array;
@@ -82,30 +81,30 @@ struct Property {
   bool required = false;
   std::string parameter;     ///< of the shader: "base_color"; empty: the shader does not read it
   std::string mutable_type;  ///< object-model type for animation pointers; empty: not mutable
-  /// Of what animations write, where that is less free than what may be written into the file.
+  /// Minimum of animated values, if stricter than that of values in the file.
   double animated_minimum = -std::numeric_limits<double>::infinity();
   std::vector<std::string> aliases;  ///< names of earlier drafts
   std::string default_json;          ///< JSON text of the default; empty: none
   std::string deprecated;            ///< what to use instead; empty: current
   std::string draft;                 ///< the text that defines it ("glTF 2.1"), not in force yet
-  bool added_late = false;           ///< required, but unknown to drafts that assets still follow
+  bool added_late = false;           ///< required, but missing in drafts that assets still follow
   std::string unit;
   std::string description;
 };
 
-/// `if` a shape holds, then another must.
+/// If the shape `if` holds, another shape must hold.
 struct Condition {
   ShapeId if_shape = kNone;
   ShapeId then_shape = kNone;
   ShapeId else_shape = kNone;
 };
 
-/// Whether the numbers of an array are a vector of unit length, and what another one is.
+/// Whether the numbers of an array are a vector of unit length, and the severity of another length.
 enum class UnitLength : std::uint8_t { free, warning, error };
 
 /// One schema or subschema. Limits that are absent hold their neutral value.
 struct Shape {
-  std::string label;  ///< where it stands: "material.KHR_x", "KHR_x.light/color"
+  std::string label;  ///< its place: "material.KHR_x", "KHR_x.light/color"
   std::uint8_t types = 0;
   bool never = false;  ///< the schema `false`
   double minimum = -std::numeric_limits<double>::infinity();
@@ -131,14 +130,15 @@ struct Shape {
   std::vector<Condition> conditions;
   std::vector<std::pair<std::string, std::vector<std::string>>> dependent_required;
   std::optional<Target> ref;
-  std::vector<std::string> ref_has;  ///< path of members that the element `ref` means has to have
+  std::vector<std::string> ref_has;  ///< path of members that the element of `ref` must have
   std::optional<Target> ref_name;
   UnitLength unit_length = UnitLength::free;
   std::uint32_t should_match = kNone;  ///< index into Set::patterns(): else a warning
-  std::optional<Target> may_refer;  ///< of a list: what integers in it index, if anything is there
-  bool may_point = false;   ///< of a list: strings in it that begin with '/' are JSON pointers
-  bool essential = false;   ///< without it, an object that no extension completes is of no use
-  std::string by_position;  ///< why no element of an array may go: what goes by their positions
+  std::optional<Target> may_refer;     ///< of a list: the array that integers in it may index
+  bool may_point = false;  ///< of a list: strings in it that begin with '/' are JSON pointers
+  bool essential = false;  ///< without it, an object that no extension completes is useless
+  std::string
+      by_position;  ///< why no element of an array may be removed: the use of their positions
   std::optional<Slot> slot;
   std::string title, description, hint;
   std::string zero_hint;  ///< help for a 0 that is out of range
@@ -150,14 +150,14 @@ struct ObjectType {
                      ///< extension's own object: "material.KHR_materials_ior"
   ShapeId shape = kNone;
   std::vector<Property> properties;  ///< in checking order
-  bool open = false;                 ///< unknown members are welcome
+  bool open = false;                 ///< unknown members are allowed
   bool strict = false;  ///< unknown members break the schema (`additionalProperties: false`)
   ExtensionId extension = kNone;  ///< the extension it belongs to
   TypeId origin = kNone;          ///< the type this is a copy of (one definition at several
                                   ///< attachment points), otherwise its own id
 };
 
-/// What is said about another extension on the same object.
+/// A relation to another extension on the same object.
 struct Relation {
   std::string extension;
   std::string because;
@@ -174,14 +174,14 @@ struct AttributeFormat {
   bool required = false;
 };
 
-/// One generation of a name that meant different things over time.
+/// One generation of a name whose meaning changed over time.
 struct Generation {
   std::string name, description;
-  std::vector<std::string> with, without;  ///< members that tell it
+  std::vector<std::string> with, without;  ///< members that identify it
   std::vector<std::pair<std::string, Slot>> slots;
 };
 
-/// How one member comes to the successor of an extension.
+/// How one member is moved to the successor of an extension.
 struct UpgradeStep {
   enum class Kind : std::uint8_t {
     move,   ///< within the extension's own object
@@ -190,41 +190,41 @@ struct UpgradeStep {
   };
   Kind kind = Kind::move;
   std::string from;        ///< member; of a copy a path of members, "pbrMetallicRoughness/x"
-  std::string to;          ///< member of the successor's object; of a place a path from the carrier
-  std::string otherwise;   ///< JSON text to write where there is no `from`; empty: none
+  std::string to;          ///< member of the successor's object; of a place a path from the host
+  std::string otherwise;   ///< JSON text to write if there is no `from`; empty: none
   std::uint64_t take = 0;  ///< that many numbers of a list, the first ones; 0: the value as it is
   std::string swizzle;     ///< "r>a": the texture needs an image whose A is the old R
-  bool accept_index = false;             ///< a bare index stands for {"index": n}
+  bool accept_index = false;             ///< a bare index means {"index": n}
   std::vector<std::string> generations;  ///< that have the step; empty: all
 };
 
 /// What an upgrade cannot carry over.
 struct UpgradeLoss {
-  /// That the old extension read and the new one does not; empty: lost in any case.
+  /// Attribute that the old extension read and the new one does not; empty: lost in any case.
   std::string vertex_attribute;
   std::vector<std::string> generations;  ///< that lose it; empty: all
   std::string because;
 };
 
-/// Why objects of some generations have no way to anything.
+/// Why objects of some generations cannot be upgraded.
 struct UpgradeStay {
   std::vector<std::string> generations;  ///< empty: all
   std::string because;
 };
 
-/// The way from an extension to its successor.
+/// The upgrade of an extension to its successor.
 struct Upgrade {
-  std::string to;                         ///< empty: there is none; core glTF says the same
-  std::vector<std::string> alternatives;  ///< other successors, one of which may be asked for
-  std::string opt_in;                ///< why it is done only when asked for by name; empty: always
+  std::string to;                         ///< empty: none; core glTF replaces it
+  std::vector<std::string> alternatives;  ///< other successors, which may be requested
+  std::string opt_in;                ///< why it is done only on request by name; empty: always done
   bool together = false;             ///< all objects of a document, or none
-  std::string conversion;            ///< code that does what steps cannot say; empty: none
-  std::vector<Relation> blocked_by;  ///< extensions beside which an object stays
+  std::string conversion;            ///< code for what steps cannot express; empty: none
+  std::vector<Relation> blocked_by;  ///< extensions that prevent the upgrade of an object
   std::vector<UpgradeStay> stays;
-  std::vector<Relation> hidden_by;  ///< extensions beside which the effect is not seen
+  std::vector<Relation> hidden_by;  ///< extensions that hide the effect
   std::vector<UpgradeStep> steps;
   std::vector<UpgradeLoss> losses;
-  /// There is a successor, or code that needs none.
+  /// Whether there is a successor, or code that needs none.
   bool does_something() const { return !to.empty() || !conversion.empty(); }
 };
 
@@ -232,17 +232,16 @@ struct Extension {
   std::string name, title, description, spec;
   std::string revision;  ///< of a draft: date, and commit where it is known: "2025-09-15 b102d2d"
   Status status = Status::vendor;
-  std::vector<std::pair<TypeId, ShapeId>>
-      attachment_points;  ///< object type it sits on, shape of its object
+  std::vector<std::pair<TypeId, ShapeId>> attachment_points;  ///< host type, shape of its object
   std::vector<Relation> excludes, requires_, overridden_by;
   std::string strength;  ///< member that turns the effect off when it is 0; empty: none
   bool standalone = false;
   bool khronos_validator = false;  ///< the Khronos validator checks it
   MustBeRequired must_be_required = MustBeRequired::optional;
   std::string fallback;  ///< without_fallback: member of the host that is the fallback
-  /// Extensions beside it on one object that serve readers without it.
+  /// Extensions on the same object that are a fallback for readers without it.
   std::vector<std::string> fallback_extensions;
-  bool optional_with_fallback = false;  ///< not to be required where every host has that member
+  bool optional_with_fallback = false;  ///< must not be required if every host has that member
   std::vector<std::string> image_mime_types;
   std::vector<AttributeFormat> vertex_attributes, morph_attributes, instance_attributes;
   std::string successor;
@@ -252,18 +251,18 @@ struct Extension {
   std::vector<std::pair<std::string, std::vector<std::string>>> enum_additions;
   bool from_user = false;  ///< given at run time
 
-  /// The shape of its object on a type, or kNone when it is not at home there.
+  /// The shape of its object on a type, or kNone when it does not belong there.
   ShapeId shape_on(TypeId type) const;
 };
 
 class Pattern;
 
-// Of an image (schema/image.hpp).
+// Read a part of an image (schema/image.hpp).
 void read_part(std::string_view bytes, Texts texts, Shape& shape);
 void read_part(std::string_view bytes, Texts texts, ObjectType& type);
 
-/// Immutable after compilation. Shapes and types that come with the program are read when they are
-/// first asked for, and stay where they are.
+/// Immutable after compilation. Built-in shapes and types are read at first use, and their
+/// addresses do not change.
 class Set {
  public:
   Set() = default;
@@ -275,13 +274,13 @@ class Set {
 
   TypeId find_type(std::string_view name) const;            ///< or kNone
   ExtensionId find_extension(std::string_view name) const;  ///< or kNone
-  /// The property with that name, or null. Aliases are not looked at.
+  /// The property with that name, or null. Aliases are ignored.
   const Property* find_property(TypeId type, std::string_view name) const;
   /// Whether a string matches a compiled pattern.
   bool matches(std::uint32_t pattern, std::string_view text) const;
   std::string_view pattern_text(std::uint32_t pattern) const;
 
-  /// Of the texts it was compiled from; zeros when it came ready with the program.
+  /// Hash of the texts it was compiled from; zeros for the built-in Set.
   const Hash128& sources() const { return sources_; }
 
   /// Tables made for the walk (`schema/check.hpp`): opaque to others.

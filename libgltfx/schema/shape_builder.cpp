@@ -26,7 +26,7 @@ std::uint64_t copy_size(const Shape& shape) {
   return size + ids * sizeof(Condition);
 }
 
-// Keywords that say nothing about values.
+// Keywords without a constraint on values.
 bool is_annotation(Keyword keyword) {
   switch (keyword) {
     case Keyword::none:
@@ -93,7 +93,7 @@ ShapeId ShapeBuilder::any_shape() {
   return any_;
 }
 
-// Follows $refs that have nothing beside them but annotations.
+// Follows $refs that have only annotations beside them.
 Site ShapeBuilder::behind_references(Site schema) {
   const Site start = schema;
   for (int steps = 0; schema.exists() && is_bare_reference(schema); ++steps) {
@@ -153,8 +153,8 @@ void ShapeBuilder::work(const Job& job) {
   build_.set.shapes[job.shape] = std::move(shape);
 }
 
-// A $ref with something beside it: a copy of what it names, with the words beside it; further
-// constraints become a shape of their own that has to hold as well.
+// A $ref with other keywords: a copy of its target, with these keywords; further constraints become
+// a separate shape that must hold as well.
 void ShapeBuilder::derive(const Job& job) {
   Job kept = job;
   kept.base = build_.resolve(build_.member(job.schema, "$ref"));
@@ -212,7 +212,7 @@ void ShapeBuilder::settle_derived() {
   }
 }
 
-// The words beside a $ref win over those of what it names.
+// The keywords beside a $ref override those of its target.
 void ShapeBuilder::copy_base(const Job& job) {
   Shape& shape = build_.set.shapes[job.shape];
   shape.label = job.where.label;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From schema objects to shapes and object types.
+/// Makes shapes and object types from schema objects.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ class ShapeBuilder {
  public:
   explicit ShapeBuilder(Build& build) : build_(build) {}
 
-  /// How things made from a schema are called, and whether it is a branch of a combinator: there,
+  /// The name of what is made from a schema, and whether it is a branch of a combinator, in which
   /// `properties` do not make other members unknown.
   struct Where {
     std::string type_name;
@@ -31,7 +31,7 @@ class ShapeBuilder {
   struct Job {
     ShapeId shape;
     Site schema;
-    Site base;  ///< what a `$ref` with something beside it names
+    Site base;  ///< target of a `$ref` with other keywords
     Where where;
   };
   struct Members;
@@ -69,7 +69,7 @@ class ShapeBuilder {
 
 /// Parts of the annotation `x-gltfx` that both shapes and extensions read.
 Slot read_slot(const Build& build, Site slot);
-/// "a/b/c" to its steps.
+/// The steps of "a/b/c".
 std::vector<std::string> split_steps(std::string_view text);
 Target read_target(const Build& build, Site text);
 Upgrade read_upgrade(const Build& build, Site upgrade);

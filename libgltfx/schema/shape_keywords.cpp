@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One keyword at a time into a Shape.
+// Reads keywords into a Shape.
 #include <algorithm>
 #include <cstdlib>
 
@@ -161,7 +161,7 @@ void ShapeBuilder::read_branches(Keyword keyword, Site value, const Where& where
       return each(shape.one_of);
     case Keyword::not_:
       shape.not_shape = one();
-      if (shape.not_shape == kNone) shape.never = true;  // not everything: nothing
+      if (shape.not_shape == kNone) shape.never = true;  // `not` of everything allows nothing
       return;
     case Keyword::if_:
       condition().if_shape = one();
@@ -201,8 +201,7 @@ void ShapeBuilder::read_annotation(Site annotation, Shape& shape) {
   if (!names.exists()) return;
   for (const auto& member : build_.document(names).members(names.node)) {
     const std::string key(build_.document(names).key(member.key_id));
-    // Ranges have names for their values too; they are kept as literals only where there is an
-    // enum.
+    // Ranges have names for their values too; they are kept as literals only if there is an enum.
     for (Literal& literal : shape.literals) {
       if (literal.kind == Literal::Kind::number &&
           literal.number == std::strtod(key.c_str(), nullptr)) {

@@ -49,7 +49,7 @@ std::string_view error_text(json::SyntaxError error) {
   }
 }
 
-// Every error of a file's JSON, recoverable or not: schema files have to be clean.
+// Adds every error of a file's JSON, recoverable or not: schema files must be valid.
 void add_json_errors(const SourceFile& file, const json::Parsed& parsed,
                      std::vector<SchemaError>& errors) {
   const json::LineIndex lines(file.text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Schema files while they are compiled: parsed texts, and the errors found in them.
+/// Schema files during compilation: parsed texts, and the errors found in them.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Source {
   std::string id;                 ///< `$id`
   std::vector<Keyword> keywords;  ///< by KeyId: the schema keyword of that name
   bool is_extension() const { return id.rfind("gltfx:ext/", 0) == 0; }
-  /// The part of `$id` behind the slash: "material", "KHR_x".
+  /// The part of `$id` after the slash: "material", "KHR_x".
   std::string_view short_name() const;
   /// The value of a member of an object node, or kNoNode.
   json::NodeId find(json::NodeId object, std::string_view member) const {
@@ -46,15 +46,15 @@ class ErrorList {
 
   /// An error at a value or key.
   void add(Site at, std::string message);
-  /// At the key of a member's value.
+  /// An error at the key of a member's value.
   void add_at_key(Site value, std::string message) {
     add({value.source, value.node - 1}, std::move(message));
   }
   bool empty() const { return errors_.empty(); }
-  /// Whether further errors are left out, so that none has to be worded.
+  /// Whether further errors are dropped, so that messages need not be made.
   bool is_full() const { return errors_.size() >= kMost; }
   std::size_t size() const { return errors_.size(); }
-  /// Takes back all errors but the first `count`.
+  /// Removes all errors except the first `count`.
   void keep(std::size_t count) {
     errors_.erase(errors_.begin() + static_cast<std::ptrdiff_t>(count), errors_.end());
   }
@@ -72,8 +72,8 @@ class ErrorList {
   std::vector<Entry> errors_;
 };
 
-/// Parses the files; a user's file takes the place of an earlier one with the same `$id`. What
-/// cannot be parsed goes to `errors` directly.
+/// Parses the files; a user's file replaces an earlier one with the same `$id`. Files that cannot
+/// be parsed are reported in `errors`.
 std::vector<Source> load_sources(const std::vector<SourceFile>& files,
                                  std::vector<SchemaError>& errors);
 

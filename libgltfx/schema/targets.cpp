@@ -5,13 +5,13 @@
 
 namespace gltfx::schema {
 
-// Each asset asks for all targets, of which it has a few: what a missing object would hold is not
-// looked up.
+// All targets are looked up in each asset, which has only a few of them: the contents of a missing
+// object are skipped.
 Targets::Targets(const json::Document& document, const Set& set)
     : document_(document), tables_(set.walk_tables()), from_root_(tables_.targets.size(), 0) {
   arrays_.reserve(16);  // most assets have fewer
   arrays_.emplace_back();
-  std::vector<json::NodeId> values{document.root()};  // behind so many steps; kNoNode is the last
+  std::vector<json::NodeId> values{document.root()};  // after so many steps; kNoNode is the last
   for (const auto& [target, shared] : tables_.lookups) {
     if (values.back() == json::kNoNode && shared + 1 >= values.size()) continue;
     const TargetPlan& plan = tables_.targets[target];
@@ -82,7 +82,7 @@ std::vector<json::NodeId> Targets::places(json::NodeId from,
   return now;
 }
 
-// Where several arrays are meant, an index has to fit the largest.
+// If several arrays may be meant, an index must fit the largest.
 std::uint64_t Targets::largest(json::NodeId from, const std::vector<std::string>& steps) const {
   std::uint64_t size = 0;
   for (const json::NodeId place : places(from, steps)) {
@@ -104,7 +104,7 @@ Targets::Array* Targets::below(const Target& target, json::NodeId object, const 
   return &local_[known->second].array;
 }
 
-// Looked up once per element: many references may lead to one with many members.
+// Looked up once per element: many references may lead to an element with many members.
 bool Targets::has_member(Array& array, std::uint64_t index, ShapeId shape,
                          const std::vector<std::string>& steps) const {
   const auto [known, is_new] = array.having.try_emplace(shape);
@@ -135,7 +135,7 @@ bool Targets::has_name(std::uint32_t target, std::string_view name) {
 void Targets::move_to(CheckResult& result) {
   result.targets.reserve(arrays_.size());
   for (std::size_t i = 0; i < from_root_.size(); ++i) {
-    if (from_root_[i] == 0) continue;  // mostly
+    if (from_root_[i] == 0) continue;  // the usual case
     Array& array = from_root(static_cast<std::uint32_t>(i));
     if (!array.is_array || tables_.targets[i].steps_over || array.node == json::kNoNode) continue;
     result.targets.push_back({tables_.targets[i].pointer, array.node, std::move(array.used)});

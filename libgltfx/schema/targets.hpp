@@ -26,23 +26,23 @@ class Targets {
     std::uint64_t size = 0;
     UsedElements used;
     std::vector<bool> holes;  ///< elements that are no objects; empty when there are none
-    /// By the shape that asks, whether elements have what it asks for; filled by has_member().
+    /// By shape: whether elements have what it requires; filled by has_member().
     std::unordered_map<ShapeId, std::vector<bool>> having;
     bool is_array = false;
     bool is_hole(std::uint64_t index) const { return index < holes.size() && holes[index]; }
   };
 
-  /// The array a target from the root names.
+  /// The array of a target from the root.
   Array& from_root(std::uint32_t target) { return arrays_[from_root_[target]]; }
-  /// The array a target names below an object, found once per array; null when it is not there.
+  /// The array of a target below an object, found once per array; null when it is missing.
   Array* below(const Target& target, json::NodeId object, const Path& path);
-  /// Whether the element of that index, which is below the size, has what `refHas` asks for.
+  /// Whether the element has what `refHas` requires. Precondition: the index is below the size.
   bool has_member(Array& array, std::uint64_t index, ShapeId shape,
                   const std::vector<std::string>& steps) const;
-  /// Whether some place a name target leads to holds that string.
+  /// Whether a place of a name target holds that string.
   bool has_name(std::uint32_t target, std::string_view name);
 
-  /// Hands over what was marked.
+  /// Moves the marks to `result`.
   void move_to(CheckResult& result);
 
  private:
@@ -57,7 +57,7 @@ class Targets {
   };
   const json::Document& document_;
   const Set::WalkTables& tables_;
-  std::vector<Array> arrays_;             ///< the first one is that of targets that are not there
+  std::vector<Array> arrays_;             ///< the first one is for missing targets
   std::vector<std::uint32_t> from_root_;  ///< position in arrays_, by index of WalkTables::targets
   std::vector<Local> local_;
   std::unordered_map<json::NodeId, std::size_t> local_at_;

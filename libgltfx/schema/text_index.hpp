@@ -21,12 +21,12 @@ struct TextPlace {
 
 class TextIndex {
  public:
-  /// The shortest string that is found: a place takes as much as a shorter one.
+  /// The shortest string that is looked up: a place takes as many bytes as a shorter one.
   static constexpr std::size_t kShortest = 12;
 
-  /// Texts of JSON, which stay where they are while this lives.
+  /// Texts of JSON, which must outlive this.
   explicit TextIndex(Texts texts);
-  /// Where a text has this string, written without escapes.
+  /// The place of this string, written without escapes, in the texts.
   std::optional<TextPlace> find(std::string_view string) const;
 
  private:

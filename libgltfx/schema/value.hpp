@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A value of a document as the checks see it: a node, or a number inside an array of numbers,
-/// which has no node of its own.
+/// A value of a document for the checks: a node, or a number inside an array of numbers, which does
+/// not have a node.
 #pragma once
 
 #include "json/document.hpp"
@@ -13,7 +13,7 @@ struct Value {
   const json::Number* element = nullptr;  ///< set: this number of the array `node`
 };
 
-/// `document` and values of it; short for what every check asks.
+/// Accessors of values of `document` that every check uses.
 class Values {
  public:
   explicit Values(const json::Document& read) : document(read) {}

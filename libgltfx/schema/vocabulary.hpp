@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The words of schema files and the form each value takes. `schema/meta/vocabulary.schema.json`
-/// says the same for editors and other validators; a test holds the two together.
+/// has the same for editors and other validators; a test compares the two.
 #pragma once
 
 #include <cstdint>
@@ -141,7 +141,7 @@ enum class Context : std::uint8_t {
 
 /// The words an object of that kind may have.
 std::span<const Word> words(Context context);
-/// How the kind is called in an error: "a schema keyword", "a word of x-gltfx".
+/// The name of the kind in an error: "a schema keyword", "a word of x-gltfx".
 std::string_view context_name(Context context);
 /// The keyword of that name.
 Keyword keyword_of(std::string_view name);

@@ -95,8 +95,8 @@ void Walker::push(ShapeId shape, json::NodeId node, const Path& path, Mode mode,
   top_ = frame;
 }
 
-// Puts a container on the walk. What several shapes of one value lead to is walked again for each;
-// the same shape holds for it but once, however many ways there are.
+// Puts a container on the walk. A container that several shapes of one value lead to is walked for
+// each shape, but only once for the same shape.
 bool Walker::walk(ShapeId shape, json::NodeId node, Step step, Mode mode) {
   const bool further = step.kind == Step::Kind::same;
   if (further || top_->again) {
@@ -109,7 +109,7 @@ bool Walker::walk(ShapeId shape, json::NodeId node, Step step, Mode mode) {
 
 void Walker::pop() {
   if (top_->unset && !top_->further) discard(*top_);
-  // No frame above is walked again, so nothing asks for these keys any more.
+  // No frame above is walked again, so these keys are not used any more.
   constexpr std::size_t kMostWalked = 1U << 12U;
   if (!top_->again && walked_.size() > kMostWalked) walked_ = {};
   members_.resize(top_->scratch);
@@ -145,7 +145,7 @@ void Walker::drop(json::NodeId value) {
   result_.has_open_references = true;
 }
 
-// A container that counts as absent takes the array around it along.
+// With a container that counts as absent, the array around it is absent too.
 void Walker::discard(const Frame& frame) {
   if (frame.parent == nullptr) return;
   if (frame.parent->mode == Mode::array) {
@@ -155,7 +155,7 @@ void Walker::discard(const Frame& frame) {
   }
 }
 
-// "did you mean 'x'?", or nothing.
+// "did you mean 'x'?", or an empty text.
 std::string Walker::did_you_mean(std::string_view word,
                                  const std::vector<std::string_view>& known) {
   if (known.size() > comparisons_left_) return {};
@@ -191,7 +191,7 @@ void Walker::read_declarations() {
   };
   read("extensionsUsed", used_, result_.extensions_used);
   read("extensionsRequired", required_, result_.extensions_required);
-  // Names are compared with all known ones: that many of them are.
+  // The maximum number of names that are compared with all known ones.
   constexpr std::size_t kMostCompared = 50;
   const std::vector<std::string>& names = result_.extensions_used;
   for (std::size_t i = 0; i < names.size() && adding_extension_.empty(); ++i) {
@@ -222,7 +222,7 @@ void Walker::declarations() {
     }
   };
   each("extensionsUsed", [&](const Path& path, const std::string& name, Span span) {
-    // Otherwise rules behind the walk say so: they know what names are in use, and what is used.
+    // Otherwise rules after the walk report it: they have the names in use and the extensions used.
     const bool alone = deviations().extension_names_are_judged_alone;
     if (alone && !is_extension_name(name)) {
       report(path, Code::INVALID_EXTENSION_NAME_FORMAT, span,

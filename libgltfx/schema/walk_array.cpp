@@ -34,7 +34,7 @@ class SeenNumbers {
   std::unordered_set<double> many_;
 };
 
-// Whether all numbers of an array's text are 0, 1 or between, going by their first digit;
+// Whether all numbers of an array's text are from 0 to 1, judged by their first digit;
 // `negative` lets them be below 0 as well. False when in doubt.
 bool are_fractions(std::string_view raw, bool negative) {
   for (std::size_t at = 1; at + 1 < raw.size(); ++at) {
@@ -96,7 +96,7 @@ void Walker::number_array(ShapeId id, json::NodeId node, Step step) {
 }
 
 void Walker::unit_length(const Shape& shape, json::NodeId node, const Path& path) {
-  constexpr double kTolerance = 0.005;  // of programs that write three digits
+  constexpr double kTolerance = 0.005;  // for programs that write three digits
   double length = 0;
   for (json::NumberCursor at(document_, node); at.valid(); at.advance()) {
     length = std::hypot(length, at.number().value);
@@ -110,14 +110,14 @@ void Walker::unit_length(const Shape& shape, json::NodeId node, const Path& path
          must ? std::nullopt : std::optional(Severity::warning));
 }
 
-// A fixed number of plain numbers, which mean something together. Of too few or too many the first
-// question is which ones they are: three angles are no quaternion with a component out of range.
+// A fixed number of plain numbers that form a vector. A wrong count is reported before ranges:
+// three angles are not a quaternion with a component out of range.
 bool Walker::is_vector(const Shape& shape) const {
   return shape.min_items == shape.max_items && shape.items != kNone &&
          tables_.shapes[shape.items].plan == Plan::number;
 }
 
-// Which indices an array has had: few are compared one by one, many leave a stamp each.
+// The previous indices of an array: few are compared one by one, many get a stamp each.
 class Walker::Repeats {
  public:
   Repeats(Walker& walker, bool wanted, std::size_t bytes, std::uint64_t size)
@@ -143,8 +143,7 @@ class Walker::Repeats {
   std::size_t count_ = 0;
 };
 
-// Indices that are all in order, without a look back: marks them as used. False leaves the array to
-// be judged in full.
+// Fast path for arrays of valid indices: marks them as used. False: the array needs the full check.
 bool Walker::plain_indices(ShapeId items, json::NodeId node, bool unique) {
   const ShapePlan& plan = tables_.shapes[items];
   const TargetPlan& target = tables_.targets[plan.target];
@@ -256,8 +255,8 @@ void Walker::array_step(Frame& frame) {
   if (!pending_shapes(frame)) pop();
 }
 
-// A list of described objects in which something is no object is not looked into any further by the
-// Khronos validator.
+// The Khronos validator does not check a list of objects any further if an element is not an
+// object.
 bool Walker::invalid_elements(Frame& frame) {
   if (!deviations().broken_values_are_absent) return false;
   const ShapeId items = set_.shape(frame.shape).items;
@@ -274,7 +273,7 @@ bool Walker::invalid_elements(Frame& frame) {
   return error;
 }
 
-// Elements, as far as they have to be counted to know whether there are too few or too many.
+// The number of elements, counted only as far as the limits require.
 std::uint64_t Walker::count_elements(const Shape& shape, json::NodeId node) const {
   const std::uint64_t enough =
       shape.max_items == UINT64_MAX ? shape.min_items : shape.max_items + 1;
@@ -308,7 +307,7 @@ void Walker::unique_items(const Frame& frame) {
   }
 }
 
-// A value that should be an index, but is none.
+// A value that should be an index, but is not.
 bool Walker::bad_index(ShapeId id, Value value, const Path& path) {
   if (id == kNone) return false;
   const Shape& shape = set_.shape(id);
@@ -320,8 +319,8 @@ bool Walker::bad_index(ShapeId id, Value value, const Path& path) {
   return true;
 }
 
-// An element of the wrong type, reported in the way of its kind of array: numbers, flags and
-// objects at the array, where one is enough; indices, strings and arrays at the element.
+// Reports an element of the wrong type: numbers, flags and objects once at the array; indices,
+// strings and arrays at the element.
 bool Walker::bad_element(ShapeId items, Value value, const Path& array, std::uint64_t index,
                          bool& reported) {
   if (bad_index(items, value, {array, index})) return true;

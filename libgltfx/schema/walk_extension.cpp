@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The objects inside `extensions`: declared, at home, in good company.
+// Checks the objects inside `extensions`: declarations, hosts, relations.
 #include <algorithm>
 
 #include "base/codes.hpp"
@@ -11,7 +11,7 @@
 namespace gltfx::schema {
 namespace {
 
-// Whether an extension serves readers that do not know the other one.
+// Whether an extension is a fallback for readers without the other one.
 bool is_fallback(const std::string& name, const Extension& other) {
   const auto& fallbacks = other.fallback_extensions;
   return std::find(fallbacks.begin(), fallbacks.end(), name) != fallbacks.end();
@@ -60,7 +60,7 @@ void Walker::extensions_step(Frame& frame) {
   pop();
 }
 
-// Whether an extension's content is judged at all.
+// Whether an extension's content is checked.
 bool Walker::looks_into(ExtensionId id, std::string_view name) const {
   if (id == kNone) return false;
   return !deviations().unsupported_extensions_are_skipped ||
@@ -155,7 +155,7 @@ bool Walker::excludes(ExtensionId one, ExtensionId other) const {
                      [other](const RelationPlan& r) { return r.other == other; });
 }
 
-// A pair is reported once: where the first of the two stands that says so.
+// A pair is reported once: at the first of the two that excludes the other.
 void Walker::exclusions(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
   const auto position = [&](ExtensionId sought) {
     return std::find(frame.siblings.begin(), frame.siblings.end(), sought);
@@ -193,7 +193,7 @@ void Walker::companions(const Frame& frame, ExtensionId id, const Path& path, js
   }
 }
 
-// Whether the other extension says anything but its defaults.
+// Whether the other extension has values other than its defaults.
 bool Walker::has_effect(const Frame& frame, const RelationPlan& relation) const {
   const json::NodeId object = document_.find(frame.node, relation.relation->extension);
   if (object == json::kNoNode || relation.other == kNone) return object != json::kNoNode;
@@ -232,7 +232,8 @@ void Walker::standalone(const Frame& frame, ExtensionId id, const Path& path, js
              join_or(others, 4) + ".");
 }
 
-// Readers without the extension need the host's own member, unless they are kept away.
+// Readers without the extension need the host's own member, unless this extension or one beside it
+// is required.
 void Walker::fallback(const Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
   const Extension& extension = set_.extensions()[id];
   if (extension.must_be_required != MustBeRequired::without_fallback || extension.fallback.empty())

@@ -69,7 +69,7 @@ void Walker::enter_object(Frame& frame) {
   if (!has_others) frame.at = document_.next(frame.node);  // nothing to do in that stage
 }
 
-// Lays the members out by property. Names that the type does not know are reported at once.
+// Sorts the members by property. Names that the type does not know are reported at once.
 void Walker::gather(Frame& frame) {
   const bool typed = frame.type != kNone;
   const TypePlan& plan = typed ? tables_.types[frame.type] : no_type();
@@ -129,7 +129,7 @@ bool Walker::properties(Frame& frame) {
   }
 }
 
-// What the root does before a property; true when the walk ends.
+// Steps of the root before a property; true when the walk ends.
 bool Walker::root_property(Frame& frame) {
   const TypePlan& plan = tables_.types[frame.type];
   if (frame.index == plan.declarations_at) declarations();
@@ -166,7 +166,7 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
     const Reading reading =
         options_.members->before(type, type.properties[index].name, frame.node, node, frame.path);
     if (reading == Reading::drop) drop(node);
-    // What is kept of numbers are bounds, which refer to nothing.
+    // Kept numbers are bounds, which are not references.
     if (reading == Reading::keep && document_.kind(node) != json::Kind::number_array)
       result_.has_open_references = true;
     if (reading != Reading::judge) return false;
@@ -202,9 +202,9 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
   if (!schema_sink_.is_enabled()) return;
   const ObjectType& type = set_.type(frame.type);
   const Property& property = type.properties[index];
-  // Of a further shape the property may be described by the object's own type.
+  // For a further shape, the object's own type may describe the property.
   const Property* described = &property;
-  // For the Khronos validator null lacks a value, while another broken one has been reported.
+  // For the Khronos validator, null counts as missing; another broken value has been reported.
   const json::NodeId hidden = document_.find_in_text(frame.node, property.name);
   if (frame.further && hidden != json::kNoNode && document_.kind(hidden) != json::Kind::null)
     return;
@@ -217,7 +217,7 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
   finding.help = missing_help(set_, *described);
   finding.span = opening(frame.node);
   if (described->added_late) {
-    // An asset of an earlier draft lacks all such members: it is out of date, not broken.
+    // An asset of an earlier draft has none of these members: it is outdated, not broken.
     finding.severity = follows_earlier_draft(frame) ? Severity::info : Severity::warning;
   } else {
     finding.about = property.name;
@@ -225,7 +225,7 @@ void Walker::missing(Frame& frame, std::uint32_t index) {
   schema_sink_.report(frame.path, std::move(finding));
 }
 
-// Members that are described by pattern or by additionalProperties.
+// Checks members described by pattern or by additionalProperties.
 bool Walker::others(Frame& frame) {
   const json::NodeId end = document_.next(frame.node);
   while (frame.at < end) {
@@ -248,7 +248,7 @@ bool Walker::others(Frame& frame) {
   return false;
 }
 
-// A member of a map, in which an index that is none stays.
+// A member of a map, in which an invalid index stays.
 bool Walker::entry(const Frame& frame, ShapeId shape, json::KeyId key, json::NodeId node) {
   const std::string_view name = document_.key(key);
   if (options_.members != nullptr) options_.members->entry(name, node, frame.path);
@@ -343,7 +343,7 @@ void Walker::record_slot(const Frame& frame, std::uint32_t index, json::NodeId n
   result_.slots.push_back(std::move(use));
 }
 
-// What comes behind an asset of another version is not judged by the rules of this one.
+// The rest of an asset of another version is not checked by the rules of this one.
 bool Walker::stops_at_asset(const Frame& frame) {
   if (!deviations().other_versions_end_the_walk) return false;
   const std::uint32_t asset = tables_.types[frame.type].asset_at;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Indices and names that refer to other objects.
-// What holds for several members, or for one value in several ways.
+// Shapes that apply to several members, or several shapes for one value.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -28,15 +28,16 @@ Targets::Array* Walker::array_of(const TargetPlan& plan, std::uint32_t target) {
   return nullptr;
 }
 
-// The Khronos validator then misses the extension's object at the root rather than the element.
+// The Khronos validator then reports the missing object of the extension at the root instead of the
+// element.
 bool Walker::lacks_root_extension(const Target& target) const {
   if (target.base != Target::Base::root_path || target.steps.front() != "extensions") return false;
   const json::NodeId extensions = document_.find(document_.root(), "extensions");
   return document_.find(extensions, target.steps[1]) == json::kNoNode;
 }
 
-// Nobody knows which element a broken reference means: then none is called unused. Returns whether
-// what it points into is something else than an array, of which enough has been said.
+// The element of a broken reference is unknown, so no element of its array is reported as unused.
+// Returns whether the target is not an array, which has been reported already.
 bool Walker::discard_reference(ShapeId shape) {
   if (deviations().broken_values_are_absent || tables_.shapes[shape].target == kNone) return false;
   const std::uint32_t target = tables_.shapes[shape].target;
@@ -89,7 +90,7 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
       {Code::UNRESOLVED_REFERENCE, std::move(message), {}, values_.span(value), std::nullopt});
 }
 
-// What the element that is referred to has to have.
+// Checks the members that the referenced element must have.
 void Walker::look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t index, Value value,
                              const Path& path) {
   const std::vector<std::string>& steps = set_.shape(shape).ref_has;
@@ -105,7 +106,7 @@ void Walker::look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t
                           std::nullopt});
 }
 
-// A part of an extension's object at the root that is missing may stand in a file of its own.
+// A missing part of an extension's object at the root may be in a separate file.
 bool Walker::is_elsewhere(const Target& target) const {
   if (target.base != Target::Base::root_path || target.steps.front() != "extensions") return false;
   if (std::find(target.steps.begin(), target.steps.end(), "*") != target.steps.end()) return false;
@@ -147,7 +148,7 @@ void Walker::constraints(const Frame& frame) {
   std::reverse(pending_.begin() + static_cast<std::ptrdiff_t>(before), pending_.end());
 }
 
-// `walked`: the value is a container on the walk, so further shapes are put on the list for it.
+// `walked`: the value is a container on the walk, so its further shapes are put on the list.
 void Walker::combine(ShapeId id, Value value, const Path& path, bool walked) {
   const Shape& shape = set_.shape(id);
   for (const ShapeId all : shape.all_of) further(all, value, path, walked);
@@ -161,8 +162,8 @@ void Walker::combine(ShapeId id, Value value, const Path& path, bool walked) {
   }
 }
 
-// Another shape that has to hold for the value. On the call stack only for scalars and number
-// arrays, and no deeper than the compiler lets combinators nest.
+// Another shape that must hold for the value. Recursive only for scalars and number arrays, with
+// the depth of nested combinators that the compiler allows.
 void Walker::further(ShapeId id, Value value, const Path& path, bool walked) {
   if (id == kNone) return;
   if (walked) {
@@ -194,7 +195,7 @@ void Walker::alternatives(ShapeId id, const std::vector<ShapeId>& branches, bool
                         : all_of_phrase(both) + " are mutually exclusive.");
     return;
   }
-  // The branch that holds may have references to follow; a scalar has none but its own shape's.
+  // The branch that holds may have references to follow; a scalar has only that of its own shape.
   if (*first != kNone && walked && tables_.shapes[*first].plan != Plan::any && *first != id) {
     if (required_only(*first).empty()) further(*first, value, path, true);
   }
@@ -268,7 +269,7 @@ void Walker::dependencies(const Frame& frame) {
   }
 }
 
-// The names of a shape that says nothing but that members must be there.
+// The names of a shape that only requires members.
 std::vector<std::string> Walker::required_only(ShapeId id) const {
   std::vector<std::string> names;
   if (id == kNone) return names;

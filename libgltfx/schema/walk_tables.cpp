@@ -200,7 +200,7 @@ class Maker {
     }
   }
 
-  // The root is judged in an order of its own: what it declares comes before what it holds.
+  // The root has a special order: declarations come before contents.
   static void root_places(const ObjectType& type, TypePlan& plan) {
     plan.constraints_at = 0;
     plan.declarations_at = 0;
@@ -252,7 +252,7 @@ class Maker {
     }
   }
 
-  // A value as the list that it is added to has them: numbers are kept as their text.
+  // A value in the form of the list that it is added to: numbers are kept as text.
   static Literal literal_of(const Shape& list, const std::string& text) {
     Literal literal;
     const bool number =
@@ -307,7 +307,7 @@ const Slot* slot_of_generation(const Set& set, const ObjectType& type,
     for (const auto& [name, slot] : generation.slots) {
       if (name == property) return &slot;
     }
-    break;  // the first that fits counts
+    break;  // the first match counts
   }
   if (described == nullptr || described->shape == kNone) return nullptr;
   const auto& slot = set.shape(described->shape).slot;

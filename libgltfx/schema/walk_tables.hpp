@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A Set as the walk wants it: small plain tables instead of names and options.
+/// A Set as tables for the walk: small and plain, without names and options.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,13 @@
 
 namespace gltfx::schema {
 
-/// A member name that some type knows.
+/// The name of a member of any type.
 using Symbol = std::uint32_t;
 
-/// What most values of a shape need to be checked for. A value that does not fit its plan, or a
-/// shape that says more than a plan can, is judged in full.
+/// The quick check of a shape, enough for most values. A value that fails it, or a shape that needs
+/// more, gets the full check.
 enum class Plan : std::uint8_t {
-  any,      ///< everything is welcome
+  any,      ///< everything is allowed
   number,   ///< a number within [low, high]
   integer,  ///< an integer within [low, high]
   index,    ///< an integer that indexes a target array
@@ -27,16 +27,16 @@ enum class Plan : std::uint8_t {
   choice,  ///< one of some strings or numbers
   object,
   array,
-  full,  ///< no short cut
+  full,  ///< no quick check
 };
 
 struct ShapePlan {
   Plan plan = Plan::any;
   bool combined = false;                 ///< has combinators or conditions
-  bool members = false;                  ///< objects of it have to be entered
-  bool shallow = false;                  ///< asks nothing of the parts of a container
+  bool members = false;                  ///< objects must be entered
+  bool shallow = false;                  ///< does not check the parts of a container
   bool slot = false;                     ///< a texture slot
-  bool every_value = false;              ///< a number without limits: nothing to look at
+  bool every_value = false;              ///< a number without limits: nothing to check
   bool every_fraction = false;           ///< a number, and all of [0, 1] is allowed
   bool every_negative_fraction = false;  ///< all of [-1, 0] is
   bool of_extension = false;             ///< an index in the object of an extension
@@ -55,8 +55,8 @@ struct PropertyPlan {
   bool slot = false;
 };
 
-/// `dependentRequired`: when the member `name` is there, `other` must be. The indices are those of
-/// the type's properties, kNone where it does not list the member.
+/// `dependentRequired`: when the member `name` is present, `other` must be too. The indices are
+/// those of the type's properties, kNone if it does not list the member.
 struct DependencyPlan {
   std::string name;
   std::string other;
@@ -75,13 +75,13 @@ struct TypePlan {
   std::vector<PropertyPlan> properties;
   std::vector<DependencyPlan> dependencies;
   std::uint32_t constraints_at =
-      0;  ///< what concerns several members is judged before this property
-  /// Extensions are judged before this property, or behind all of them.
+      0;  ///< rules about several members are checked before this property
+  /// Extensions are checked before this property, or after all of them.
   std::uint32_t extensions_at = kNone;
   TypeId origin = kNone;  ///< that of the type
   bool is_root = false;
   std::uint32_t declarations_at =
-      kNone;  ///< root: extensions' declarations are judged before this property
+      kNone;  ///< root: declarations of extensions are checked before this property
   std::uint32_t asset_at = kNone - 1;  ///< root: the property `asset`
 
   const Entry* find(Symbol symbol) const {
@@ -93,7 +93,7 @@ struct TypePlan {
   }
 };
 
-/// A relation with the other extension's id, kNone when the Set does not know it.
+/// A relation with the other extension's id, kNone when the Set does not have it.
 struct RelationPlan {
   const Relation* relation = nullptr;
   ExtensionId other = kNone;
@@ -112,13 +112,13 @@ struct TargetPlan {
   bool steps_over = false;  ///< has a '*'
 };
 
-/// A target from the root, and how many of its first steps the lookup before it takes too.
+/// A target from the root, and the number of its first steps that the previous lookup shares.
 struct TargetLookup {
   std::uint32_t target = kNone;
   std::uint32_t shared = 0;
 };
 
-/// What is known of shapes and types alone: an image has it.
+/// Plans that depend on shapes and types only: an image has them.
 struct WalkPlans {
   std::vector<std::string_view> names;  ///< by Symbol; they live in the Set or in its image
   std::vector<ShapePlan> shapes;
@@ -145,11 +145,11 @@ struct Set::WalkTables : WalkPlans {
 };
 
 std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set);
-/// The same for a Set whose plans are known.
+/// The same for a Set whose plans are available.
 std::shared_ptr<const Set::WalkTables> make_walk_tables(const Set& set, WalkPlans plans);
 
-/// The slot that a property of an extension's object is, in the generation of the extension that
-/// the object belongs to. Lives in the Set; null when the property is no slot.
+/// The slot of a property of an extension's object, in the generation of the object. Lives in the
+/// Set; null when the property is not a slot.
 const Slot* slot_of_generation(const Set& set, const ObjectType& type,
                                const json::Document& document, json::NodeId object,
                                std::string_view property);

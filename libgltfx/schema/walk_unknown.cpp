@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Members that the type of an object does not know: misspelt, misplaced, or of an earlier draft.
+// Members that are not in the type of an object: misspelt, misplaced, or of an earlier draft.
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/walker.hpp"
@@ -53,7 +53,7 @@ void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
          std::move(help));
 }
 
-// Looked for as long as suggestions are: it takes a look at all extensions.
+// Limited like suggestions: the search visits all extensions.
 Home Walker::home_of(const Frame& frame, std::string_view name) {
   const std::size_t comparisons = set_.extensions().size();
   if (comparisons > comparisons_left_) return {};

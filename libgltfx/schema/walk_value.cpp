@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scalars: first by their plan, then in full.
+// Scalars: first by their plan, then with the full check.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ namespace {
 // RFC 6901: empty, or steps that begin with '/', in which '~' is followed by 0 or 1.
 bool is_json_pointer(std::string_view text) { return split_pointer(text).has_value(); }
 
-// A colour from a program that counts from 0 to 255, or what 0 should have been.
+// Help for a colour from a program that counts from 0 to 255, or for a 0 out of range.
 std::string range_help(const Shape& shape, double number, const Path& path) {
   if (number == 0) return shape.zero_hint;
   const bool byte = shape.minimum == 0 && shape.maximum == 1 && number > 1 && number <= 255 &&
@@ -28,7 +28,7 @@ std::string range_help(const Shape& shape, double number, const Path& path) {
 
 }  // namespace
 
-// An unsigned integer written with up to 15 digits and nothing else: nearly every index.
+// An unsigned integer of up to 15 digits: nearly every index.
 bool Walker::is_small_index(json::NodeId node, std::uint64_t& index) const {
   const std::string_view raw = document_.raw(node);
   if (raw.size() > 15) return false;
@@ -109,7 +109,7 @@ bool Walker::in_full(ShapeId id, json::NodeId node, Step step) {
   return walk(id, node, step, Mode::object);
 }
 
-// Everything a shape says of a scalar.
+// All checks of a shape for a scalar.
 void Walker::judge(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (shape.never) {
@@ -124,7 +124,7 @@ void Walker::judge(ShapeId id, Value value, const Path& path) {
   if (tables_.shapes[id].combined) combine(id, value, path, false);
 }
 
-// Whether the place is a member of the object that is walked, and one that it need not have.
+// Whether the place is an optional member of the current object.
 bool Walker::may_be_absent(const Path& path) const {
   if (top_ == nullptr || top_->mode != Mode::object || path.is_index()) return false;
   const Property* property = set_.find_property(top_->type, path.key());
@@ -167,7 +167,7 @@ void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
   }
 }
 
-// An extension without a schema may add the value, unless it is a misspelt one of the list.
+// An extension without a schema may add the value, unless it misspells a value of the list.
 void Walker::report_unlisted(const Path& path, Span span, std::string message, std::string help) {
   const bool perhaps_added = !adding_extension_.empty() && help.empty();
   if (perhaps_added) {
@@ -178,7 +178,7 @@ void Walker::report_unlisted(const Path& path, Span span, std::string message, s
          perhaps_added ? Severity::warning : std::optional<Severity>());
 }
 
-// Extensions that are in force may add values to a list of core.
+// Declared extensions may add values to a list of core.
 bool Walker::is_added(ShapeId shape, Value value) const {
   return std::any_of(tables_.additions.begin(), tables_.additions.end(), [&](const auto& addition) {
     if (addition.shape != shape) return false;
@@ -214,7 +214,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
            range_help(shape, number, path));
     return;
   }
-  // A rule behind the members reports the only one of the Khronos validator.
+  // The only such case of the Khronos validator is reported by a rule after the members.
   if (shape.multiple_of != 0 && !deviations().reading_order &&
       !is_multiple(number, shape.multiple_of)) {
     report(path, Code::VALUE_MULTIPLE_OF, values_.span(value),

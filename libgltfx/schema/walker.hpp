@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The walk behind check(): one pass over a document with a stack of frames of its own.
+/// The implementation of check(): one pass over a document with an explicit stack of frames.
 ///
-/// Most values are plain and right: they are judged by their ShapePlan with a comparison or two.
-/// Paths and messages are only made when there is something to say. Members of an object are first
-/// laid out in the order of its type's properties, so that findings come in that order.
+/// Most values are plain and valid: their ShapePlan checks them with a comparison or two. Paths and
+/// messages are made only for findings. Members of an object are first sorted in the order of its
+/// type's properties, so that findings come in that order.
 #pragma once
 
 #include <deque>
@@ -28,23 +28,23 @@ class Walker {
   CheckResult run();
 
  private:
-  /// Where the walk of an object stands.
+  /// The stage of the walk of an object.
   enum class Stage : std::uint8_t { enter, properties, others, extensions, leave };
   enum class Mode : std::uint8_t { object, array, extensions };
 
-  /// A container that is being walked. Frames are kept and used again.
+  /// A container on the walk. Frames are reused.
   struct Frame {
     Path path;
     Frame* parent = nullptr;
     Frame* child = nullptr;
     json::NodeId node = json::kNoNode;
-    json::NodeId at = json::kNoNode;  ///< next element or member to look at
+    json::NodeId at = json::kNoNode;  ///< next element or member
     json::NodeId extensions = json::kNoNode;
     json::NodeId extras = json::kNoNode;
     ShapeId shape = kNone;
     TypeId type = kNone;
     std::uint32_t index = 0;     ///< of the next property or element
-    std::uint32_t scratch = 0;   ///< where its members begin in members_
+    std::uint32_t scratch = 0;   ///< start of its members in members_
     std::uint32_t pending = 0;   ///< size of pending_ when it was entered
     std::uint32_t reported = 0;  ///< properties that MemberVisitor::behind() was called for
     Mode mode = Mode::object;
@@ -56,10 +56,10 @@ class Walker {
     bool unset = false;  ///< an array that counts as absent
     std::vector<ExtensionId>
         siblings;              ///< Mode::extensions: those the Set knows, in document order
-    std::vector<bool> judged;  ///< by sibling: it was seen in its company; repeats are not again
+    std::vector<bool> judged;  ///< by sibling: its relations were checked; repeats are skipped
   };
 
-  /// How a value hangs below the current frame.
+  /// The position of a value below the current frame.
   struct Step {
     enum class Kind : std::uint8_t { member, element, same } kind = Kind::member;
     std::uint64_t index = 0;
@@ -204,9 +204,10 @@ class Walker {
   std::vector<ShapeId> pending_;       ///< further shapes to walk, of all open frames
   std::unordered_set<std::uint64_t> walked_;  ///< shape and node of Frame::again
   json::KeyTable used_, required_;
-  std::string adding_extension_;       ///< one that is declared and may add values; or empty
-  std::vector<bool> seen_;             ///< by KeyId: an extension object of that name was met
-  std::vector<std::uint32_t> stamps_;  ///< by index: the last long list of indices that had it
+  std::string adding_extension_;  ///< one that is declared and may add values; or empty
+  std::vector<bool> seen_;        ///< by KeyId: an extension object of that name was found
+  std::vector<std::uint32_t>
+      stamps_;  ///< by index: the last long list of indices that contained it
   std::uint32_t stamp_ = 0;
   enum class Declared : std::uint8_t { unseen, no, yes };
   std::vector<Declared> declared_;          ///< by KeyId

@@ -38,7 +38,7 @@ int fail(const std::string& message) {
   return 1;
 }
 
-// Whether the files are free of mistakes; tells each with its place.
+// Whether the files are free of mistakes; prints each mistake with its place.
 bool are_right(const std::vector<SourceFile>& files) {
   const Compiled compiled = gltfx::schema::compile(files);
   for (const SchemaError& error : compiled.errors) {
@@ -69,7 +69,7 @@ int main(int argc, char** argv) {
   const std::string out =
       gltfx::schema::embed(files, gltfx::schema::write_image(*compiled.set, texts));
   if (!write_file(argv[1], out)) return fail(std::string(argv[1]) + ": cannot be written");
-  // A header that stays as it is rebuilds nothing.
+  // An unchanged header is not written, so that nothing is rebuilt.
   const std::string table = gltfx::schema::material_table(*compiled.set);
   std::string before;
   if (read_file(argv[2], before) && before == table) return 0;

@@ -18,7 +18,7 @@ std::string float_text(double value) {
   return text.find_first_of(".e") == std::string::npos ? text : text + "F";
 }
 
-// "[1, 1, 1]" as the numbers of a parameter, "0.5" as that one number.
+// The default of a parameter as numbers: "[1, 1, 1]", or one number, "0.5".
 std::string default_text(std::string text) {
   if (text.empty()) return "{kNone}";
   std::replace_if(
@@ -46,7 +46,7 @@ class Table {
   }
 
  private:
-  // One list of the header, with the names that stand in it.
+  // One list of the header, with the names in it.
   struct List {
     std::vector<std::string> names;
     std::string rows;
@@ -70,7 +70,7 @@ class Table {
                extension, parameters, parameters_.count - parameters, slots, slots_.count - slots);
   }
 
-  // `prefix`: of the names of parameters inside a texture slot.
+  // `prefix`: prefix of parameter names inside a texture slot.
   void add_members(TypeId type, const std::string& owner, const std::string& prefix) {
     for (const Property& property : set_.type(type).properties) {
       const Shape& shape = set_.shape(property.shape);
@@ -96,7 +96,7 @@ class Table {
                                  float_text(number.minimum), float_text(number.maximum)));
   }
 
-  // Its name, or nothing when the shader does not read it.
+  // The name of the slot, or an empty text when the shader does not read it.
   std::string add_slot(const ObjectType& type, const Property& property, const std::string& owner) {
     const Slot& slot = *set_.shape(property.shape).slot;
     const Property* const factor = find(type, slot.scaled_by);
@@ -111,7 +111,7 @@ class Table {
     return name;
   }
 
-  // A number cannot be scaled by a colour: what such a slot holds is for the shader to say.
+  // A number cannot be scaled by a colour: the shader handles such a slot itself.
   std::string scales(const ObjectType& type, const Slot& slot) {
     std::vector<std::pair<std::string, std::string>> factors = slot.factors;
     if (!slot.scaled_by.empty()) factors.emplace_back(slot.channels, slot.scaled_by);

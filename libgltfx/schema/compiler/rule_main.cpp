@@ -33,7 +33,8 @@ std::string severity_value(gltfx::Severity value) {
 }
 
 std::string row(const RulePage& page) {
-  // With their lengths: a compiler that counts characters of so much text gives up on constexpr.
+  // With their lengths: a compiler that counts the characters of so much text exceeds its limit of
+  // constexpr.
   const auto text = [](const std::string& value) {
     return gltfx::schema::cpp_literal(value) + "sv,";
   };

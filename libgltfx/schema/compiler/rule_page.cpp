@@ -31,7 +31,7 @@ class Reader {
   void skip_blank_lines() {
     while (!rest_.empty() && rest_.front() == '\n') line();
   }
-  // Up to the next heading, with its lines joined.
+  // The text up to the next heading, with its lines joined.
   std::string paragraph() {
     std::string text;
     skip_blank_lines();
