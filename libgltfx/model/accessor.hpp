@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Accessors and buffer views as numbers instead of JSON: where their elements lie and how they are
-/// laid out (specification section 3.6).
+/// Accessors and buffer views as numbers instead of JSON: position and layout of their elements
+/// (specification section 3.6).
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ enum class ViewTarget : std::uint8_t { none, vertices, indices };
 
 /// One buffer view. A member that is absent or malformed is an empty optional.
 struct BufferView {
-  json::NodeId node = json::kNoNode;    ///< kNoNode: the element of the array is no object
-  std::optional<std::uint32_t> buffer;  ///< leads to an object
+  json::NodeId node = json::kNoNode;    ///< kNoNode: the element of the array is not an object
+  std::optional<std::uint32_t> buffer;  ///< index of an object
   std::optional<std::uint64_t> byte_offset;
   std::optional<std::uint64_t> byte_length;  ///< at least 1
   std::optional<std::uint64_t> byte_stride;  ///< 4 to 252
@@ -32,8 +32,8 @@ std::vector<BufferView> read_buffer_views(const Asset& asset);
 
 enum class ElementType : std::uint8_t { none, scalar, vec2, vec3, vec4, mat2, mat3, mat4 };
 
-/// OpenGL's numbers for types of components. glTF 2.0 itself has six of them; the others are those
-/// that extensions bring.
+/// OpenGL's numbers for component types. glTF 2.0 itself has six of them; extensions add the
+/// others.
 enum class ComponentType : std::uint16_t {
   none = 0,
   int8 = 5120,
@@ -54,13 +54,13 @@ std::optional<ElementType> element_type_from_name(std::string_view name);
 std::string_view component_type_name(ComponentType type);
 /// Bytes of one component, 0 for none.
 unsigned component_size(ComponentType type);
-/// One of the six types of glTF 2.0 itself.
+/// Whether it is one of the six types of glTF 2.0 itself.
 bool is_core_component(ComponentType type);
 /// Components of an element: 3 for VEC3, 9 for MAT3, 0 for none.
 unsigned component_count(ElementType type);
 bool is_matrix(ElementType type);
 
-/// What an element is made of.
+/// The format of an element.
 struct Format {
   ElementType type = ElementType::none;
   ComponentType component = ComponentType::none;
@@ -72,9 +72,9 @@ struct Format {
 std::string format_text(const Format& format);
 
 /// Bytes from the first to the last byte of one element; columns of matrices begin at multiples of
-/// four bytes, what pads the last column does not count. 0 when the format is not known.
+/// four bytes, the padding of the last column does not count. 0 when the format is unknown.
 std::uint64_t element_size(const Format& format);
-/// Bytes from one element to the next where no stride is given; 0 when the format is not known.
+/// Bytes from one element to the next without an explicit stride; 0 when the format is unknown.
 std::uint64_t packed_stride(const Format& format);
 
 /// Smallest and largest value an integer component can hold; infinities for floating point.
@@ -85,23 +85,23 @@ struct ValueRange {
 ValueRange value_range(ComponentType type);
 bool is_integer(ComponentType type);
 
-/// Whether `array` holds what `min` and `max` of an accessor must: one number for each component
-/// that a component can hold.
+/// Whether `array` is valid as `min` or `max` of an accessor: one number per component, each in the
+/// range of the component type.
 bool is_sound_bound(const json::Document& document, const Format& format, json::NodeId array);
 
 /// One accessor. A member that is absent or malformed is an empty optional.
 struct Accessor {
-  json::NodeId node = json::kNoNode;  ///< kNoNode: the element of the array is no object
+  json::NodeId node = json::kNoNode;  ///< kNoNode: the element of the array is not an object
   json::NodeId min = json::kNoNode;   ///< arrays of any content
   json::NodeId max = json::kNoNode;
   json::NodeId sparse = json::kNoNode;       ///< object
-  std::optional<std::uint32_t> buffer_view;  ///< leads to an object
+  std::optional<std::uint32_t> buffer_view;  ///< index of an object
   std::optional<std::uint64_t> byte_offset;  ///< as written
   std::optional<std::uint64_t> count;        ///< at least 1
   Format format;
 
-  /// Bytes from the first to the last byte of all elements that lie `stride` apart, or nothing when
-  /// that is beyond 64 bits.
+  /// Bytes from the first to the last byte of all elements at distances of `stride`, or nothing
+  /// when that is beyond 64 bits.
   std::optional<std::uint64_t> span_size(std::uint64_t stride) const;
 };
 
@@ -110,12 +110,12 @@ Accessor read_accessor(const Asset& asset, json::NodeId object);
 /// All accessors, by index.
 std::vector<Accessor> read_accessors(const Asset& asset);
 
-/// A part of a sparse accessor: where its indices or its values lie.
+/// A part of a sparse accessor: the place of its indices or its values.
 struct SparsePart {
   json::NodeId node = json::kNoNode;
   std::optional<std::uint32_t> buffer_view;
   std::optional<std::uint64_t> byte_offset;
-  Format format;  ///< of the indices a SCALAR, of the values that of the accessor
+  Format format;  ///< SCALAR for indices, that of the accessor for values
 };
 
 struct Sparse {
@@ -123,7 +123,7 @@ struct Sparse {
   SparsePart indices, values;
 };
 
-/// Whether indices of sparse accessors may have that type.
+/// Whether the type is allowed for indices of sparse accessors.
 bool can_index_elements(ComponentType type);
 
 /// The sparse object of an accessor, or nothing when it has none or one that lacks a part.

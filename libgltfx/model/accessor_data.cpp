@@ -31,7 +31,7 @@ struct Range {
   Checked length;
 };
 
-// A part of a view whose numbers lie on their boundaries, also as seen from the buffer's beginning.
+// A part of a view whose numbers are aligned, also relative to the start of the buffer.
 std::optional<container::Bytes> aligned_part(const Asset& asset, const BufferView& view,
                                              const ResourceData& resources, const Range& range) {
   const auto start = start_of(asset.document(), view.node, view.byte_offset);
@@ -70,7 +70,7 @@ std::optional<PackedNumbers> sparse_indices(const Asset& asset, const Views& vie
   if (!part.buffer_view || !offset || !can_index_elements(part.format.component))
     return std::nullopt;
   const unsigned size = component_size(part.format.component);
-  // As a view of any length: that the indices lie inside it is another check.
+  // As a view of any length: whether the indices are inside it is a separate check.
   BufferView view = views.buffer_views[*part.buffer_view];
   view.byte_length = UINT64_MAX;
   const Range range{*offset, size, checked_mul(*sparse.count, size)};
@@ -93,7 +93,7 @@ bool AccessorData::open_base(const Asset& asset, const Views& views, const Resou
   const Range range{*offset, component_size_, accessor.span_size(stride_)};
   if (stride_ % component_size_ != 0) {
     if (malformed == Malformed::unusable) return false;
-    stride_ -= stride_ % component_size_;  // which counts whole components
+    stride_ -= stride_ % component_size_;  // only whole components count
   }
   auto bytes = aligned_part(asset, view, resources, range);
   if (!bytes) return false;
@@ -202,7 +202,7 @@ void AccessorData::copy(std::byte* to, std::uint64_t first, std::size_t count) c
   }
 }
 
-// Sparse indices increase, as for replace(): half of what is left falls away at each step.
+// Sparse indices increase, as for replace(): binary search.
 void AccessorData::read_one(std::byte* to, std::uint64_t index) const {
   copy(to, index, 1);
   std::uint64_t first = 0;
@@ -226,7 +226,8 @@ void AccessorData::replace(std::byte* to, std::uint64_t first, std::size_t count
   std::uint64_t least = first;
   while (next < sparse_count_) {
     const std::uint64_t index = sparse_indices_.index(next);
-    // Indices increase; one that does not ends the replacing, for the order is what readers go by.
+    // Indices increase; the first that does not ends the replacement, because readers rely on the
+    // order.
     if (index < least || index - first >= count) return;
     std::memcpy(to + (index - first) * size, sparse_values_.view().data() + next * size, size);
     least = index + 1;

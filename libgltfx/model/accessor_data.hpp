@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The elements of an accessor as plain arrays, block by block: strides, padded columns of matrices
-/// and sparse replacements are out of the way (specification section 3.6.2.3).
+/// and sparse replacements are resolved (specification section 3.6.2.3).
 #pragma once
 
 #include <algorithm>
@@ -16,11 +16,11 @@
 
 namespace gltfx::model {
 
-/// What a malformed member does: it makes the data unusable, or it counts as absent as for the
-/// Khronos validator, which of a stride takes whole components.
+/// Effect of a malformed member: it makes the data unusable, or it counts as absent as for the
+/// Khronos validator, which rounds a stride down to whole components.
 enum class Malformed : std::uint8_t { unusable, absent };
 
-/// Numbers of one component type that lie packed, and how many.
+/// Packed numbers of one component type, and their count.
 struct PackedNumbers {
   container::Bytes bytes;
   ComponentType type = ComponentType::none;
@@ -28,53 +28,54 @@ struct PackedNumbers {
   std::uint32_t index(std::uint64_t at) const;
 };
 
-/// The indices of a sparse accessor, or nothing when they are not all there or not on their
-/// boundaries. They may lie outside their buffer view, as long as the buffer has them.
+/// The indices of a sparse accessor, or nothing when some are missing or not aligned. They may be
+/// outside their buffer view, as long as the buffer has them.
 std::optional<PackedNumbers> sparse_indices(const Asset& asset, const Views& views,
                                             const ResourceData& resources, const Sparse& sparse);
 
-/// Where the elements of one accessor lie. Every range has been checked against the bytes that are
-/// there. Keeps those alive; independent of the resources.
+/// Reads the elements of one accessor. Every range has been checked against the available bytes.
+/// Keeps those alive; independent of the resources.
 class AccessorData {
  public:
-  /// Nothing when the accessor has no data, or data that cannot be read: unknown format, bytes that
-  /// are missing, too few or not on their boundaries, a stride below the element's size, more
-  /// sparse elements than elements.
+  /// Nothing when the accessor has no data, or data that cannot be read: unknown format, missing,
+  /// too few or unaligned bytes, a stride below the element's size, more sparse elements than
+  /// elements.
   static std::optional<AccessorData> open(const Asset& asset, const Views& views,
                                           const ResourceData& resources, const Accessor& accessor,
                                           Malformed malformed);
 
-  /// Elements that lie packed, as a decoder leaves them: `count` of that format, without padding of
-  /// columns. `step` is how far apart quantised values are, 0 when they are exact. Nothing when
-  /// there are fewer bytes, or the component is not one of glTF 2.0 itself.
+  /// Packed elements, as from a decoder: `count` of that format, without padding of columns. `step`
+  /// is the distance of quantised values, 0 when they are exact. Nothing when there are fewer
+  /// bytes, or the component is not one of glTF 2.0 itself.
   static std::optional<AccessorData> packed(const Format& format, std::uint64_t count,
                                             container::Bytes bytes, double step);
 
   const Format& format() const { return format_; }
-  /// Of packed() elements their step; nothing for those that lie in a buffer.
+  /// The step of packed() elements; nothing for elements in a buffer.
   const std::optional<double>& step() const { return step_; }
   std::uint64_t count() const { return count_; }
   unsigned components() const { return components_; }
-  /// All but the sparse elements are zeros that take no bytes: the count is not bounded by any.
+  /// All elements except the sparse ones are zeros without bytes: the size of the file does not
+  /// bound the count.
   bool implied() const { return base_.empty(); }
 
-  /// Elements of a block: a multiple of 48, so that neither triangles nor groups of 2, 4, 8 or 16
-  /// are torn.
+  /// Elements of a block: a multiple of 48, so that triangles and groups of 2, 4, 8 or 16 are not
+  /// split.
   std::size_t block_elements() const { return kBlockValues / std::max(components_, 1U) / 48 * 48; }
 
   /// Copies elements [first, first + count) packed to `to`, which has room for them. `next` is 0
-  /// for the first call and then kept by the caller, who reads forward.
+  /// for the first call and then kept by the caller; reads must go forward.
   void read(std::byte* to, std::uint64_t first, std::size_t count, std::uint64_t& next) const {
     copy(to, first, count);
     replace(to, first, count, next);
   }
 
-  /// Copies one element, wherever it is. Precondition: `index` is below count().
+  /// Copies any one element. Precondition: `index` is below count().
   void read_one(std::byte* to, std::uint64_t index) const;
 
   /// Calls `visit(values, elements, first)` over all elements in order: `values` has
   /// elements * components() numbers and is only valid during the call, `first` is the index of the
-  /// first element. T is the component's type. Where the data lies packed nothing is copied.
+  /// first element. T is the component's type. Packed data is not copied.
   template <typename T, typename Visit>
   void visit(Visit&& visit) const;
 
@@ -94,15 +95,15 @@ class AccessorData {
   }
   /// Copies elements [first, first + count) of the base.
   void copy(std::byte* to, std::uint64_t first, std::size_t count) const;
-  /// Replaces those of [first, first + count) that are sparse. `next` is the first replacement that
-  /// has not been used.
+  /// Applies sparse replacements to elements [first, first + count). `next` is the first
+  /// replacement that has not been used.
   void replace(std::byte* to, std::uint64_t first, std::size_t count, std::uint64_t& next) const;
 
   Format format_;
   std::uint64_t count_ = 0;
   unsigned components_ = 1;
   unsigned component_size_ = 1;
-  unsigned rows_ = 1;  ///< components that lie together: all, or those of a column
+  unsigned rows_ = 1;  ///< contiguous components: all, or those of a column
   std::uint64_t column_stride_ = 0;
   container::Bytes base_;
   std::uint64_t stride_ = 0;
@@ -137,8 +138,8 @@ void AccessorData::visit(Visit&& visit) const {
   }
 }
 
-/// Calls `use` with a value of the type that the components have in memory. Precondition: one of
-/// the six types of glTF 2.0 itself.
+/// Calls `use` with a value of the components' type in memory. Precondition: one of the six types
+/// of glTF 2.0 itself.
 template <typename Use>
 auto with_component_type(ComponentType type, Use&& use) {
   switch (type) {
@@ -157,7 +158,7 @@ auto with_component_type(ComponentType type, Use&& use) {
   }
 }
 
-/// A number of an integer type that is normalized, as the specification's section 3.6.2.2 has it.
+/// The value of a normalized integer, as in the specification's section 3.6.2.2.
 template <typename T>
 double normalize(T value) {
   constexpr double kMost = static_cast<double>(std::numeric_limits<T>::max());

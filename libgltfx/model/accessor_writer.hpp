@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The elements of an accessor where they lie in bytes that may be changed; AccessorData reads them
-/// wherever they are.
+/// Writes elements of an accessor in place; AccessorData reads them.
 #pragma once
 
 #include <array>
@@ -13,7 +12,7 @@
 
 namespace gltfx::model {
 
-/// Appends a number as it lies in a buffer.
+/// Appends a number in the form of a buffer.
 template <class T>
 void append_number(std::string& bytes, T number) {
   std::array<char, sizeof(T)> raw{};
@@ -24,8 +23,8 @@ void append_number(std::string& bytes, T number) {
 /// Elements of an accessor that is neither sparse nor of matrices.
 class AccessorWriter {
  public:
-  /// Element i lies at `begin` + i * `stride`.
-  /// Precondition: `content` lives as long and has all of them; the components are of glTF 2.0.
+  /// Element i is at `begin` + i * `stride`. Precondition: `content` outlives this and has all
+  /// elements; the components are of glTF 2.0.
   AccessorWriter(std::string& content, const Format& format, std::uint64_t count,
                  std::uint64_t begin, std::uint64_t stride)
       : content_(&content),

@@ -16,12 +16,12 @@ enum class Interpolation : std::uint8_t { linear, step, cubic_spline, unknown };
 /// "CUBICSPLINE"; empty for unknown.
 std::string_view interpolation_name(Interpolation interpolation);
 
-/// What a channel moves: a property of a node, or something an extension names.
+/// The target of a channel: a property of a node, or of an extension.
 enum class AnimationPath : std::uint8_t { none, translation, rotation, scale, weights, other };
 /// "translation"; empty for none and other.
 std::string_view animation_path_name(AnimationPath path);
 
-/// A curve. Indices that lead nowhere are empty.
+/// A curve. Broken indices are empty.
 struct AnimationSampler {
   json::NodeId object = json::kNoNode;
   std::optional<std::uint32_t> input;   ///< accessor with the times in seconds
@@ -37,18 +37,18 @@ struct AnimationChannel {
   AnimationPath path = AnimationPath::none;
 };
 
-/// One animation. A list with an element that is no object is empty.
+/// One animation. A list with an element that is not an object is empty.
 struct Animation {
   json::NodeId object = json::kNoNode;
   std::vector<AnimationSampler> samplers;
   std::vector<AnimationChannel> channels;
 };
 
-/// All of them, in the order of the root array. `object` is json::kNoNode for an element that is no
-/// object.
+/// All animations, in the order of the root array. `object` is json::kNoNode for an element that is
+/// not an object.
 std::vector<Animation> read_animations(const Asset& asset);
 
-/// Values that a sampler's output has for each keyframe of a property with one value: 3 for
+/// Number of values in a sampler's output per keyframe of a property with one value: 3 for
 /// CUBICSPLINE (in-tangent, value, out-tangent), otherwise 1.
 std::uint64_t values_per_keyframe(Interpolation interpolation);
 

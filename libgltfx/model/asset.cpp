@@ -39,7 +39,7 @@ std::vector<json::NodeId> collect(const json::Document& document, json::NodeId a
 
 }  // namespace
 
-// Exporters of that time wrote a number as often as a string.
+// Exporters of that time wrote a number or a string.
 bool is_gltf_1(const json::Document& document) {
   const json::NodeId place = document.find(document.find(document.root(), "asset"), "version");
   if (place == json::kNoNode) return looks_like_version_1(document);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The root arrays of a glTF document, opened once: where every index of the file leads. Which
-/// version of glTF it is.
+/// The root arrays of a glTF document, read once, to resolve every index of the file; the version
+/// of glTF.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace gltfx::model {
 
-/// Whether a document is glTF 1.0 by its `asset.version`, a string or a number, or without one by
-/// its shaders and the dictionaries that stood in place of arrays.
+/// Whether a document is glTF 1.0 by its `asset.version`, a string or a number, or without a
+/// version by its shaders and its dictionaries in place of arrays.
 bool is_gltf_1(const json::Document& document);
 
 /// The arrays of the root object, in the specification's order.
@@ -42,20 +42,21 @@ std::string_view root_array_name(RootArray array);
 /// Any number of threads may read it.
 class Asset {
  public:
-  /// `any_amount`: also more root objects than most_root_objects(), of which there are none else.
+  /// `any_amount`: also more root objects than most_root_objects(); otherwise the arrays are then
+  /// empty.
   explicit Asset(const json::Document& document, bool any_amount = false);
 
   const json::Document& document() const { return *document_; }
 
-  /// Objects of a root array by index; json::kNoNode for an element that is no object. Empty when
-  /// the array is missing or no array.
+  /// Objects of a root array by index; json::kNoNode for an element that is not an object. Empty
+  /// when the array is missing or not an array.
   const std::vector<json::NodeId>& elements(RootArray array) const {
     return elements_[static_cast<std::size_t>(array)];
   }
   std::size_t count(RootArray array) const { return elements(array).size(); }
 
-  /// The member of `object` as an index that leads to an object of `array`; nothing when it is
-  /// missing, no index, out of range, or leads to a hole.
+  /// The member of `object` as an index of an object in `array`; nothing when it is missing, not an
+  /// index, out of range, or the element is not an object.
   std::optional<std::uint32_t> index(json::NodeId object, std::string_view member,
                                      RootArray array) const;
   /// `value` as such an index.

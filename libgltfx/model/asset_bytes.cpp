@@ -15,7 +15,7 @@ using container::UriKind;
 
 constexpr std::uint64_t kNoBuffer = UINT64_MAX;
 
-// Whether it says nothing of the asset: another run may be luckier.
+// Whether the error does not depend on the asset: another run may succeed.
 bool may_pass(container::ResolveError error) {
   using container::ResolveError;
   return error == ResolveError::no_permission || error == ResolveError::io_error ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The bytes of the buffers and images of an asset, read when they are asked for.
+/// The bytes of the buffers and images of an asset, read at first use.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@
 
 namespace gltfx::model {
 
-/// Where the bytes of a buffer or image stand.
+/// The place of the bytes of a buffer or image.
 enum class Storage : std::uint8_t { nowhere, file, data_uri, buffer_view, bin_chunk };
 
-/// Keeps references to all it is made of. Not thread-safe.
+/// Keeps references to all constructor arguments. Not thread-safe.
 class AssetBytes {
  public:
   AssetBytes(const Asset& asset, const container::Container& container,
@@ -26,15 +26,15 @@ class AssetBytes {
   const Asset& asset() const { return asset_; }
   const Origin& origin() const { return resolver_.origin(); }
   /// The bytes of an element of the root's images or buffers, or a sentence about why there are
-  /// none. Those of a buffer may be fewer than it says.
+  /// none. A buffer may have fewer bytes than it declares.
   Result<container::Bytes> image(std::uint64_t index);
   Result<container::Bytes> buffer(std::uint64_t index);
-  /// Why a file that is there could not be read, the first time that happened; empty: it did not.
+  /// The first reason why an existing file could not be read; empty: none.
   const std::string& trouble() const { return trouble_; }
   Storage image_storage(std::uint64_t index) const;
   Storage buffer_storage(std::uint64_t index) const;
-  /// The URI of the file that an image stands in or that its buffer view leads to, as written;
-  /// empty where there is none.
+  /// The URI, as written, of the file with an image or with the buffer of its buffer view; empty if
+  /// there is none.
   std::string image_file_uri(std::uint64_t index) const;
 
  private:
@@ -47,7 +47,7 @@ class AssetBytes {
   const container::Container& container_;
   const container::Resolver& resolver_;
   std::string trouble_;
-  std::unordered_map<std::uint64_t, container::Bytes> buffers_;  ///< those that were asked for
+  std::unordered_map<std::uint64_t, container::Bytes> buffers_;  ///< those used so far
 };
 
 }  // namespace gltfx::model

@@ -14,7 +14,7 @@ bool read_perspective(const Properties& from, Camera& camera) {
   return camera.y_fov > 0 && camera.y_fov < kPi;
 }
 
-// Magnifications may be negative, which mirrors; nobody means that.
+// Negative magnifications mirror the picture, which is not intended.
 bool read_orthographic(const Properties& from, Camera& camera) {
   camera.perspective = false;
   camera.x_mag = std::abs(from.number("xmag", 0));

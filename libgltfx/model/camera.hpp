@@ -14,7 +14,7 @@ namespace gltfx::model {
 struct Camera {
   std::string name;
   bool perspective = true;
-  float y_fov = 0;         ///< radians, all of it; of a perspective camera
+  float y_fov = 0;         ///< full angle in radians; of a perspective camera
   float aspect_ratio = 0;  ///< width by height; 0: that of the picture
   float x_mag = 0;         ///< half the width; of an orthographic camera
   float y_mag = 0;         ///< half the height; likewise
@@ -22,7 +22,7 @@ struct Camera {
   float z_far = std::numeric_limits<float>::infinity();
 };
 
-/// The camera at `index`, or nothing when it lacks what its projection needs.
+/// The camera at `index`, or nothing when it lacks a member that its projection needs.
 std::optional<Camera> read_camera(const Asset& asset, std::uint32_t index,
                                   const AnimatedValues* animated = nullptr);
 

@@ -28,7 +28,7 @@ class Morphing {
         return add(attribute, weight, 3, geometry_.positions);
       case SemanticKind::normal:
         return add(attribute, weight, 3, geometry_.normals);
-      case SemanticKind::tangent:  // the handedness stays
+      case SemanticKind::tangent:  // the handedness does not change
         return add(attribute, weight, 3, geometry_.tangents);
       case SemanticKind::color:
         if (attribute.semantic.set == 0) add(attribute, weight, 4, geometry_.colors);
@@ -60,12 +60,12 @@ class Morphing {
   Geometry& geometry_;
 };
 
-// The sets of joints and weights that stand together.
+// A set of joints and its weights.
 struct Influences {
   ElementBlocks joints, weights;
 };
 
-// By number of the set; a file may have any number of them.
+// By number of the set, which a file chooses freely.
 std::vector<const Attribute*> sets_of(const Primitive& primitive, SemanticKind kind,
                                       std::size_t count) {
   std::vector<const Attribute*> sets(count);
@@ -85,7 +85,7 @@ std::vector<Influences> open_influences(const PrimitiveData& data, std::size_t v
   };
   for (std::size_t set = 0; set < count; ++set) {
     if (joints_of[set] == nullptr || weights_of[set] == nullptr)
-      continue;  // another one is doubled
+      continue;  // missing, because another set is repeated
     auto joints = data.open(*joints_of[set]);
     auto weights = data.open(*weights_of[set]);
     if (!fits(joints) || !fits(weights)) continue;
@@ -94,7 +94,7 @@ std::vector<Influences> open_influences(const PrimitiveData& data, std::size_t v
   return sets;
 }
 
-// A weighted sum of matrices on its way.
+// A partial weighted sum of matrices.
 struct Blend {
   Affine sum{{}};
   double weight = 0;
@@ -161,8 +161,8 @@ class Skinning {
     if (!geometry_.normals.empty()) turn(vertex, matrix);
   }
 
-  // Normals go with the inverse transpose, up to their length: with the matrix of cofactors, which
-  // exists for flat matrices, too.
+  // Normals use the inverse transpose, up to their length: the matrix of cofactors, which exists
+  // for singular matrices, too.
   void turn(std::size_t vertex, const Affine& matrix) {
     const auto& [x, y, z, t] = matrix.columns;
     const double side = matrix.determinant() < 0 ? -1 : 1;

@@ -8,13 +8,13 @@
 
 namespace gltfx::model {
 
-/// Adds the morph targets by their weights. Targets with weight 0, and those whose data cannot be
-/// read, change nothing.
+/// Adds the morph targets by their weights. Targets with weight 0 or unreadable data have no
+/// effect.
 void morph(const PrimitiveData& data, std::span<const float> weights,
            std::span<const std::uint32_t> tex_coords, Geometry& geometry);
 
-/// Moves vertices with their joints. Weights that do not add up to 1 are brought there; a vertex
-/// without weights follows its first joint. Nothing happens where joints or weights cannot be read.
+/// Moves vertices with their joints. Weights are normalized to a sum of 1; a vertex without weights
+/// follows its first joint. No effect if joints or weights cannot be read.
 void skin(const PrimitiveData& data, std::span<const Affine> joints, Geometry& geometry);
 
 }  // namespace gltfx::model

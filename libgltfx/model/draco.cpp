@@ -12,10 +12,9 @@
 namespace gltfx::model {
 namespace {
 
-// Payloads that run into a limit cost seconds each: one file gets no more than two of them.
+// Payloads that exceed a limit cost seconds each: at most two are tried per file.
 constexpr int kMostCostly = 2;
-// Decoded bytes of one file: those of a few million triangles, and more where there are more bytes
-// to decode.
+// Limit of decoded bytes of one file: a few million triangles, and more for larger payloads.
 constexpr std::uint64_t kFreeResultBytes = std::uint64_t{128} << 20U;
 constexpr std::uint64_t kResultBytesPerByte = 128;
 

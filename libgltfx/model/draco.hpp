@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Geometry that comes as a bitstream of Draco (KHR_draco_mesh_compression), decoded for everybody
-/// who needs it.
+/// Geometry in Draco bitstreams (KHR_draco_mesh_compression), decoded once for all users.
 #pragma once
 
 #include <cstddef>
@@ -24,40 +23,40 @@ inline constexpr std::string_view kDracoExtension = "KHR_draco_mesh_compression"
 /// The extension on a primitive.
 struct DracoReference {
   json::NodeId object = json::kNoNode;
-  std::uint32_t buffer_view = 0;  ///< leads to an object
+  std::uint32_t buffer_view = 0;  ///< index of an object
 };
 /// Nothing when the primitive has no such extension, or one without a buffer view.
 std::optional<DracoReference> read_draco(const Asset& asset, const Primitive& primitive);
 
-/// The id by which a reference knows an attribute of the primitive, or nothing.
+/// The id of an attribute of the primitive in a reference, or nothing.
 std::optional<std::uint64_t> draco_id(const Asset& asset, const DracoReference& reference,
                                       std::string_view attribute);
 
-/// What glTF calls such elements; not known() where it has no such type. Bitstreams do not say
-/// reliably whether integers are normalized: encoders leave that out.
+/// The glTF format of such elements; not known() if there is none. Bitstreams do not say reliably
+/// whether integers are normalized: encoders omit it.
 Format format_of(const codec::DracoAttribute& attribute, bool normalized);
 
 /// The attribute with that id, or null.
 const codec::DracoAttribute* find_attribute(const codec::DracoMesh& mesh, std::uint64_t id);
 
-/// The bitstreams of an asset, each decoded once however many primitives share it.
+/// The bitstreams of an asset, each decoded once, also if primitives share it.
 class DracoMeshes {
  public:
   struct NotLookedAt {};
   using Decoded = std::variant<NotLookedAt, codec::DracoMesh, codec::DecodeError>;
 
-  /// Notes a buffer view to decode; its bytes are looked up here.
+  /// Adds a buffer view to decode; its bytes are looked up here.
   void add(const Asset& asset, const Views& views, const ResourceData& resources,
            std::uint32_t buffer_view);
-  /// Notes all that primitives of the asset refer to.
+  /// Adds all buffer views that primitives of the asset refer to.
   void add_all(const Asset& asset, const Views& views, const ResourceData& resources);
 
-  /// Decodes all that were noted, on up to `jobs` threads. Stops where payloads run into limits of
-  /// time and memory, or where results are far larger than their bytes can be worth; which ones are
-  /// left over does not depend on the number of threads.
+  /// Decodes all added buffer views, on up to `jobs` threads. Stops when payloads exceed limits of
+  /// time and memory, or when results are far too large for their bytes; which ones are left out
+  /// does not depend on the number of threads.
   void decode(codec::Client& client, unsigned jobs);
 
-  /// What became of a buffer view; null when it was not noted or has no bytes.
+  /// The result of a buffer view; null when it was not added or has no bytes.
   const Decoded* find(std::uint32_t buffer_view) const;
   /// The mesh, or null.
   const codec::DracoMesh* mesh(std::uint32_t buffer_view) const;

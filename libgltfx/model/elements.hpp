@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Elements of accessors as arrays of single precision numbers, whatever they are stored as.
+/// Elements of accessors as arrays of single precision numbers, from any stored format.
 #pragma once
 
 #include <array>
@@ -45,8 +45,8 @@ void for_each_component(const AccessorData& data, std::size_t count, Use use) {
   });
 }
 
-/// Writes the elements over those of `to`, which has as many; components that an element does not
-/// have stay as they are. Precondition: elements have at most N components.
+/// Overwrites the elements of `to`, which has as many; components that an element does not have are
+/// not changed. Precondition: elements have at most N components.
 template <std::size_t N>
 void read_elements(const AccessorData& data, Vectors<N>& to) {
   for_each_component(data, to.size(),
@@ -86,7 +86,8 @@ class ElementBlocks {
   std::uint64_t next_ = 0;
 };
 
-/// One element at any place: for curves, of which few are looked at. Empty when it does not exist.
+/// One element at any position: for curves, of which few elements are read. Empty when it does not
+/// exist.
 inline std::vector<float> element_at(const AccessorData& data, std::uint64_t index) {
   if (index >= data.count()) return {};
   std::vector<float> element(data.components());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Members of a JSON object as the types glTF gives them; members and elements by name and
-/// position, many times in one document. What has another type counts as absent: the schema walk
-/// has reported it.
+/// Members of a JSON object in their glTF types, and repeated look-ups of elements in one document.
+/// A value of another type counts as absent: the schema walk has reported it.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +29,7 @@ bool true_member(const json::Document& document, json::NodeId object, std::strin
 std::string string_member(const json::Document& document, json::NodeId object,
                           std::string_view name);
 
-/// The object's member of that name when it is an object, otherwise json::kNoNode.
+/// The member of that name if it is an object, otherwise json::kNoNode.
 json::NodeId object_member(const json::Document& document, json::NodeId object,
                            std::string_view name);
 
@@ -38,8 +37,8 @@ json::NodeId object_member(const json::Document& document, json::NodeId object,
 json::NodeId extension_object(const json::Document& document, json::NodeId object,
                               std::string_view extension);
 
-/// Keeps tables of the arrays it was asked about, so that many questions take time linear in them
-/// and in the document, whatever its form. The document must outlive it. Not thread-safe.
+/// Caches tables of arrays, so that the time of all calls together is linear in their number and in
+/// the document. The document must outlive it. Not thread-safe.
 class ArrayLookup {
  public:
   explicit ArrayLookup(const json::Document& document) : document_(document) {}

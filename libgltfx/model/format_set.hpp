@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Sets of formats of attributes, and what extensions add to those of the specification.
+/// Sets of formats of attributes, and formats that extensions add to those of the specification.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ inline constexpr ComponentName kComponentNames[] = {
     {ComponentType::float32, "FLOAT"}, {ComponentType::float64, "DOUBLE"},
     {ComponentType::float16, "HALF"}};
 
-/// Any of some element types with any of some component types.
+/// Combinations of element types and component types.
 struct FormatSet {
   /// The components are named as in schema files: "UBYTE_NORM".
   static FormatSet of(std::initializer_list<ElementType> types,
@@ -38,7 +38,7 @@ struct FormatSet {
   }
 
   std::uint16_t types = 0;       ///< bit n: ElementType n
-  std::uint32_t components = 0;  ///< two bits a component type: plain, normalized
+  std::uint32_t components = 0;  ///< two bits per component type: plain, normalized
 };
 
 /// Whether the extension adds that format to those of an attribute of a primitive, or of a morph
@@ -46,8 +46,8 @@ struct FormatSet {
 bool adds_format(const schema::Extension& extension, const Attribute& attribute, bool target,
                  const Format& format);
 
-/// How many accessors have a format that the extension adds to an attribute that they hold, of
-/// primitives and of morph targets.
+/// Number of accessors whose format the extension adds to their attribute, of primitives and of
+/// morph targets.
 std::uint64_t count_with_added_format(const Asset& asset, const Views& views,
                                       const schema::Extension& extension);
 

@@ -18,7 +18,7 @@ bool is_finite(const std::array<float, N>& values) {
   return std::all_of(values.begin(), values.end(), [](float each) { return std::isfinite(each); });
 }
 
-// To length 1; what has none, or none that can be told, becomes zero.
+// Normalizes to length 1; a vector of length 0, or of unknown length, becomes zero.
 template <std::size_t N>
 void normalize_direction(std::array<float, N>& vector) {
   double square = 0;
@@ -62,8 +62,8 @@ class GeometryReader {
     return data_.source().views.accessors[*indices].count.value_or(0);
   }
 
-  // Bytes of all that will be read. Morph targets and sets of joints are not kept, but count by the
-  // work that they are: a file may have any number of them over the same bytes.
+  // Bytes of all data that will be read. Morph targets and sets of joints are not kept, but count
+  // as work: a file may have any number of them over the same bytes.
   Checked size() const {
     std::uint64_t vertex = sizeof(float) * (3 + 2 * request_.tex_coords.size());
     if (has(SemanticKind::normal)) vertex += sizeof(float) * 3;
@@ -78,8 +78,8 @@ class GeometryReader {
     return vertices && triangles ? checked_add(*triangles, *vertices) : std::nullopt;
   }
 
-  // True when there are as many elements as vertices. An attribute without bytes is all zeros: of
-  // use to morph targets, and for texture coordinates.
+  // True when there are as many elements as vertices. An attribute without bytes is all zeros,
+  // which is useful for morph targets and texture coordinates.
   template <std::size_t N>
   bool read(SemanticKind kind, std::uint64_t set, unsigned least, Vectors<N>& to) const {
     const Attribute* attribute = data_.primitive().find(kind, set);
@@ -103,7 +103,7 @@ class GeometryReader {
 
   void read_attributes() {
     read(SemanticKind::normal, 0, 3, geometry_.normals);
-    // Tangents without normals have no surface to lie in.
+    // Tangents without normals are meaningless.
     if (!geometry_.normals.empty()) read(SemanticKind::tangent, 0, 4, geometry_.tangents);
     for (const std::uint32_t set : request_.tex_coords) {
       read(SemanticKind::texcoord, set, 2, geometry_.tex_coords.emplace_back());
@@ -203,7 +203,7 @@ void PrimitiveAssembly::finish() {
   if (mode_ == Mode::line_loop && count_ > 1) emit(held_[1], held_[0]);
 }
 
-// Holds the first vertex of a loop, and the one before.
+// Keeps the first vertex of a loop, and the previous one.
 void PrimitiveAssembly::add_to_segments(std::uint32_t index) {
   if (count_ == 0) held_[0] = index;
   if (count_ > 0) emit(held_[1], index);

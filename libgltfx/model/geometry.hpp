@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A primitive as plain triangles, segments or points, whatever its mode: decompressed, converted
-/// to single precision, morphed and skinned to one pose (specification section 3.7).
+/// A primitive of any mode as plain triangles, segments or points: decompressed, converted to
+/// single precision, morphed and skinned to one pose (specification section 3.7).
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ namespace gltfx::model {
 using Triangle = std::array<std::uint32_t, 3>;
 using Segment = std::array<std::uint32_t, 2>;
 
-/// Where the elements of accessors come from. All of it must outlive the source.
+/// The source of accessor elements. All referenced objects must outlive it.
 struct GeometrySource {
   const Asset& asset;
   const Views& views;
@@ -29,8 +29,8 @@ struct GeometrySource {
   const DracoMeshes& draco;
 };
 
-/// The vertex data of a primitive, in its own bitstream or in accessors. Keeps no more than
-/// references; the source and the primitive must outlive it.
+/// The vertex data of a primitive, in its own bitstream or in accessors. Keeps references only; the
+/// source and the primitive must outlive it.
 class PrimitiveData {
  public:
   PrimitiveData(const GeometrySource& source, const Primitive& primitive);
@@ -40,11 +40,11 @@ class PrimitiveData {
   /// The decoded bitstream, or null.
   const codec::DracoMesh* packed() const { return packed_; }
 
-  /// The elements of an attribute; nothing when it is not there, cannot be read, or is neither
-  /// stored nor sparse, that is zero throughout.
+  /// The elements of an attribute; nothing when it is missing, cannot be read, or is neither stored
+  /// nor sparse (all zeros).
   std::optional<AccessorData> open(SemanticKind kind, std::uint64_t set = 0) const;
   std::optional<AccessorData> open(const Attribute& attribute) const;
-  /// The elements of an accessor that is no attribute of a bitstream.
+  /// The elements of an accessor that is not an attribute of a bitstream.
   std::optional<AccessorData> open(const std::optional<std::uint32_t>& accessor) const;
 
  private:
@@ -54,22 +54,22 @@ class PrimitiveData {
   const codec::DracoMesh* packed_ = nullptr;
 };
 
-/// What to read, and the pose.
+/// The data to read, and the pose.
 struct GeometryRequest {
   std::span<const std::uint32_t> tex_coords;  ///< the n of each TEXCOORD_n to read
   std::span<const float> weights;             ///< of the morph targets; missing ones are 0
-  /// Of the skin: from the space of the mesh to that of the scene. Empty: not skinned.
+  /// Matrices of the skin, from the space of the mesh to that of the scene. Empty: not skinned.
   std::span<const Affine> joints;
 };
 
-/// Lists of vertices have the same length, or none where there is no such attribute.
+/// Lists of vertices have the same length, or are empty without the attribute.
 struct Geometry {
   Vectors<3> positions;
-  Vectors<3> normals;                  ///< of length 1, or 0 where none could be told
+  Vectors<3> normals;                  ///< of length 1, or 0 if unknown
   Vectors<4> tangents;                 ///< likewise; w is 1 or -1
   std::vector<Vectors<2>> tex_coords;  ///< as requested
   Vectors<4> colors;                   ///< COLOR_0: linear, from 0 to 1
-  // What the mode makes of them; every vertex exists and is finite.
+  // Result of the mode; every vertex exists and is finite.
   std::vector<Triangle> triangles;
   std::vector<Segment> segments;
   std::vector<std::uint32_t> points;
@@ -78,18 +78,18 @@ struct Geometry {
   bool empty() const { return triangles.empty() && segments.empty() && points.empty(); }
 };
 
-/// Takes indices one after the other and makes triangles, segments or points of them. Those of
-/// vertices that do not exist, and those that have one vertex twice and so no area or length, are
-/// left out; an odd triangle in a strip keeps its front in front.
+/// Makes triangles, segments or points from indices, one after the other. Those with missing
+/// vertices, and those with a repeated vertex and so no area or length, are left out; odd triangles
+/// of a strip keep their orientation.
 class PrimitiveAssembly {
  public:
-  /// `vertices`: how many there are. An index equal to `restart` begins a new strip, fan or loop
-  /// (EXT_mesh_primitive_restart); in files without that extension there is none.
+  /// `vertices`: their number. An index equal to `restart` begins a new strip, fan or loop
+  /// (EXT_mesh_primitive_restart); without that extension, no index does.
   PrimitiveAssembly(Mode mode, std::uint32_t vertices, std::uint32_t restart, Geometry& to)
       : mode_(mode), vertices_(vertices), restart_(restart), to_(to) {}
 
   void add(std::uint32_t index);
-  /// After the last index.
+  /// Call it after the last index.
   void finish();
 
  private:
@@ -108,7 +108,7 @@ class PrimitiveAssembly {
 
 enum class GeometryError : std::uint8_t {
   none,
-  no_positions,  ///< no bytes, or none that can be read
+  no_positions,  ///< no bytes, or unreadable ones
   packed,        ///< the bitstream could not be decoded
   too_large,     ///< beyond the budget
   empty,         ///< no triangle, segment or point is left

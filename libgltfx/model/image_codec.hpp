@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which images can be decoded, and as what.
+/// Decodable images and their requests.
 #pragma once
 
 #include <algorithm>
@@ -26,13 +26,13 @@ inline codec::ImageFormat codec_format(image::Format format) {
   return codec::ImageFormat::ktx2;
 }
 
-/// Whether the pixels of an image can be asked for: it has bytes and a header, and a KTX2 image has
-/// texels that are known.
+/// Whether the pixels of an image can be decoded: it has bytes and a header, and a KTX2 image has
+/// supported texels.
 inline bool is_decodable(const ImageData& data) {
   return data.bytes && data.header && (!data.ktx2 || image::has_known_texels(*data.ktx2));
 }
 
-/// What to ask a decoder for an image, no more texels than its header has. Precondition:
+/// The request to decode an image, with at most as many texels as in its header. Precondition:
 /// is_decodable().
 inline codec::ImageRequest image_request(const ResourceData& resources, std::size_t image) {
   const ImageData& data = resources.images[image];

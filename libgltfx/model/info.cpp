@@ -24,7 +24,7 @@ std::vector<std::string> string_list(const json::Document& document, std::string
   return list;
 }
 
-// Sets of an indexed semantic; a gap makes them count as none.
+// Number of sets of an indexed semantic; 0 if there is a gap.
 std::uint64_t set_count(const Primitive& primitive, SemanticKind kind) {
   std::uint64_t count = 0, highest = 0;
   for (const Attribute& attribute : primitive.attributes) {

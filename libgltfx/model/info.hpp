@@ -11,14 +11,15 @@
 
 namespace gltfx::model {
 
-/// As accessors declare them: the count of the first attribute, and triangles by the mode.
+/// Size of a primitive as accessors declare it: the count of the first attribute, and triangles by
+/// the mode.
 struct PrimitiveSize {
   std::uint64_t vertices = 0, triangles = 0;
 };
 PrimitiveSize primitive_size(const Views& views, const Primitive& primitive);
 
-/// What the Khronos report's `info` block says, counted as that validator does; `resources` is left
-/// empty, for it needs the files. Malformed members count as absent. Linear in the document.
+/// The `info` block of the Khronos report, counted as in that validator; `resources` stays empty,
+/// because it needs the files. Malformed members count as absent. Linear in the document.
 AssetInfo asset_info(const Asset& asset, const Views& views);
 
 }  // namespace gltfx::model

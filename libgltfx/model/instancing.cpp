@@ -30,7 +30,7 @@ class InstanceReader {
   Instancing read(MemoryBudget& budget) {
     const bool opened = open("TRANSLATION", 3, translations_) && open("ROTATION", 4, rotations_) &&
                         open("SCALE", 3, scales_);
-    // Without any of the three the copies lie in one place.
+    // Without any of the three, all copies have the same place.
     Instancing result;
     const std::uint64_t count = count_.value_or(1);
     result.readable = opened && budget.take(checked_mul(count, sizeof(Affine)));
@@ -44,7 +44,7 @@ class InstanceReader {
   }
 
  private:
-  // False when the attribute is there but of no use, or of another length than those before.
+  // False when the attribute is present but unusable, or of another length than the previous ones.
   bool open(std::string_view name, unsigned components, std::optional<ElementBlocks>& to) {
     if (asset_.document().find(attributes_, name) == json::kNoNode) return true;
     const auto accessor = asset_.index(attributes_, name, RootArray::accessors);

@@ -12,13 +12,13 @@
 
 namespace gltfx::model {
 
-/// Where the copies of a node's mesh are, in the space of the node.
+/// Transforms of the copies of a node's mesh, in the space of the node.
 struct Instancing {
-  bool readable = true;  ///< false: data that is missing, of another form, or beyond the budget
+  bool readable = true;  ///< false: data that is missing, malformed, or beyond the budget
   std::vector<Affine> transforms;
 };
 
-/// Nothing when the node draws its mesh once, as usual.
+/// Nothing when the node draws its mesh once.
 std::optional<Instancing> read_instancing(const Asset& asset, const Views& views,
                                           const ResourceData& resources, const Node& node,
                                           MemoryBudget& budget);

@@ -18,7 +18,8 @@ namespace gltfx::model {
 namespace {
 
 constexpr std::string_view kPointerExtension = "KHR_animation_pointer";
-// Weights of morph targets are counted by nodes times targets, which a file need not pay for.
+// The number of weights of morph targets is nodes times targets, which the size of a file does not
+// bound.
 constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U;
 
 using Values = std::vector<float>;
@@ -27,7 +28,7 @@ double time_at(const Curve& curve, std::uint64_t keyframe) {
   return static_cast<double>(element_at(curve.times, keyframe)[0]);
 }
 
-// The last keyframe that is not behind `time`, or the first one.
+// The last keyframe that is not after `time`, or the first one.
 std::uint64_t keyframe_before(const Curve& curve, double time) {
   std::uint64_t first = 0;
   std::uint64_t last = curve.times.count();
@@ -38,7 +39,7 @@ std::uint64_t keyframe_before(const Curve& curve, double time) {
   return first;
 }
 
-// `part` of a keyframe with three of them: in-tangent, value, out-tangent.
+// `part` of a keyframe with three parts: in-tangent, value, out-tangent.
 Values elements_of(const Curve& curve, std::uint64_t keyframe, std::uint64_t part,
                    std::uint64_t width) {
   const std::uint64_t first = (keyframe * values_per_keyframe(curve.interpolation) + part) * width;
@@ -133,7 +134,7 @@ class Sampling {
   }
 
  private:
-  // What a channel sets.
+  // The target of a channel.
   struct Target {
     std::string pointer;
     std::uint64_t width = 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Animations at one moment: curves between keyframes (specification section 3.11 and appendix C),
-/// and what their channels set.
+/// and the targets of their channels.
 #pragma once
 
 #include <cstdint>
@@ -21,19 +21,19 @@ struct Curve {
   Interpolation interpolation = Interpolation::linear;
 };
 
-/// What a curve is at `time`: before the first keyframe the first value, behind the last one the
-/// last. `width` elements belong together, such as the weights of all morph targets. Rotations are
-/// turned along the shorter arc and have length 1. Empty when the elements do not suffice.
+/// The value of a curve at `time`: before the first keyframe the first value, after the last one
+/// the last. `width` elements belong together, such as the weights of all morph targets. Rotations
+/// follow the shorter arc and have length 1. Empty when there are too few elements.
 std::vector<float> value_at(const Curve& curve, double time, std::uint64_t width, bool rotation);
 
-/// What an animation says at one moment.
+/// The values of an animation at one moment.
 struct AnimationSample {
   AnimatedValues values;
   std::vector<std::string> notes;  ///< channels that were left out and why, a sentence each
 };
 
 /// Evaluates all channels of animation `index` at `time` in seconds: those of nodes and those of
-/// KHR_animation_pointer. Takes memory for no more numbers than a scene can mean.
+/// KHR_animation_pointer. Memory is bounded by the numbers that a scene can use.
 AnimationSample sample_animation(const Asset& asset, const Views& views,
                                  const ResourceData& resources, const schema::Set& schemas,
                                  std::uint32_t index, double time);

@@ -45,7 +45,7 @@ json::NodeId element_at(const json::Document& document, json::NodeId array, std:
   return json::kNoNode;
 }
 
-// What is not there is 0.
+// Missing coefficients are 0.
 Harmonics read_harmonics(const json::Document& document, json::NodeId array) {
   Harmonics coefficients{};
   for (std::size_t i = 0; i < coefficients.size(); ++i) {
@@ -59,7 +59,7 @@ Harmonics read_harmonics(const json::Document& document, json::NodeId array) {
   return coefficients;
 }
 
-// Of the first cube map.
+// The images of the first cube map.
 std::optional<std::array<std::uint32_t, 6>> read_faces(const Asset& asset, json::NodeId levels) {
   std::array<std::uint32_t, 6> faces{};
   std::size_t found = 0;

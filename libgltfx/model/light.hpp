@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Lights without extent (KHR_lights_punctual), and light from all around (EXT_lights_image_based).
+/// Lights without extent (KHR_lights_punctual), and environment light (EXT_lights_image_based).
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace gltfx::model {
 
 enum class LightType : std::uint8_t { directional, point, spot };
 
-/// One light; shines along -Z of the node it is on.
+/// One light; it shines along -Z of its node.
 struct Light {
   std::string name;
   LightType type = LightType::point;
@@ -31,23 +31,23 @@ struct Light {
 std::vector<std::optional<Light>> read_lights(const Asset& asset,
                                               const AnimatedValues* animated = nullptr);
 
-/// The light that a node carries, as an index into those, or nothing.
+/// The light of a node, as an index into read_lights(), or nothing.
 std::optional<std::uint32_t> light_of(const Asset& asset, const Node& node);
 
 /// Coefficients of spherical harmonics up to l = 2, ordered by l, then by m from -l to l; of R, G
 /// and B.
 using Harmonics = std::array<std::array<float, 3>, 9>;
 
-/// Light from all around, the same everywhere.
+/// Light from all directions, the same everywhere.
 struct EnvironmentLight {
   Quaternion rotation{0, 0, 0, 1};
   float intensity = 1;     ///< factor on the images and on the irradiance
   Harmonics irradiance{};  ///< by the normal of a surface
-  /// Images of the sharpest cube map, as they are seen from its middle: +X, -X, +Y, -Y, +Z, -Z.
+  /// Images of the sharpest cube map, as seen from its center: +X, -X, +Y, -Y, +Z, -Z.
   std::array<std::uint32_t, 6> faces{};
 };
 
-/// That of a scene, or nothing where it has none or it is malformed.
+/// The environment light of a scene, or nothing if it has none or a malformed one.
 std::optional<EnvironmentLight> environment_light_of(const Asset& asset, std::uint32_t scene,
                                                      const AnimatedValues* animated = nullptr);
 

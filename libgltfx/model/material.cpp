@@ -23,7 +23,7 @@ bool has(const Properties& owner, std::string_view name) {
   return owner.document().find(owner.node(), name) != json::kNoNode;
 }
 
-// Drafts changed names; the one that is there counts.
+// Drafts changed names; the existing member counts.
 template <class Row>
 std::string_view name_in(const Properties& owner, const Row& row) {
   return row.alias.empty() || has(owner, row.property) ? row.property : row.alias;
@@ -33,7 +33,7 @@ Properties owner_in(const Properties& object, std::string_view owner) {
   return owner.empty() ? object : object.object(owner);
 }
 
-// What has no default is a distance: infinite when absent, and 0 is none.
+// A parameter without a default is a distance: infinite when absent or 0.
 std::array<float, 4> value_of(const Properties& owner, const ParameterRow& row) {
   const std::string_view name = name_in(owner, row);
   std::array<float, 4> value = row.absent;
@@ -47,7 +47,7 @@ std::array<float, 4> value_of(const Properties& owner, const ParameterRow& row) 
   return value;
 }
 
-// Slots of the forerunners of diffuse transmission were also written as bare indices.
+// Slots of the predecessors of diffuse transmission were also written as bare indices.
 TextureSlot slot_of(const Asset& asset, const Properties& owner, const SlotRow& row, bool bare) {
   const std::string_view name = name_in(owner, row);
   TextureSlot slot = read_slot(asset, owner, name);
@@ -88,12 +88,12 @@ bool scatters(const Material& material, Scattering kind) {
   return material.of(Parameter::scatter_strength)[0] > 0;
 }
 
-// What the texts say beside names and ranges.
+// Requirements of the specifications beyond names and ranges.
 void finish(Material& material) {
-  // Indices are 0, which has a meaning of its own, or at least 1.
+  // An index is 0, which has a special meaning, or at least 1.
   float& ior = material.of(Parameter::ior)[0];
   if (ior > 0 && ior < 1) ior = 1;
-  // The phase function of a medium has no value at the very ends.
+  // The phase function of a medium is undefined at the ends of the range.
   float& anisotropy = material.of(Parameter::scatter_anisotropy)[0];
   anisotropy = std::clamp(anisotropy, -0.999F, 0.999F);
   if (!material.specular_glossiness) return;
@@ -101,7 +101,7 @@ void finish(Material& material) {
   material.of(MaterialSlot::specular_color) = {};
 }
 
-// Of several texts about one thing the latest that has an effect counts.
+// If several extensions define a parameter, the newest with an effect counts.
 void read_extension(const Asset& asset, const Properties& object, const MaterialText& text,
                     Material& material) {
   if (!object.exists()) return;

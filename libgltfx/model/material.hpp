@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Materials as numbers: every parameter of the specification's section 3.9 and of the extensions
-/// that the shader knows, by the names that schema/ gives them, with their defaults. Colours are
-/// linear. A layer or effect that a material does not have is there with the values that make it
-/// invisible.
+/// that the shader supports, by the names in schema/, with their defaults. Colours are linear. A
+/// missing layer or effect has the values that make it invisible.
 #pragma once
 
 #include <array>
@@ -17,7 +16,7 @@ namespace gltfx::model {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-/// Which text says how light scatters in the volume, as gltfx::Scattering.
+/// The extension that defines how light scatters in the volume, as gltfx::Scattering.
 enum class Scattering : std::uint8_t { none, distance, multiscatter, unified };
 
 struct Material {
@@ -27,10 +26,10 @@ struct Material {
   bool unlit = false;
   /// VRMC_materials_mtoon, for which unlit and metallic-roughness are the fallback.
   bool toon = false;
-  /// KHR_materials_pbrSpecularGlossiness takes the place of metallic-roughness.
+  /// KHR_materials_pbrSpecularGlossiness replaces metallic-roughness.
   bool specular_glossiness = false;
-  /// The first generation of KHR_materials_translucency: the factor of diffuse transmission stands
-  /// in R of its texture, and the colour is the base colour.
+  /// The first generation of KHR_materials_translucency: the factor of diffuse transmission is in R
+  /// of its texture, and the colour is the base colour.
   bool first_generation = false;
   Scattering scattering = Scattering::none;
   std::array<std::array<float, 4>, kMaterialParameters> values{};  ///< by parameter
@@ -47,7 +46,7 @@ struct Material {
   const TextureSlot& of(MaterialSlot slot) const { return slots[static_cast<std::size_t>(slot)]; }
 };
 
-/// The material at `index`. Numbers out of their range are brought into it.
+/// The material at `index`. Numbers out of their range are clamped.
 Material read_material(const Asset& asset, std::uint32_t index,
                        const AnimatedValues* animated = nullptr);
 

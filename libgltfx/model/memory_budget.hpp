@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How much memory an asset may take. Accessors may share bytes, and sparse ones need none: without
-/// a limit a small file could ask for any amount.
+/// Limit of the memory of an asset. Accessors may share bytes, and sparse ones need none: without a
+/// limit a small file could request any amount.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +10,9 @@
 
 namespace gltfx::model {
 
-/// Most objects in the root arrays of an asset with so many bytes of text, all arrays together. A
-/// million of them, and one more for each 32 bytes: what is written on purpose takes more, and each
-/// costs many times the three bytes of "{},".
+/// Maximum number of objects in all root arrays of an asset with so many bytes of text: a million,
+/// and one more for each 32 bytes. Meaningful objects take more bytes, and each costs many times
+/// the three bytes of "{},".
 constexpr std::uint64_t most_root_objects(std::uint64_t text_bytes) {
   return 1'000'000 + text_bytes / 32;
 }
@@ -24,7 +24,7 @@ class MemoryBudget {
  public:
   explicit MemoryBudget(std::uint64_t bytes) : left_(bytes) {}
 
-  /// Takes that many bytes, or nothing when they are not left (or beyond 64 bits).
+  /// Takes that many bytes. False, and nothing taken, when fewer are left (or beyond 64 bits).
   bool take(const Checked& bytes) {
     if (!bytes || *bytes > left_) return false;
     left_ -= *bytes;

@@ -33,7 +33,7 @@ std::vector<json::NodeId> objects(const json::Document& document, json::NodeId a
   return found;
 }
 
-// The elements of `targets`, none of them when one is empty or no object.
+// The elements of `targets`; none when one of them is empty or not an object.
 std::vector<json::NodeId> whole_targets(const json::Document& document, json::NodeId array) {
   std::vector<json::NodeId> targets = objects(document, array);
   const bool broken = std::any_of(targets.begin(), targets.end(), [&](json::NodeId target) {
@@ -42,7 +42,7 @@ std::vector<json::NodeId> whole_targets(const json::Document& document, json::No
   return broken ? std::vector<json::NodeId>() : targets;
 }
 
-// Whether `targets` is there and not empty, but has no whole_targets().
+// Whether `targets` exists and is not empty, but has no whole_targets().
 bool is_broken(const json::Document& document, json::NodeId targets) {
   if (targets == json::kNoNode) return false;
   const bool is_empty = document.is_array(targets) && document.array_size(targets) == 0;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Meshes, their primitives and vertex attributes, whose names are taken apart (specification
-/// section 3.7.2).
+/// Meshes, their primitives and vertex attributes with parsed names (specification section 3.7.2).
 #pragma once
 
 #include <cstdint>
@@ -34,16 +33,16 @@ struct Semantic {
 /// Never fails: a name without a meaning is `invalid`. Sets are decimal without leading zeros.
 Semantic parse_semantic(std::string_view name);
 
-/// "TEXCOORD" for texcoord; empty for the kinds that are not glTF's own.
+/// "TEXCOORD" for texcoord; empty for application and extension kinds.
 std::string_view semantic_prefix(SemanticKind kind);
 
-/// Whether names of this kind carry a set number.
+/// Whether names of this kind have a set number.
 bool is_indexed(SemanticKind kind);
 
 /// The extension an attribute name belongs to: "KHR_x" of "KHR_x:NAME", or empty.
 std::string_view semantic_extension(std::string_view name);
 
-/// Whether `name` is what a table calls `pattern`: equal, or with a set number for a final "_n".
+/// Whether `name` matches `pattern` of a table: equal, or with a set number for a final "_n".
 bool matches_semantic(std::string_view pattern, std::string_view name);
 
 enum class Mode : std::uint8_t {
@@ -63,8 +62,8 @@ constexpr bool draws_triangles(Mode mode) { return mode >= Mode::triangles; }
 struct Attribute {
   std::string_view name;  ///< lives in the document
   Semantic semantic;
-  json::NodeId value = json::kNoNode;     ///< the index as it stands in the text
-  std::optional<std::uint32_t> accessor;  ///< leads to an object
+  json::NodeId value = json::kNoNode;     ///< the index in the text
+  std::optional<std::uint32_t> accessor;  ///< index of an object
 };
 
 /// The attributes of a primitive's `attributes` or of one morph target, in the order of the text.
@@ -75,11 +74,11 @@ struct Primitive {
   json::NodeId attributes_node = json::kNoNode;
   std::vector<Attribute> attributes;
   std::vector<json::NodeId> targets;  ///< objects with the attributes of a morph target
-  bool targets_are_broken = false;    ///< there are some, but not all are whole: `targets` is empty
+  bool targets_are_broken = false;    ///< some are invalid: `targets` is empty
   json::NodeId indices_node = json::kNoNode;
-  std::optional<std::uint32_t> indices;  ///< leads to an object
+  std::optional<std::uint32_t> indices;  ///< index of an object
   json::NodeId material_node = json::kNoNode;
-  std::optional<std::uint32_t> material;       ///< leads to an object
+  std::optional<std::uint32_t> material;       ///< index of an object
   std::optional<Mode> mode = Mode::triangles;  ///< nothing: not one of the seven
 
   /// The attribute with that meaning, or null.
@@ -88,22 +87,23 @@ struct Primitive {
 
 Primitive read_primitive(const Asset& asset, json::NodeId object);
 
-/// One mesh. A primitive that is no object has no `node`.
+/// One mesh. A primitive that is not an object has no `node`.
 struct Mesh {
-  json::NodeId node = json::kNoNode;  ///< kNoNode: the element of the array is no object
+  json::NodeId node = json::kNoNode;  ///< kNoNode: the element of the array is not an object
   std::vector<Primitive> primitives;
-  bool has_holes = false;  ///< an element of `primitives` is no object
+  bool has_holes = false;  ///< an element of `primitives` is not an object
 };
 
 /// All meshes, by index.
 std::vector<Mesh> read_meshes(const Asset& asset);
 
-/// The objects of a mesh's `primitives`; an element that is no object is kNoNode.
+/// The objects of a mesh's `primitives`; an element that is not an object is kNoNode.
 std::vector<json::NodeId> primitives(const json::Document& document, json::NodeId mesh);
 
-/// The objects of a primitive's `targets`; empty when there are none, or one is empty or no object.
+/// The objects of a primitive's `targets`; empty when there are none, or one is empty or not an
+/// object.
 std::vector<json::NodeId> morph_targets(const json::Document& document, json::NodeId primitive);
-/// Whether there are some, but not all are whole.
+/// Whether there are targets, but some are invalid.
 bool has_broken_targets(const json::Document& document, json::NodeId primitive);
 
 }  // namespace gltfx::model

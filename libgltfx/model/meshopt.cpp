@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the library can do the work it does: attribute streams of version 0, for it is several
-// times as fast. It knows no version 1, and takes index streams that the specification refuses.
+// The library decodes attribute streams of version 0, because it is several times as fast. It does
+// not support version 1, and accepts index streams that the specification forbids.
 #include "model/meshopt.hpp"
 
 #include <meshoptimizer.h>
@@ -25,7 +25,7 @@ Checked least_attributes(const Layout& layout, unsigned version) {
   const std::uint64_t elements = block_elements(layout.stride);
   const std::uint64_t blocks = layout.count / elements;
   const std::uint64_t rest = layout.count % elements;
-  // A block of nothing but zeros keeps its control bits, or two header bits for each group.
+  // A block of zeros still has its control bits, or two header bits per group.
   const auto least_block = [&](std::uint64_t count) {
     return version == 0 ? layout.stride * ((count + 63) / 64) : layout.stride / 4;
   };
@@ -83,7 +83,7 @@ DecodeError decode(std::span<const std::byte> stream, const Layout& layout,
   if (error != DecodeError::none) return error;
   if (layout.mode == Mode::triangles) return decode_triangles(stream, layout, elements);
   if (layout.mode == Mode::indices) return decode_indices(stream, layout, elements);
-  // What the library refuses is decoded once more, to learn why.
+  // A stream that the library refuses is decoded again to find the reason.
   if (library_decodes(stream, layout, elements)) return DecodeError::none;
   return decode_attributes(stream, layout, elements);
 }

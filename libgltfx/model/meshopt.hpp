@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Streams and filters of meshoptimizer, as EXT_meshopt_compression and KHR_meshopt_compression
-/// define them (appendices A and B of the latter). Any bytes may come: nothing outside of them is
-/// read, and what the specification calls invalid is refused.
+/// define them (appendices A and B of the latter). Safe on any bytes: nothing outside of them is
+/// read, and invalid streams are refused.
 #pragma once
 
 #include <cstddef>
@@ -14,15 +14,15 @@ namespace gltfx::model::meshopt {
 enum class Mode : std::uint8_t { attributes, triangles, indices };
 enum class Filter : std::uint8_t { none, octahedral, quaternion, exponential, color };
 
-/// What the JSON text says of a stream.
+/// The members of a stream in the JSON text.
 struct Layout {
   std::uint64_t count = 0;   ///< elements
   std::uint64_t stride = 0;  ///< bytes of one of them
   Mode mode = Mode::attributes;
   Filter filter = Filter::none;
-  unsigned newest_version = 1;  ///< of attribute streams that may come: 0 or 1
+  unsigned newest_version = 1;  ///< newest allowed version of attribute streams: 0 or 1
 
-  /// Whether the members may stand together. All functions below ask for it.
+  /// Whether the members are consistent: a precondition of all functions below.
   bool sound() const;
   /// Bytes of all decoded elements, or nothing beyond 64 bits.
   std::optional<std::uint64_t> decoded_size() const;
@@ -31,26 +31,26 @@ struct Layout {
 enum class DecodeError : std::uint8_t {
   none,
   header,     ///< the first byte is not that of the mode
-  version,    ///< the first byte is that of the mode, in a version that is not allowed
-  too_short,  ///< so few bytes that no stream of this layout has them
+  version,    ///< the first byte has the right mode, but a version that is not allowed
+  too_short,  ///< fewer bytes than any stream of this layout has
   cut,        ///< data ends before the last element
   channel,    ///< an unknown way to store differences
   table,      ///< the table of a triangle stream is malformed
-  unwritten,  ///< a triangle refers to an edge or vertex that was not there
+  unwritten,  ///< a triangle refers to an edge or vertex that does not exist
   number,     ///< a number of more than five bytes
-  trailing,   ///< bytes are left over behind the last element
+  trailing,   ///< bytes remain after the last element
 };
 
-/// Whether the first byte is right, and whether the bytes can be enough. Costs nothing: to be
-/// asked before memory is taken for what is decoded. Gives none, header, version or too_short.
+/// Checks that the first byte is right, and that the bytes can be enough. Cheap: call it before
+/// memory for the result is allocated. Gives none, header, version or too_short.
 DecodeError check_size(std::span<const std::byte> stream, const Layout& layout);
 
 /// Decodes into `elements`, which has decoded_size() bytes, without applying the filter.
-/// Little-endian numbers, as in the asset. On an error the elements are of any value.
+/// Little-endian numbers, as in the asset. On an error the elements are undefined.
 DecodeError decode(std::span<const std::byte> stream, const Layout& layout,
                    std::span<std::byte> elements);
 
-/// Elements that a filter cannot take, for they say nothing sensible of their precision.
+/// Elements that a filter cannot process, because their precision is invalid.
 struct Misfits {
   std::uint64_t count = 0;
   std::uint64_t first = 0;  ///< index of the first one
@@ -66,15 +66,15 @@ constexpr std::uint64_t block_elements(std::uint64_t stride) {
   return fitting < 256 ? fitting : 256;
 }
 
-/// Bytes behind the blocks: the first element and, since version 1, the modes of its channels, all
-/// of it padded to a least size.
+/// Bytes after the blocks: the first element and, since version 1, the modes of its channels,
+/// padded to a minimum size.
 constexpr std::uint64_t tail_size(std::uint64_t stride, unsigned version) {
   const std::uint64_t size = version == 0 ? stride : stride + stride / 4;
   const std::uint64_t least = version == 0 ? 32 : 24;
   return size < least ? least : size;
 }
 
-/// Attribute streams of both versions. Precondition of all three: check_size() has found nothing.
+/// Attribute streams of both versions. Precondition of all three: check_size() gives none.
 DecodeError decode_attributes(std::span<const std::byte> stream, const Layout& layout,
                               std::span<std::byte> elements);
 DecodeError decode_triangles(std::span<const std::byte> stream, const Layout& layout,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attribute streams: blocks of up to 256 elements, taken apart into bytes. For each byte of the
-// element come differences in groups of 16, as few bits each as they need.
+// Attribute streams: blocks of up to 256 elements, split into bytes. For each byte of the element
+// there are differences in groups of 16, with as few bits as they need.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t kGroup = 16;
 constexpr std::size_t kMostElements = 256;
-constexpr std::size_t kChannel = 4;  // bytes that are differences together
+constexpr std::size_t kChannel = 4;  // bytes of one difference
 
 using Lane = std::array<std::uint8_t, kMostElements>;  // one byte of each element of a block
 using Lanes = std::array<Lane, kChannel>;
 
-// Bits of a difference by the two header bits of its group: version 0, then the two ways of
+// Bits of a difference by the two header bits of its group: version 0, then the two modes of
 // version 1.
 constexpr std::array<std::array<unsigned, 4>, 3> kWidths{
     {{0, 2, 4, 8}, {0, 1, 2, 4}, {1, 2, 4, 8}}};
@@ -43,7 +43,7 @@ class Reader {
   std::size_t left_;
 };
 
-// Differences of 1, 2 or 4 bits; one with all bits set says that a whole byte follows behind them.
+// Differences of 1, 2 or 4 bits; one with all bits set means that a whole byte follows after them.
 template <unsigned Width>
 bool read_packed(Reader& reader, std::uint8_t* to) {
   constexpr unsigned kPerByte = 8 / Width;
@@ -100,7 +100,7 @@ bool read_groups(Reader& reader, const std::array<unsigned, 4>& widths, std::siz
   return true;
 }
 
-// One byte of all elements of a block, as the two control bits of version 1 say.
+// Reads one byte of all elements of a block, as the two control bits of version 1 say.
 bool read_controlled(Reader& reader, unsigned control, std::size_t count, Lane& lane) {
   if (control < 2) return read_groups(reader, kWidths[control + 1], count, lane);
   if (control == 2) {
@@ -124,7 +124,7 @@ std::uint32_t joined(const Lanes& lanes, std::size_t i) {
          static_cast<std::uint32_t>(lanes[3][i]) << 24U;
 }
 
-// The four bytes of an element from their differences to those before, in numbers of type T.
+// The four bytes of an element from their differences to the previous ones, as numbers of type T.
 template <typename T>
 std::uint32_t add_differences(std::uint32_t before, std::uint32_t differences) {
   constexpr unsigned kBits = sizeof(T) * 8;
@@ -211,7 +211,7 @@ class AttributeDecoder {
   unsigned version_;
   std::size_t stride_;
   Reader reader_;
-  std::array<std::uint32_t, 64> before_{};  // the element before, by channel
+  std::array<std::uint32_t, 64> before_{};  // the previous element, by channel
   std::array<unsigned, 64> modes_{};
   Lanes lanes_{};
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Filters of attribute streams. The library has all but the one for colours; what it would divide
-// by zero is found before.
+// Filters of attribute streams. The library has all except the one for colours; elements for which
+// it would divide by zero are found before.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -35,14 +35,14 @@ bool is_quaternion(const std::byte* element) {
   return is_one(load<std::int16_t>(element + 6) | 3, 4);
 }
 
-// An alpha of at least one bit below the one that tells the precision.
+// Whether alpha has at least one bit below the one that gives the precision.
 template <typename T>
 bool is_color(const std::byte* element) {
   return load<T>(element + 3 * sizeof(T)) >= 2;
 }
 
-// Encoders write zeros with exponents below the range, which decode to zero all the same until the
-// last one.
+// Encoders write zeros with exponents below the range, which still decode to zero down to the last
+// one.
 bool is_exponential(const std::byte* element, std::size_t stride) {
   for (std::size_t i = 0; i < stride; i += 4) {
     const auto number = load<std::int32_t>(element + i);
@@ -69,7 +69,7 @@ bool fits_filter(const Layout& layout, const std::byte* element) {
   }
 }
 
-// Luma, two chroma values and alpha, whose highest bit tells how many bits the others have.
+// Luma, two chroma values and alpha, whose highest bit gives the number of bits of the others.
 template <typename Unsigned, typename Signed>
 void restore_color(std::byte* element) {
   constexpr int kMost = std::numeric_limits<Unsigned>::max();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Index streams. Triangles are told by the edges and vertices that came before them, other indices
-// by the difference to one of two that did.
+// Index streams. Triangles are encoded by previous edges and vertices, other indices by the
+// difference to one of two previous ones.
 #include <array>
 
 #include "model/meshopt.hpp"
@@ -8,8 +8,7 @@
 namespace gltfx::model::meshopt {
 namespace {
 
-// The bytes between the codes and the tail, with the first error that was met: numbers behind it
-// are zeros.
+// The bytes between the codes and the tail, with the first error: numbers after it are zeros.
 class Data {
  public:
   explicit Data(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -56,12 +55,12 @@ void store(std::byte* to, std::uint64_t stride, std::uint32_t index) {
   for (unsigned i = 0; i < stride; ++i) to[i] = static_cast<std::byte>(index >> i * 8);
 }
 
-// The last 16 of what was pushed.
+// The last 16 pushed values.
 template <typename T>
 class Recent {
  public:
   void push(T value) { values_[count_++ % values_.size()] = value; }
-  /// The one that was pushed `back` pushes before the last one, or an error.
+  /// The value pushed `back` pushes before the last one, or an error.
   T at(unsigned back, Data& data) const {
     if (back < count_) return values_[(count_ - 1 - back) % values_.size()];
     data.set(DecodeError::unwritten);
@@ -94,8 +93,8 @@ class TriangleDecoder {
   }
 
  private:
-  // How the corners of a free triangle are told: 0 is the next new vertex, 15 a number in the
-  // data, others are recent vertices.
+  // The codes of the corners of a free triangle: 0 is the next new vertex, 15 a number in the data,
+  // others are recent vertices.
   struct Corners {
     bool first_is_number;
     unsigned second, third;

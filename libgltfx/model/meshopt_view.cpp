@@ -43,12 +43,12 @@ std::optional<meshopt::Layout> read_layout(const json::Document& document, json:
 
 using meshopt::DecodeError;
 
-// What may be decoded of one asset: all of one of a usual size, and what streams of usual data
-// hold. A stream of nothing but zeros holds a thousand times its size, and views may share it.
+// Limit of decoded bytes of an asset: enough for usual sizes and usual compression. A stream of
+// zeros decodes to a thousand times its size, and views may share it.
 constexpr std::uint64_t kFreeBytes = std::uint64_t{128} << 20U;
 constexpr std::uint64_t kBytesPerByte = 8;
 
-// Only numbers as they were; triangles may begin with another of their corners.
+// Whether numbers are unchanged; triangles may begin with another corner.
 bool is_exact(const meshopt::Layout& layout) {
   return layout.filter == meshopt::Filter::none && layout.mode != meshopt::Mode::triangles;
 }
@@ -70,7 +70,8 @@ void decode(DecodedStream& job) {
   }
 }
 
-// What memory there may be is settled here, view by view, whatever the number of threads.
+// The memory of each view is decided here, in order, so that it does not depend on the number of
+// threads.
 std::vector<DecodedStream> collect(const Asset& asset, const Views& views,
                                    const ResourceData& resources) {
   std::vector<DecodedStream> jobs;

@@ -153,7 +153,7 @@ void MetadataSchema::read_enums() {
                   [&](std::string_view id, json::NodeId node) {
                     const json::KeyId key = enum_ids_.intern(id);
                     if (key == enums_.size()) enums_.emplace_back();
-                    MetadataEnum& each = enums_[key];  // of repeated ids the last one counts
+                    MetadataEnum& each = enums_[key];  // the last of repeated ids counts
                     each = {};
                     each.id = id;
                     each.node = node;
@@ -224,7 +224,7 @@ MetadataProperty MetadataSchema::read_property(json::NodeId node) const {
     if (property.enumeration != nullptr) property.component = property.enumeration->component;
   }
   property.normalized = property.normalized && is_integer(property.component);
-  // Whoever does not know how long arrays are does not know where values are.
+  // Without the length of arrays, the positions of values are unknown.
   const bool miscounted = document.find(node, "count") != json::kNoNode && property.count < 2;
   if (miscounted) property.type = MetadataType::none;
   return property;

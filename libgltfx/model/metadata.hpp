@@ -29,7 +29,7 @@ enum class MetadataType : std::uint8_t {
 };
 /// "VEC3"; empty for none.
 std::string_view metadata_type_name(MetadataType type);
-/// Numbers of an element: 9 for MAT3, 0 for what has no components.
+/// Number of components: 9 for MAT3, 0 for types without components.
 unsigned metadata_components(MetadataType type);
 
 enum class MetadataComponent : std::uint8_t {
@@ -52,20 +52,20 @@ MetadataComponent metadata_component_from_name(std::string_view name);
 /// Bytes, 0 for none.
 unsigned metadata_component_size(MetadataComponent component);
 bool is_integer(MetadataComponent component);
-/// Smallest and greatest value; of 64 bits the nearest doubles.
+/// Smallest and greatest value; the nearest doubles for 64 bits.
 struct MetadataRange {
   double least, most;
 };
 MetadataRange metadata_range(MetadataComponent component);
 
 /// The integer in a text as the bits that the component stores, sign-extended to 64; nothing when
-/// it is no integer in the component's range.
+/// it is not an integer in the component's range.
 std::optional<std::uint64_t> integer_bits(std::string_view text, MetadataComponent component);
 
 struct MetadataEnum {
   std::string_view id;
   json::NodeId node = json::kNoNode;
-  MetadataComponent component = MetadataComponent::uint16;  ///< none: an unknown one
+  MetadataComponent component = MetadataComponent::uint16;  ///< none: unknown
   json::KeyTable names;
   std::vector<std::uint64_t> values;  ///< integer_bits() of all values, sorted
   bool sound = true;                  ///< every value was read
@@ -77,8 +77,8 @@ struct MetadataProperty {
   std::string_view id;
   json::NodeId node = json::kNoNode;
   MetadataType type = MetadataType::none;
-  MetadataComponent component = MetadataComponent::none;  ///< of an ENUM that of its values
-  const MetadataEnum* enumeration = nullptr;              ///< of an ENUM, where it exists
+  MetadataComponent component = MetadataComponent::none;  ///< for an ENUM, that of its values
+  const MetadataEnum* enumeration = nullptr;              ///< for an ENUM, if it exists
   bool array = false;
   std::uint64_t count = 0;  ///< elements of an array, at least 2; 0: they vary
   bool normalized = false;
@@ -96,7 +96,7 @@ struct MetadataClass {
   std::string_view id;
   json::NodeId node = json::kNoNode;
   std::vector<MetadataProperty> properties;  ///< in the order of the text
-  bool derived = false;                      ///< has a parent: there are properties beside these
+  bool derived = false;                      ///< has a parent: there are further properties
 
   /// The property with that id, or null.
   const MetadataProperty* find(std::string_view id) const;
@@ -107,8 +107,8 @@ struct MetadataClass {
   std::vector<std::size_t> positions_;  // in properties, by KeyId
 };
 
-/// Whatever a document has of a schema; what is malformed counts as absent. The document must
-/// outlive it. Linear in the document.
+/// The schema of a document; malformed parts count as absent. The document must outlive it. Linear
+/// in the document.
 class MetadataSchema {
  public:
   MetadataSchema() = default;

@@ -9,7 +9,7 @@
 namespace gltfx::model {
 namespace {
 
-// Nearly parallel rotations are blended straight: the sine of their angle is no divisor.
+// Nearly parallel rotations are blended linearly, to avoid a division by the sine of their angle.
 constexpr double kNearlyParallel = 1 - 1e-9;
 
 template <std::size_t N>

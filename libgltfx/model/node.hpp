@@ -20,33 +20,33 @@ using Vector3 = std::array<double, 3>;
 using Quaternion = std::array<double, 4>;
 
 /// A matrix of three rows: what glTF's transforms are, whose fourth row is always 0 0 0 1. Double
-/// precision, so that long chains of parents add no error that could be seen.
+/// precision, so that long chains of parents add no visible error.
 struct Affine {
   /// The columns x, y, z of the linear part, then the translation.
   std::array<Vector3, 4> columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
 
-  /// Of a column-major 4 x 4 matrix; its last row is not looked at.
+  /// From a column-major 4 x 4 matrix; its last row is ignored.
   static Affine from_matrix(const std::array<float, 16>& matrix);
   /// Scale first, then rotation, then translation. The rotation need not be of unit length; one of
-  /// length zero turns nothing.
+  /// length zero has no effect.
   static Affine from_parts(const Vector3& translation, const Quaternion& rotation,
                            const Vector3& scale);
 
   Vector3 point(const Vector3& at) const;
   Vector3 vector(const Vector3& along) const;
-  /// Of the linear part: negative where the transform mirrors.
+  /// Determinant of the linear part: negative if the transform mirrors.
   double determinant() const;
   bool operator==(const Affine&) const = default;
 };
 
-/// `inner` first, then `outer`.
+/// Applies `inner` first, then `outer`.
 Affine operator*(const Affine& outer, const Affine& inner);
 
 inline double dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 Vector3 cross(const Vector3& a, const Vector3& b);
-/// In the direction of `a` with length 1; zero where it has none.
+/// The unit vector in the direction of `a`; zero if `a` is zero.
 inline Vector3 unit(const Vector3& a) {
   const double length = std::sqrt(dot(a, a));
   if (!(length > 0)) return {};
@@ -54,18 +54,18 @@ inline Vector3 unit(const Vector3& a) {
   return {a[0] * scale, a[1] * scale, a[2] * scale};
 }
 
-/// Between two rotations along the shorter arc, for `t` from 0 to 1; of unit length.
+/// Interpolates two rotations along the shorter arc, for `t` from 0 to 1; of unit length.
 Quaternion slerp(const Quaternion& from, const Quaternion& to, double t);
-/// Of unit length; the identity where there is no direction.
+/// Normalizes to unit length; gives the identity for length 0.
 Quaternion unit(const Quaternion& q);
 
 /// Position of a node in the root array `nodes`.
 using NodeIndex = std::uint32_t;
 inline constexpr NodeIndex kNoNodeIndex = UINT32_MAX;
 
-/// One node. Members that are absent are json::kNoNode, indices that lead nowhere are empty.
+/// One node. Absent members are json::kNoNode, broken indices are empty.
 struct Node {
-  json::NodeId object = json::kNoNode;  ///< kNoNode: the element of the array is no object
+  json::NodeId object = json::kNoNode;  ///< kNoNode: the element of the array is not an object
   json::NodeId matrix = json::kNoNode;
   json::NodeId translation = json::kNoNode;
   json::NodeId rotation = json::kNoNode;
@@ -74,7 +74,7 @@ struct Node {
   json::NodeId weights = json::kNoNode;
   json::NodeId extensions = json::kNoNode;
   json::NodeId extras = json::kNoNode;
-  json::NodeId mesh_value = json::kNoNode;    ///< the index as it stands in the text
+  json::NodeId mesh_value = json::kNoNode;    ///< the index in the text
   json::NodeId camera_value = json::kNoNode;  ///< likewise
   json::NodeId skin_value = json::kNoNode;    ///< likewise
   std::optional<std::uint32_t> mesh;
@@ -82,14 +82,14 @@ struct Node {
   std::optional<std::uint32_t> skin;
 };
 
-/// One pass over the members; the last of repeated ones counts.
+/// Reads a node in one pass over its members; the last of repeated ones counts.
 Node read_node(const Asset& asset, json::NodeId object);
 
 /// All nodes, by index.
 std::vector<Node> read_nodes(const Asset& asset);
 
 /// `count` numbers of an array, rounded to single precision into `values`. False when the value is
-/// no array of just so many finite numbers within [least, most].
+/// not an array of exactly so many finite numbers within [least, most].
 bool read_floats(const json::Document& document, json::NodeId array, std::size_t count,
                  float* values, double least = -std::numeric_limits<double>::infinity(),
                  double most = std::numeric_limits<double>::infinity());
@@ -111,14 +111,14 @@ struct Transform {
   std::optional<std::array<float, 3>> translation;
   std::optional<std::array<float, 4>> rotation;  ///< x, y, z, w; each within [-1, 1]
   std::optional<std::array<float, 3>> scale;
-  /// Nothing is written, or what is written moves nothing.
+  /// Whether nothing is written, or only values without effect.
   bool is_identity() const;
 };
 Transform read_transform(const json::Document& document, const Node& node);
 
 /// Calls `use(position, index, span)` for every element of an array of indices: `index` is a
-/// std::optional, empty when the element is no index or leads to no object of `target`; `span` is
-/// the element's place in the text. Does nothing for a value that is no array.
+/// std::optional, empty when the element is not an index of an object in `target`; `span` is the
+/// element's place in the text. Does nothing for a value that is not an array.
 template <typename Use>
 void for_each_index(const Asset& asset, json::NodeId array, RootArray target, Use use) {
   const json::Document& document = asset.document();

@@ -21,10 +21,10 @@ constexpr std::array<std::string_view, 11> kTypeNames{"",         "bool",     "i
                                                       "float[]",  "float2",   "float3",  "float4",
                                                       "float2x2", "float3x3", "float4x4"};
 
-// Runtime state of a node that the object model shows but nobody may set.
+// Read-only runtime state of a node in the object model.
 constexpr std::array<std::string_view, 2> kNodeState{"globalMatrix", "parent"};
 constexpr std::string_view kLength = ".length";
-// So many names of extensions are looked at for the one that was meant.
+// Maximum number of extension names that are compared for a suggestion.
 constexpr std::size_t kCandidates = 24;
 
 // An array index of RFC 6901: decimal without leading zeros.
@@ -53,7 +53,7 @@ PropertyType property_type_from_name(std::string_view name) {
                                    : static_cast<PropertyType>(found - kTypeNames.begin());
 }
 
-// One pointer on its way through document and types.
+// State of one pointer during its walk through document and types.
 struct ObjectModel::Walk {
   enum class Place : std::uint8_t { value, extensions, unknown };
 
@@ -64,8 +64,8 @@ struct ObjectModel::Walk {
   schema::ShapeId shape = schema::kNone;
   schema::TypeId owner = schema::kNone;  ///< type of the object that holds `property`
   json::NodeId owner_node = json::kNoNode;
-  const schema::Property* property = nullptr;  ///< the last step's, when it was one
-  bool element = false;                        ///< behind `property` follows one of its elements
+  const schema::Property* property = nullptr;  ///< of the last step, if it was one
+  bool element = false;                        ///< one of the elements of `property` follows
   PropertyTarget target;
 
   const std::string& step() const { return steps[at]; }
@@ -74,7 +74,7 @@ struct ObjectModel::Walk {
     for (std::size_t i = 0; i < count; ++i) append_pointer_step(text, steps[i]);
     return text;
   }
-  /// Where the walk is, for messages.
+  /// The current place, for messages.
   std::string here() const { return at == 0 ? "the root object" : printable(pointer(at)); }
 
   bool fail(Status status, std::string reason) {
@@ -224,7 +224,7 @@ bool ObjectModel::into_array(Walk& walk) {
   walk.element = true;
   const bool numbers = document.kind(walk.node) == json::Kind::number_array;
   if (!numbers) walk.node = arrays_.elements(walk.node)[*index];
-  // The elements of a number array have no members: whatever follows leads nowhere.
+  // The elements of a number array have no members: further steps are invalid.
   if (numbers && walk.at + 1 < walk.steps.size()) {
     ++walk.at;
     return walk.fail(Status::unresolved, fmt::format("{} has no members", walk.here()));
@@ -265,7 +265,7 @@ bool ObjectModel::into_extension(Walk& walk) {
   return true;
 }
 
-// Where no schema helps, what is written counts.
+// Without a schema, the content of the document decides.
 bool ObjectModel::into_unknown(Walk& walk) {
   walk.place = Walk::Place::unknown;
   walk.property = nullptr;
@@ -320,8 +320,8 @@ void ObjectModel::arrive(Walk& walk) {
   }
 }
 
-// Properties of nodes exist by what the node shows, not by what is written (object model, section
-// 4).
+// The properties of a node depend on its kind, not on the members in the text (object model,
+// section 4).
 void ObjectModel::arrive_at_node(Walk& walk) {
   PropertyTarget& target = walk.target;
   const std::string_view name = walk.property->name;

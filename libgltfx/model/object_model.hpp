@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The glTF 2.0 Asset Object Model: which properties of an asset can be changed while it is shown,
-/// named by JSON pointers. What is mutable, and of what type, is read from the schema files.
+/// The glTF 2.0 Asset Object Model: which properties of an asset can be changed at run time, named
+/// by JSON pointers. The schema files define which are mutable, and their types.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +22,7 @@ enum class PropertyType : std::uint8_t {
   boolean,
   integer,
   number,
-  number_array,  ///< float[]: as many numbers as the asset has, each a target of its own
+  number_array,  ///< float[]: as many numbers as the asset has, each a separate target
   float2,
   float3,
   float4,
@@ -34,45 +34,47 @@ enum class PropertyType : std::uint8_t {
 std::string_view property_type_name(PropertyType type);
 PropertyType property_type_from_name(std::string_view name);
 
-/// Where a pointer leads.
+/// The target of a pointer.
 struct PropertyTarget {
   enum class Status : std::uint8_t {
-    mutable_property,  ///< a property that may be changed; `type` says to what
-    outside,    ///< there, but in extras or in an extension nothing is known of: anybody's business
-    malformed,  ///< no JSON pointer (RFC 6901)
-    unresolved,  ///< there is nothing of that name
-    immutable,   ///< there, but no property that may be changed
+    mutable_property,  ///< a property that may be changed, of type `type`
+    outside,           ///< exists, but in extras or in an unknown extension
+    malformed,         ///< not a JSON pointer (RFC 6901)
+    unresolved,        ///< nothing has that name
+    immutable,         ///< exists, but may not be changed
   };
   Status status = Status::unresolved;
   PropertyType type = PropertyType::none;
-  /// The pointer to the property, canonical. For an element of a float[] that of the array.
+  /// The canonical pointer to the property. For an element of a float[], that of the array.
   std::string property;
   std::optional<std::uint64_t> element;  ///< of a float[]: a pointer to this element alone
-  /// The value in the text; json::kNoNode when the default is meant, and for elements.
+  /// The value in the text; json::kNoNode for a default, and for elements.
   json::NodeId value = json::kNoNode;
-  std::uint64_t length = 1;  ///< of a float[]: its elements
+  std::uint64_t length = 1;  ///< for a float[]: number of elements
   /// The shape of its numbers, with their limits; schema::kNone for other values.
   schema::ShapeId numbers = schema::kNone;
-  double animated_minimum = -std::numeric_limits<double>::infinity();  ///< of what is written
-  /// Why not, as a clause: "/materials/0 has no property 'roughnessFactor'". Empty when found.
+  double animated_minimum =
+      -std::numeric_limits<double>::infinity();  ///< minimum of animated values
+  /// Why the pointer was not resolved, as a clause: "/materials/0 has no property
+  /// 'roughnessFactor'". Empty when found.
   std::string reason;
   std::string nearest;  ///< the pointer with its wrong step fixed, or empty
 };
 
-/// Resolves pointers against one asset. Keeps what it learned of large arrays and objects, so that
-/// many pointers cost time linear in them and in the document. The asset and the Set must outlive
-/// it. Not thread-safe.
+/// Resolves pointers against one asset. Caches look-ups in large arrays and objects, so that many
+/// pointers take time linear in their number and in the document. The asset and the Set must
+/// outlive it. Not thread-safe.
 class ObjectModel {
  public:
   ObjectModel(const Asset& asset, const schema::Set& schemas);
 
-  /// Never fails: the answer says what is wrong with a pointer.
+  /// Never fails: the result has the error of a pointer.
   PropertyTarget resolve(std::string_view pointer);
 
  private:
   struct Walk;
-  /// The member of a type that was looked for in vain last, and what may be meant. Many pointers
-  /// miss the same one.
+  /// The last member of a type that was not found, and the suggestion for it. Many pointers have
+  /// the same error.
   struct Guess {
     const schema::ObjectType* type = nullptr;
     std::string word;

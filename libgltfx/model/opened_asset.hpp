@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One asset, opened once: what all verbs work on.
+/// One asset, opened once: the input of all verbs.
 #pragma once
 
 #include <memory>
@@ -12,9 +12,9 @@
 
 namespace gltfx::model {
 
-/// A container, what its references lead to, and what is made of its text: each once, when somebody
-/// asks for it. References that it gives stay valid when it is moved. Calls that make something are
-/// not to be made by two threads at once.
+/// A container, its resources, and what is derived from its text: each made once, at first use.
+/// References that it returns stay valid when it is moved. Calls that make something are not
+/// thread-safe.
 class OpenedAsset {
  public:
   /// `name` is the path as the user gave it.
@@ -28,7 +28,7 @@ class OpenedAsset {
   const container::Resolver& resolver() const { return resolver_; }
   /// From now on look-ups of the resolver are recorded.
   void record(std::shared_ptr<container::LookupLog> log) { resolver_.record(std::move(log)); }
-  /// What was recorded so far; from now on look-ups are recorded there.
+  /// The log so far; from now on look-ups are recorded there.
   std::shared_ptr<const container::LookupLog> recorded() {
     if (!resolver_.log()) record(std::make_shared<container::LookupLog>());
     return resolver_.log();
@@ -37,15 +37,15 @@ class OpenedAsset {
   /// Without a text: no document.
   const json::Parsed& parsed() const;
   const json::Document& document() const { return parsed().document; }
-  /// Tables of the document, of which some validations have made them already.
+  /// Tables of the document, which a validation may have made already.
   const Views& views() const;
   void keep_views(Views views) { views_ = std::make_unique<const Views>(std::move(views)); }
-  /// Gives their memory back.
+  /// Frees the memory of views().
   void forget_views() { views_.reset(); }
-  /// Whether the document takes so much memory that it is better parsed again than held beside
-  /// another one.
+  /// Whether the document takes so much memory that it should be parsed again rather than kept
+  /// beside another one.
   bool is_large() const { return container_.json && container_.json->size() >= 4 << 20; }
-  /// Gives a large document's memory back, too. It is parsed again when somebody asks for it.
+  /// Also frees the memory of a large document, which is parsed again on demand.
   void forget_large_document() {
     if (!is_large()) return;
     forget_views();
@@ -56,7 +56,7 @@ class OpenedAsset {
   std::string name_;
   container::Container container_;
   container::Resolver resolver_;
-  mutable std::unique_ptr<const json::Parsed> parsed_;  ///< null until somebody asks
+  mutable std::unique_ptr<const json::Parsed> parsed_;  ///< null until first used
   mutable std::unique_ptr<const Views> views_;          ///< likewise
 };
 

@@ -31,7 +31,7 @@ std::optional<std::array<float, N>> moved(const Properties& node, std::string_vi
 
 bool has_members(const AnimatedValues& animated) { return any_below(animated, "/nodes"); }
 
-// A node that is animated has no matrix.
+// An animated node has no matrix.
 Affine local_transform(const Asset& asset, const Node& node, const AnimatedValues* animated,
                        std::size_t index) {
   Transform transform = read_transform(asset.document(), node);
@@ -63,7 +63,7 @@ bool is_hidden(const Asset& asset, const Node& node, const AnimatedValues* anima
   return !Properties(asset.document(), object, animated, std::move(pointer)).flag("visible", true);
 }
 
-// Walks down from nodes whose place is known.
+// Walks down from nodes whose transform is known.
 class Walk {
  public:
   Walk(const Asset& asset, const Views& views, const AnimatedValues& animated, Pose& pose)
@@ -145,7 +145,7 @@ void apply_elements(const AnimatedValues& animated, std::string_view pointer,
   }
 }
 
-// The weights of one object, as they are written and moved; false when it has none.
+// The weights of one object, as written and animated; false when it has none.
 bool read_weights(const Asset& asset, json::NodeId object, const std::string& pointer,
                   const AnimatedValues& animated, std::vector<float>& values) {
   const json::NodeId written = asset.document().find(object, "weights");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the nodes of a scene are, and which of them are seen (specification section 3.5).
+/// Transforms and visibility of the nodes of a scene (specification section 3.5).
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@
 
 namespace gltfx::model {
 
-/// What is looked at.
+/// The roots that are drawn.
 struct SceneRoots {
   std::vector<NodeIndex> nodes;
-  std::string note;  ///< how it was chosen where the file does not say, one sentence; else empty
-  std::optional<std::uint32_t> scene = {};  ///< nothing: the file has none
+  std::string note;  ///< how it was chosen if the file does not say, one sentence; else empty
+  std::optional<std::uint32_t> scene = {};  ///< absent: the file has none
 };
 
 /// The roots of scene `wanted`; else of the default scene, else of the first one, else all nodes
@@ -28,14 +28,13 @@ SceneRoots choose_scene(const Asset& asset, const Views& views,
 
 /// All nodes at one moment.
 struct Pose {
-  std::vector<Affine> world;           ///< by node, also of those that are in no scene
+  std::vector<Affine> world;           ///< by node, also of those outside of any scene
   std::vector<std::uint8_t> in_scene;  ///< by node: reached from the roots
   std::vector<std::uint8_t> visible;   ///< likewise, and neither it nor a parent is hidden
 };
 
-/// Linear in the nodes, which may be a million in a row; a node that is reached twice counts where
-/// it is reached first. Nodes outside the scene are placed by their own parents: joints may be
-/// there.
+/// Linear in the nodes, also for a chain of a million; a node that is reached twice counts where it
+/// is reached first. Nodes outside the scene are placed by their own parents: they may be joints.
 Pose compute_pose(const Asset& asset, const Views& views, const SceneRoots& roots,
                   const AnimatedValues& animated = {});
 
@@ -43,8 +42,8 @@ Pose compute_pose(const Asset& asset, const Views& views, const SceneRoots& root
 std::vector<float> morph_weights(const Asset& asset, const Views& views, NodeIndex node,
                                  const AnimatedValues& animated = {});
 
-/// From the space of a skinned mesh to that of the scene, by joint. Empty when a joint leads
-/// nowhere.
+/// From the space of a skinned mesh to that of the scene, by joint. Empty when a joint index is
+/// broken.
 std::vector<Affine> joint_matrices(const Asset& asset, const Views& views,
                                    const ResourceData& resources, std::uint32_t skin,
                                    const Pose& pose);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Members of objects as values with defaults, with what an animation says in their place.
+/// Members of objects as values with defaults, overridden by an animation.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@
 
 namespace gltfx::model {
 
-/// What properties are at one moment of an animation, by canonical JSON pointer. An element of an
-/// array may have a pointer of its own.
+/// Values of properties at one moment of an animation, by canonical JSON pointer. An element of an
+/// array may have its own pointer.
 using AnimatedValues = std::map<std::string, std::vector<float>, std::less<>>;
 
-/// The limits that a value is brought into: splines overshoot.
+/// The limits that a value is clamped to: splines overshoot.
 struct Limits {
   float least = std::numeric_limits<float>::lowest();
   float most = std::numeric_limits<float>::max();
@@ -28,11 +28,11 @@ struct Limits {
 inline constexpr Limits kUnitLimits{0, 1};
 inline constexpr Limits kPositiveLimits{0, std::numeric_limits<float>::max()};
 
-/// One object of a document, or none. Members that are absent or malformed have the default that is
-/// asked for. The document and the values must outlive it.
+/// One object of a document, or none. Absent or malformed members have the given default. The
+/// document and the values must outlive it.
 class Properties {
  public:
-  /// `pointer` leads to the object; only needed with `animated`.
+  /// `pointer` is that of the object; only needed with `animated`.
   Properties(const json::Document& document, json::NodeId object,
              const AnimatedValues* animated = nullptr, std::string pointer = {});
 
@@ -40,14 +40,14 @@ class Properties {
   const json::Document& document() const { return document_; }
   json::NodeId node() const { return object_; }
 
-  /// The object of a member; one that does not exist when there is none.
+  /// The object of a member; without a node when there is none.
   Properties object(std::string_view name) const;
   Properties extension(std::string_view name) const;
 
   float number(std::string_view name, float absent, const Limits& limits = {}) const;
   bool flag(std::string_view name, bool absent) const;
 
-  /// Puts as many numbers as there are values into them; leaves them where the member is absent.
+  /// Fills `values` with as many numbers; does not change them if the member is absent.
   void read(std::string_view name, std::span<float> values, const Limits& limits) const;
 
   template <std::size_t N>
@@ -59,7 +59,7 @@ class Properties {
   }
 
  private:
-  /// What an animation says of a member, or null.
+  /// The animated values of a member, or null.
   const std::vector<float>* animated(std::string_view name) const;
 
   const json::Document& document_;
@@ -68,7 +68,7 @@ class Properties {
   std::string pointer_;
 };
 
-/// Whether `values` say something of the value at `pointer` or of what is below.
+/// Whether `values` has the value at `pointer` or a value below it.
 bool any_below(const AnimatedValues& values, std::string_view pointer);
 
 }  // namespace gltfx::model

@@ -16,7 +16,7 @@ namespace {
 
 using container::Bytes;
 
-// Some say a sentence with its full stop.
+// Some errors end in a full stop.
 std::string_view without_stop(std::string_view sentence) {
   return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
 }
@@ -63,7 +63,7 @@ class Loader {
     return std::nullopt;
   }
 
-  // The bytes that `uri` names. Without one there is nothing to fetch and nothing to say.
+  // The bytes that `uri` names. Without a URI there is nothing to fetch or report.
   std::optional<Bytes> fetch(std::string_view what, json::NodeId object, std::size_t index) {
     const json::NodeId member = document().find(object, "uri");
     if (member == json::kNoNode || !document().is_string(member)) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The bytes of buffers and images, opened once and kept for everything that reads data.
+/// The bytes of buffers and images, opened once and shared by all readers.
 #pragma once
 
 #include <cstdint>
@@ -20,39 +20,39 @@
 
 namespace gltfx::model {
 
-/// What is known of one image.
+/// The data of one image.
 struct ImageData {
   std::optional<container::Bytes> bytes;  ///< the encoded image
   std::optional<image::Format> format;    ///< by its first bytes
-  std::optional<image::Header> header;    ///< where it could be read
-  /// Of a KTX2 image, sound or not; null: another format. Apart, since most images have none.
+  std::optional<image::Header> header;    ///< if it could be read
+  /// The header of a KTX2 image, sound or not; null: another format. On the heap, because most
+  /// images have none.
   std::shared_ptr<const image::Ktx2> ktx2;
 };
 
-/// The elements of a buffer view that came compressed.
+/// The decoded elements of a compressed buffer view.
 struct DecodedView {
   container::Bytes bytes;
-  bool rounded = false;  ///< went through a filter, which keeps no more bits than asked for
+  bool rounded = false;  ///< a filter rounded the values
 };
 
 /// Owns or maps the bytes. Read-only once filled; any number of threads may read it.
 struct ResourceData {
-  Origin origin;  ///< of all of it
-  /// By index, at least as many bytes as declared. Nothing: not there, too short, or not to be
-  /// looked at; whoever filled this has said why.
+  Origin origin;  ///< of all bytes
+  /// By index, at least as many bytes as declared. Absent: missing, too short, or not to be read;
+  /// the reason has been reported.
   std::vector<std::optional<container::Bytes>> buffers;
   std::vector<ImageData> images;  ///< by index
-  /// By the node of the buffer view, those that have nothing else: where there is one, it holds
-  /// what the view has, and not the buffer.
+  /// By the node of the buffer view: data that replaces the bytes of the buffer.
   std::unordered_map<json::NodeId, DecodedView> decoded_views;
 
-  /// The bytes [offset, offset + length) of a buffer view with their owner, or nothing when they do
-  /// not lie inside the view and inside what is there of its buffer, or of what was decoded. Takes
+  /// The bytes [offset, offset + length) of a buffer view with their owner, or nothing when they
+  /// are not inside the view and inside the bytes of its buffer, or of the decoded data. Accepts
   /// any numbers.
   std::optional<container::Bytes> part(const json::Document& document, const BufferView& view,
                                        std::uint64_t offset, std::uint64_t length) const;
 
-  /// What was decoded for a buffer view, or null.
+  /// The decoded data of a buffer view, or null.
   const DecodedView* decoded(const BufferView& view) const;
 };
 
@@ -63,12 +63,12 @@ std::optional<std::uint64_t> start_of(const json::Document& document, json::Node
 
 struct LoadedResources {
   ResourceData data;
-  std::vector<std::string> notes;  ///< what is missing and why, a sentence each
+  std::vector<std::string> notes;  ///< missing data and the reason, a sentence each
 };
 
-/// Opens or decodes all buffers and images, maps files, reads headers of images, and decodes buffer
-/// views that come as streams of meshoptimizer, on up to `jobs` threads. Nothing outside of the
-/// resolver's root is opened. With `images`, by index, others than those are left out.
+/// Opens or decodes all buffers and images, maps files, reads headers of images, and decodes
+/// meshoptimizer streams of buffer views, on up to `jobs` threads. Nothing outside of the
+/// resolver's root is opened. With `images`, by index, other images are left out.
 LoadedResources load_resources(const container::Container& container, container::OpenedFiles& files,
                                const Asset& asset, const Views& views, unsigned jobs,
                                const std::vector<bool>* images = nullptr);

@@ -14,9 +14,10 @@
 namespace gltfx::model {
 namespace {
 
-constexpr std::uint64_t kMostJoints = std::uint64_t{1} << 20U;  // of all skinned meshes together
+constexpr std::uint64_t kMostJoints = std::uint64_t{1}
+                                      << 20U;  // limit for all skinned meshes together
 
-/// Joined by include().
+/// A bounding box, extended by include().
 class ExtentBox {
  public:
   bool empty() const { return empty_; }
@@ -52,7 +53,7 @@ class ExtentBox {
     include(greatest);
   }
   const SceneBounds& bounds() const { return bounds_; }
-  /// The greatest coordinate, of whatever sign.
+  /// The greatest absolute value of a coordinate.
   double reach() const {
     double reach = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -66,7 +67,7 @@ class ExtentBox {
   SceneBounds bounds_;
 };
 
-// `min` and `max` of integers that are normalized are written as those integers.
+// `min` and `max` of normalized integers are written as those integers.
 double scale_of(const Format& format) {
   const bool integer = format.normalized && is_integer(format.component);
   return integer ? value_range(format.component).most : 1;

@@ -6,7 +6,7 @@ namespace {
 
 enum State : std::uint8_t { kUnseen, kOnTheWay, kDone };
 
-// Children of all nodes in one array: those of n stand at [begin[n], begin[n + 1]).
+// Children of all nodes in one array: those of n are at [begin[n], begin[n + 1]).
 struct Children {
   std::vector<std::uint32_t> begin;
   std::vector<NodeIndex> nodes;
@@ -60,7 +60,7 @@ void SceneGraph::find_components() {
   for (std::size_t n = 0; n < size(); ++n) climb(static_cast<NodeIndex>(n), way, state);
 }
 
-// Goes up until the top or something known, then tells all on the way what it is.
+// Walks up to the top or to a known node, then sets the result for all nodes on the way.
 void SceneGraph::climb(NodeIndex start, std::vector<NodeIndex>& way,
                        std::vector<std::uint8_t>& state) {
   way.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Who is whose parent (specification section 3.5.1). A file may hold loops and nodes with several
+/// Parents of nodes (specification section 3.5.1). A file may hold loops and nodes with several
 /// parents; everything here is defined for those, too, and nothing recurses.
 #pragma once
 
@@ -11,16 +11,16 @@
 
 namespace gltfx::model {
 
-/// A node that is listed as a child although it had a parent already.
+/// A node that is listed as a child although it already has a parent.
 struct ParentOverride {
   NodeIndex parent = kNoNodeIndex;  ///< the node whose `children` lists it again
   NodeIndex child = kNoNodeIndex;
-  NodeIndex previous = kNoNodeIndex;  ///< the parent it had; may be the same node
+  NodeIndex previous = kNoNodeIndex;  ///< the previous parent; may be the same node
   std::uint64_t position = 0;         ///< in `children` of `parent`
   Span span;                          ///< of that element
 };
 
-/// The forest of an asset. Where a node has several parents the last one in the order of the file
+/// The forest of an asset. If a node has several parents, the last one in the order of the file
 /// counts. Linear to build, then read-only; any number of threads may read it.
 class SceneGraph {
  public:
@@ -31,11 +31,12 @@ class SceneGraph {
   /// kNoNodeIndex for a root.
   NodeIndex parent(NodeIndex node) const { return parents_[node]; }
   bool is_root(NodeIndex node) const { return parents_[node] == kNoNodeIndex; }
-  /// Part of a loop of parents; nodes that merely hang below one are not.
+  /// Whether the node is part of a loop of parents; nodes below a loop are not.
   bool on_loop(NodeIndex node) const { return on_loop_[node] != 0; }
-  /// What stands for the tree the node is in: its root, or one node of the loop above it.
+  /// The representative of the node's tree: its root, or one node of the loop above it.
   NodeIndex component(NodeIndex node) const { return components_[node]; }
-  /// The root above the node, itself when it is one; kNoNodeIndex below a loop or on one.
+  /// The root above the node, or the node itself if it is a root; kNoNodeIndex below a loop or on
+  /// one.
   NodeIndex root(NodeIndex node) const {
     const NodeIndex top = components_[node];
     return on_loop(top) ? kNoNodeIndex : top;
@@ -60,7 +61,7 @@ class Ancestry {
   /// Linear in the graph, of which it keeps no reference.
   explicit Ancestry(const SceneGraph& graph);
 
-  /// Neither is true for nodes on or below a loop.
+  /// False for nodes on or below a loop.
   bool is_ancestor_or_self(NodeIndex upper, NodeIndex lower) const {
     return enter_[upper] != 0 && enter_[upper] <= enter_[lower] && enter_[lower] <= last_[upper];
   }

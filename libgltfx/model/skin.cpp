@@ -6,7 +6,7 @@
 namespace gltfx::model {
 namespace {
 
-// Sets of one kind that are numbered 0, 1, 2, ... without gaps; 0 when they are not.
+// Number of sets of one kind if they are numbered 0, 1, 2, ... without gaps; else 0.
 std::size_t continuous_sets(const std::vector<Attribute>& attributes, SemanticKind kind) {
   std::size_t count = 0;
   std::uint64_t greatest = 0;

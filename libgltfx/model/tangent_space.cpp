@@ -27,7 +27,7 @@ Vector3 minus(const Vector3& a, const Vector3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-// What is left of `a` in the plane across `normal`, with length 1.
+// The projection of `a` on the plane perpendicular to `normal`, with length 1.
 Vector3 in_plane(const Vector3& a, const Vector3& normal) {
   const double along = dot(a, normal);
   return unit(
@@ -39,21 +39,21 @@ Vector3 any_across(const Vector3& normal) {
   return in_plane(axis, normal);
 }
 
-/// A triangle as the algorithm sees it. Corners are numbered 3 * triangle + 0, 1, 2.
+/// A triangle of the algorithm. Corners are numbered 3 * triangle + 0, 1, 2.
 struct Face {
   std::array<std::uint32_t, 3> welded{};  ///< vertices that are equal count as one
   std::array<std::uint32_t, 3> beyond{kNone, kNone, kNone};  ///< face across edge k to k + 1
-  Vector3 tangent{};                                         ///< along which u grows, length 1
-  bool plain = false;       ///< coordinates run around it as its corners do
+  Vector3 tangent{};        ///< direction of increasing u, length 1
+  bool plain = false;       ///< coordinates have the same orientation as the corners
   bool shapeless = false;   ///< no area in texture or space, or no direction: joins any group
-  bool degenerate = false;  ///< two corners in one place: no part of the surface
+  bool degenerate = false;  ///< two corners in one place: not part of the surface
 };
 
-/// One side of an edge between two welded vertices, of which the lower one is known.
+/// One side of an edge between two welded vertices, stored by the lower one.
 struct Edge {
   std::uint32_t high;
   bool backward;         ///< from high to low
-  std::uint32_t corner;  ///< it begins at
+  std::uint32_t corner;  ///< start of the edge
 
   bool operator<(const Edge& other) const {
     return std::tie(high, backward, corner) < std::tie(other.high, other.backward, other.corner);
@@ -87,7 +87,7 @@ class TangentSpace {
     adopt();
   }
 
-  // Vertices that there will be when each has one tangent.
+  // Number of vertices when each has one tangent.
   std::uint64_t vertices_after() { return geometry_.positions.size() + split(false); }
 
   void write() {
@@ -96,7 +96,7 @@ class TangentSpace {
   }
 
  private:
-  // By a table with open addresses: a million vertices are usual.
+  // Uses a table with open addressing: a million vertices are common.
   void weld() {
     const auto count = static_cast<std::uint32_t>(geometry_.positions.size());
     std::size_t size = 16;
@@ -164,7 +164,7 @@ class TangentSpace {
                      unit(across) == zero;
   }
 
-  // visit(lower vertex, edge) for those of all faces.
+  // Calls visit(lower vertex, edge) for the edges of all faces.
   template <class Visit>
   void for_edges(const Visit& visit) const {
     for (std::uint32_t f = 0; f < faces_.size(); ++f) {
@@ -190,8 +190,8 @@ class TangentSpace {
     }
   }
 
-  // Faces on both sides of an edge run along it in opposite directions. Where there are more than
-  // two the first that runs one way goes with the first that runs the other, and so on.
+  // Faces on both sides of an edge run along it in opposite directions. If there are more than two,
+  // the first in one direction is paired with the first in the other, and so on.
   void connect_sides(std::span<Edge> edges) {
     std::sort(edges.begin(), edges.end());
     for (std::size_t first = 0; first < edges.size();) {
@@ -253,7 +253,7 @@ class TangentSpace {
     for (std::size_t i = 0; i < 3; ++i) group.sum[i] += angle * tangent[i];
   }
 
-  // What has no group takes that of another corner with the same vertex.
+  // A corner without a group takes that of another corner with the same vertex.
   void adopt() {
     if (std::find(groups_of_.begin(), groups_of_.end(), kNone) == groups_of_.end()) return;
     std::unordered_map<std::uint32_t, std::uint32_t> groups;
@@ -276,8 +276,8 @@ class TangentSpace {
             static_cast<float>(tangent[2]), group.plain ? -1.0F : 1.0F};
   }
 
-  // Gives each vertex the tangent of the first of its corners, and the corners that disagree
-  // vertices of their own. Returns how many those are; changes nothing unless told to.
+  // Gives each vertex the tangent of its first corner, and corners that disagree separate vertices.
+  // Returns the number of these; changes nothing unless `write`.
   std::uint64_t split(bool write) {
     std::vector<std::uint32_t> first(geometry_.positions.size(), kNone);
     std::unordered_map<std::uint64_t, std::uint32_t> others;
@@ -316,7 +316,7 @@ class TangentSpace {
   std::vector<Face> faces_;
   std::vector<std::uint32_t> groups_of_;  ///< by corner
   std::vector<Group> groups_;
-  std::vector<std::uint32_t> waiting_;  ///< faces that grow() is to look at
+  std::vector<std::uint32_t> waiting_;  ///< faces that grow() will visit
 };
 
 }  // namespace

@@ -21,7 +21,7 @@ Wrap read_wrap(const json::Document& document, json::NodeId sampler, std::string
   return number == kMirroredRepeat ? Wrap::mirrored_repeat : Wrap::repeat;
 }
 
-// 9984 to 9987 count through the filter of a mipmap and then that between them.
+// 9984 to 9987 vary the filter within a mipmap first, then the filter between mipmaps.
 void read_minify(std::uint64_t number, Sampler& sampler) {
   if (number == kNearest || number == kLinear) {
     sampler.mipmaps = false;
@@ -52,7 +52,7 @@ void add_image(const Asset& asset, json::NodeId object, std::vector<std::uint32_
 
 }  // namespace
 
-// Extensions that bring a format give its image a `source` of their own, whatever their name.
+// Extensions that add a format have a `source` for its image, whatever their name.
 Texture read_texture(const Asset& asset, json::NodeId object) {
   const json::Document& document = asset.document();
   Texture texture;

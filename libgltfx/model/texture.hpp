@@ -16,7 +16,8 @@ namespace gltfx::model {
 enum class Wrap : std::uint8_t { repeat, clamp_to_edge, mirrored_repeat };
 enum class Filter : std::uint8_t { nearest, linear };
 
-/// How a texture is read. What is not written is up to the renderer: linear, with mipmaps.
+/// How a texture is read. The default, which the specification leaves to the renderer, is linear
+/// with mipmaps.
 struct Sampler {
   Wrap wrap_s = Wrap::repeat;
   Wrap wrap_t = Wrap::repeat;
@@ -27,10 +28,9 @@ struct Sampler {
   bool operator==(const Sampler&) const = default;
 };
 
-/// One texture. More than one image: the same picture in several formats, for readers of different
-/// ability.
+/// One texture. Several images are the same picture in different formats, for different readers.
 struct Texture {
-  std::vector<std::uint32_t> images;  ///< lead to objects; those of extensions first
+  std::vector<std::uint32_t> images;  ///< indices of objects; those of extensions first
   Sampler sampler;
 };
 
@@ -38,10 +38,10 @@ Texture read_texture(const Asset& asset, json::NodeId object);
 
 /// A use of a texture by a material.
 struct TextureSlot {
-  std::optional<std::uint32_t> texture;  ///< leads to an object
+  std::optional<std::uint32_t> texture;  ///< index of an object
   std::uint32_t tex_coord = 0;           ///< the n of TEXCOORD_n
-  /// KHR_texture_transform: coordinates are scaled first, then turned about the origin (radians,
-  /// counter-clockwise), then moved.
+  /// KHR_texture_transform: coordinates are scaled first, then rotated about the origin (radians,
+  /// counter-clockwise), then translated.
   std::array<float, 2> offset{0, 0};
   float rotation = 0;
   std::array<float, 2> scale{1, 1};

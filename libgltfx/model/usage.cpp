@@ -5,7 +5,7 @@
 
 namespace gltfx::model {
 
-// Walks everything that uses an accessor or a view, in the order in which uses count.
+// Visits all uses of accessors and views, in the order of precedence.
 class UsageReader {
  public:
   UsageReader(const Asset& asset, const std::vector<Accessor>& accessors,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What accessors and buffer views are used for. One of them holds one kind of data: the first use
-/// decides, and a later one of another kind is an error (specification section 3.6.1).
+/// Uses of accessors and buffer views. Each holds one kind of data: the first use decides, and a
+/// later one of another kind is an error (specification section 3.6.1).
 #pragma once
 
 #include <bit>
@@ -24,21 +24,22 @@ enum class AccessorUse : std::uint8_t {
 };
 enum class ViewUse : std::uint8_t { none, inverse_bind_matrices, image, indices, other, vertices };
 
-/// In words, for messages: "vertex indices".
+/// The use as a phrase for messages: "vertex indices".
 std::string_view use_text(AccessorUse use);
 std::string_view use_text(ViewUse use);
-/// What the view behind an accessor that is used like this holds.
+/// The use of the view of an accessor with this use.
 ViewUse view_use(AccessorUse use);
 
 /// The uses of an accessor or buffer view by indices, and the first one.
 template <typename Kind>
 struct Uses {
   Kind kind = Kind::none;
-  json::NodeId place = json::kNoNode;  ///< the index that uses it; kNoNode: a view's own `target`
-  std::uint8_t kinds = 0;              ///< a bit each: of all uses by indices
+  json::NodeId place =
+      json::kNoNode;       ///< the index of the first use; kNoNode: a view's own `target`
+  std::uint8_t kinds = 0;  ///< one bit per kind of use by index
   bool used() const { return kinds != 0; }
   bool has(Kind wanted) const { return (kinds >> static_cast<unsigned>(wanted) & 1U) != 0; }
-  /// That of all of them; nothing where there is none, or they differ.
+  /// The kind of all uses; nothing if there is none, or they differ.
   std::optional<Kind> only() const {
     if (!std::has_single_bit(kinds)) return std::nullopt;
     return static_cast<Kind>(std::countr_zero(kinds));
@@ -49,8 +50,8 @@ struct Uses {
   }
 };
 
-/// Uses by index, as core members make them. The first one is that of an image or a sparse
-/// accessor, then of a mesh, a skin, an animation. Immutable.
+/// Uses by index in core members. The first one is that of an image or a sparse accessor, then of a
+/// mesh, a skin, an animation. Immutable.
 class Usage {
  public:
   Usage() = default;

@@ -18,7 +18,7 @@ bool lists(const json::Document& document, json::NodeId variants, std::uint32_t 
   return false;
 }
 
-// The elements of an array member that is no array of plain numbers.
+// The elements of an array member that is not an array of plain numbers.
 std::vector<json::NodeId> elements_of(const json::Document& document, json::NodeId object,
                                       std::string_view name) {
   std::vector<json::NodeId> elements;

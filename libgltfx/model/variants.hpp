@@ -12,7 +12,7 @@
 
 namespace gltfx::model {
 
-/// The names of the variants, by index; of one without a name empty.
+/// The names of the variants, by index; empty for one without a name.
 std::vector<std::string> variant_names(const Asset& asset);
 
 /// The material of a primitive while `variant` is active: that of a mapping that lists the variant,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The tables that most questions about a scene start from, read once.
+/// The basic tables of an asset, read once.
 #pragma once
 
 #include <vector>
@@ -12,7 +12,7 @@
 
 namespace gltfx::model {
 
-/// Stays valid as long as the document its nodes and names belong to.
+/// Valid as long as the document of its nodes and names.
 struct Views {
   std::vector<Accessor> accessors;       ///< as many as elements(RootArray::accessors)
   std::vector<BufferView> buffer_views;  ///< as many as elements(RootArray::buffer_views)
@@ -30,7 +30,7 @@ struct Views {
         animations(read_animations(asset)),
         usage(asset, accessors, buffer_views, meshes) {}
 
-  /// The view behind an accessor, or null.
+  /// The view of an accessor, or null.
   const BufferView* view_of(const Accessor& accessor) const {
     return accessor.buffer_view ? &buffer_views[*accessor.buffer_view] : nullptr;
   }
