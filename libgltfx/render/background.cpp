@@ -9,8 +9,8 @@
 namespace gltfx::render {
 namespace {
 
-// A photographer's paper, brightest a little above the middle of the picture: a choice of
-// looks. kDimBackdrop is for subjects that do not stand out from it.
+// A studio backdrop, brightest a little above the middle of the picture: chosen for its look.
+// kDimBackdrop is for subjects with too little contrast to it.
 Rgb backdrop(double x, double y) {
   const double dx = x - 0.5;
   const double dy = y - 0.46;
@@ -36,7 +36,7 @@ Rgb background(const TraceContext& context, const Vec3d& direction, const Float2
 
 double catcher_shadow(const TraceContext& context, const Ray& ray, const Float2& random,
                       std::uint32_t& rays) {
-  constexpr double kDepth = 0.7;  // of the shadow at most: a choice of looks, never black
+  constexpr double kDepth = 0.7;  // maximum of the shadow: chosen for its look, never black
   const World& world = context.world;
   if (!world.shadow_catcher || !world.environment || ray.direction.y >= 0) return 0;
   const double distance = (world.shadow_catcher->height - ray.origin.y) / ray.direction.y;

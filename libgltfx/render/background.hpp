@@ -9,7 +9,7 @@ namespace gltfx::render {
 /// Hermite's cubic from 0 at `from` to 1 at `to`, constant beyond.
 double smooth_step(double from, double to, double x);
 
-/// Black where it is transparent. `point`: of the picture.
+/// Black if the background is transparent. `point`: of the picture.
 Rgb background(const TraceContext& context, const Vec3d& direction, const Float2& point);
 
 /// The part of the light on the shadow catcher that the scene occludes, from 0 to 1 on average.

@@ -29,7 +29,7 @@ float along_normal(const RTCRayHit& possible) {
   return hit.Ng_x * ray.dir_x + hit.Ng_y * ray.dir_y + hit.Ng_z * ray.dir_z;
 }
 
-// Rejects those possible hits of rays that pass(hit) says are none.
+// Rejects the possible hits for which pass(hit) is true.
 template <class Pass>
 void reject(const RTCFilterFunctionNArguments* args, const Pass& pass) {
   for (unsigned i = 0; i < args->N; ++i) {
@@ -42,7 +42,7 @@ void reject(const RTCFilterFunctionNArguments* args, const Pass& pass) {
 
 }  // namespace
 
-// Rays with what the filters need. Embree hands back its own part, the first member.
+// Rays with the data of the filters. Embree passes the first member to the filters.
 struct Bvh::Tracing {
   Tracing(const State& s, std::uint32_t k) : state(&s), key(k) { rtcInitRayQueryContext(&embree); }
   RTCRayQueryContext embree;
@@ -51,7 +51,7 @@ struct Bvh::Tracing {
   bool every_layer = false;  // any coverage above 0 is a hit
   Backs backs = Backs::culled;
   const std::optional<Eye>* eye = nullptr;  // of a ray towards light
-  const Ray* to_lamp = nullptr;             // that ray, where no path meets the light
+  const Ray* to_lamp = nullptr;             // that ray, if no path can hit the light
   std::array<float, kShadowPacket> visibility{1, 1, 1, 1};  // by RTCRay::id
   Rgb tint{1};                                              // of panes
 
@@ -72,7 +72,7 @@ struct Bvh::Tracing {
 
 namespace {
 
-// Of the surface that the ray meets.
+// The transmittance of the surface at the hit.
 Rgb straight_transmittance(const Scene& scene, const Hit& hit, const Ray& ray) {
   if (!is_pane(material_of(scene, scene.meshes[hit.mesh]))) return Rgb(0);
   const Surface surface = surface_at(scene, hit, ray);
@@ -82,8 +82,8 @@ Rgb straight_transmittance(const Scene& scene, const Hit& hit, const Ray& ray) {
 
 }  // namespace
 
-// Whether the ray passes the side that it comes from. A shared mesh is met in its own
-// space, where nothing is mirrored.
+// Whether the ray passes the side that it comes from. A shared mesh is hit in its own space, where
+// nothing is mirrored.
 bool Bvh::Tracing::is_passed(const RTCRayHit& possible, const Hit& hit,
                              const SceneMaterial& material) const {
   if (!is_culled(material)) return false;
@@ -107,7 +107,7 @@ float Bvh::Tracing::coverage(const RTCRayHit& possible, Hit& hit) const {
   return has_holes(material) ? coverage_at(scene, mesh, material, hit) : 1.0F;
 }
 
-// Where nothing is mirrored it does not matter whose triangle it is.
+// Without mirrored instances, the instance of a triangle does not matter.
 void Bvh::Tracing::filter_backs(const RTCFilterFunctionNArguments* args) {
   reject(args, [](const RTCRayHit& possible) { return along_normal(possible) >= 0; });
 }
@@ -209,7 +209,7 @@ Result<Bvh> Bvh::build(const Scene& scene, BvhMethod method) {
 
 namespace {
 
-// Numbers, and not too large for Embree.
+// Whether coordinates are numbers, and not too large for Embree.
 bool is_traceable(const Ray& ray, double farthest) {
   const double reach = std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
   return reach < farthest && dot(ray.direction, ray.direction) < 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a ray hits: Embree's bounding volume hierarchy over the instances of a scene.
+/// Intersection of rays: Embree's bounding volume hierarchy over the instances of a scene.
 #pragma once
 
 #include <cstddef>
@@ -35,11 +35,11 @@ class Bvh {
   static Result<Bvh> build(const Scene& scene, BvhMethod method = BvhMethod::sah);
 
   /// The first surface along the ray. `key` decides, surface by surface, whether a ray passes
-  /// through what is partly transparent by alpha.
+  /// through partial alpha coverage.
   std::optional<Hit> intersect(const Ray& ray, std::uint32_t key,
                                Backs backs = Backs::culled) const;
 
-  /// The first surface that covers anything at all, however little.
+  /// The first surface with any coverage above 0.
   std::optional<Hit> first_layer(const Ray& ray) const;
   /// The same for 1 to kCameraPacket rays: saves time where they are close together.
   void first_layers(std::span<const Ray> rays, std::span<std::optional<Hit>> hits) const;
@@ -47,15 +47,15 @@ class Bvh {
   /// The part of a ray that a surface stops: above 0 for a hit of first_layer().
   float coverage(const Hit& hit) const;
 
-  /// The part of light from the end of the ray that gets to its start: 0 behind a surface. See
+  /// The fraction of light from the end of the ray that reaches its start: 0 behind a surface. See
   /// lets_light_in() for `eye`.
   float visibility(const Ray& ray, const std::optional<Eye>& eye = std::nullopt) const;
   /// The same for 1 to kShadowPacket rays in any directions.
   void find_visibility(std::span<const Ray> rays, const std::optional<Eye>& eye,
                        std::span<float> visible) const;
   static constexpr unsigned kShadowPacket = 4;
-  /// The same, by colour, of a lamp that no path meets: what comes straight through thin smooth
-  /// walls counts, whatever their sides.
+  /// The same, by colour, for a lamp that no path can hit: includes light straight through thin
+  /// smooth walls, single-sided or not.
   Rgb transmittance(const Ray& ray, const std::optional<Eye>& eye) const;
 
   /// As the function lets_light_in() in wall.hpp, but never for the surface of a closed body.

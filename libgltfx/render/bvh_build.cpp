@@ -22,7 +22,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-// Null where there is no memory.
+// Null if memory is missing.
 template <class T>
 T* new_buffer(RTCGeometry geometry, RTCBufferType type, std::size_t count) {
   static_assert(sizeof(T) == 12);
@@ -31,7 +31,7 @@ T* new_buffer(RTCGeometry geometry, RTCBufferType type, std::size_t count) {
       geometry, type, 0, vertices ? RTC_FORMAT_FLOAT3 : RTC_FORMAT_UINT3, sizeof(T), count));
 }
 
-// The scene outlives the hierarchy. Vertices are copied: Embree reads on behind the last one.
+// The scene outlives the hierarchy. Vertices are copied: Embree reads past the last one.
 void share_triangles(RTCGeometry geometry, const std::vector<Triangle>& triangles) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
                              0, 12, triangles.size());
@@ -41,12 +41,12 @@ RTCBuildQuality quality_of(BvhMethod method) {
   return method == BvhMethod::sah ? RTC_BUILD_QUALITY_MEDIUM : RTC_BUILD_QUALITY_LOW;
 }
 
-// Embree and TBB have locks of their own, which a fork() must not find locked.
+// Embree and TBB have internal locks, which must not be held during a fork().
 ForkGate building;
 
-// On one thread: with more the order of triangles, and with it which of two at one place is hit,
-// would depend on their number. Not by the device's own limit, which holds for the whole process.
-// An arena is used again: TBB is slow to give back what it holds.
+// On one thread: with several, the order of triangles, and so which of two at one place is hit,
+// would depend on their number. Not with the device's own limit, which applies to the whole
+// process. An arena is reused: TBB is slow to release its memory.
 void commit(RTCScene scene) {
 #if GLTFX_TBB
   static thread_local tbb::task_arena arena(1);
@@ -56,8 +56,8 @@ void commit(RTCScene scene) {
 #endif
 }
 
-// A ray in some millions slips through between two triangles, for a tenth less time: only rays
-// that keep count of the bodies they are inside of must not.
+// In the fast mode, one ray in some millions passes between two triangles, for a tenth less time:
+// not allowed for rays that count the bodies around them.
 bool has_volumes(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
                      [](const SceneMaterial& each) { return each.factors.volumetric(); });
@@ -145,7 +145,7 @@ bool Bvh::State::add_groups(RTCScene target, const TreatedGroups& treated, bool 
     const Group& group = treated[i];
     if (group.triangles == 0) continue;
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    // Of triangles with alpha each layer counts.
+    // Each layer of triangles with alpha counts.
     const bool layered = static_cast<Treatment>(i) == Treatment::holed;
     const std::span<const Float3> points = add_points(geometry, group, in_world);
     if (points.empty() || !add_triangles(geometry, group, points, layered)) {

@@ -31,8 +31,8 @@ std::uint64_t shared_bytes(const ShapeSize& shape, std::uint64_t instances) {
   return kSceneBytes + flat_bytes(shape) + instances * kInstanceBytes;
 }
 
-// The norm of the inverse of a transform: how much longer rays become on their way into the space
-// of a mesh, at most. Infinite where there is no inverse, or none in floats.
+// The norm of the inverse of a transform: the maximum factor by which rays become longer in the
+// space of a mesh. Infinite if there is no inverse, or none in floats.
 double inverse_norm(const Matrix34& m) {
   constexpr double kMost = 1e9;
   const double volume = determinant(m);
@@ -118,7 +118,7 @@ class Grouping {
     }
     if (groups_.shared[shape][static_cast<std::size_t>(Treatment::holed)].triangles == 0 &&
         !places_.emplace(shape, scene_.instances[number].to_world).second) {
-      return;  // each ray would meet it again
+      return;  // each ray would hit it again
     }
     groups_.instanced.push_back(number);
     groups_.shape.push_back(shape);
@@ -208,7 +208,7 @@ std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances) {
   return instances > 1 ? std::min(flat, shared_bytes(shape, instances)) : flat;
 }
 
-// By a sum of the hashes of edges: edges that run both ways cancel each other out.
+// By a sum of the hashes of edges: edges in both directions cancel each other out.
 bool is_closed(const Mesh& mesh) {
   const auto bits = [](const Float3& p) {
     const auto part = [&p](std::size_t i) { return std::bit_cast<std::uint32_t>(p[i] + 0.0F); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which triangles of a scene are one geometry of its hierarchy, which lie in one place, and what
-/// they cost in memory.
+/// Groups triangles of a scene into geometries of its hierarchy, finds repeated ones, and estimates
+/// memory.
 #pragma once
 
 #include <array>
@@ -20,15 +20,15 @@ inline constexpr double kFarthest = 5e17;
 /// called for the triangles that need them only.
 enum class Treatment : std::uint8_t {
   solid,   ///< stops every ray
-  body,    ///< a closed surface of what would be a wall: solid, but for cameras inside of it
+  body,    ///< a closed surface with a wall's material: solid, except for cameras inside of it
   wall,    ///< single-sided and opaque: see wall.hpp
-  culled,  ///< single-sided and clear: not there from behind
-  pane,    ///< lets light straight through, whatever its sides
-  holed    ///< with an alpha mode, whatever its sides
+  culled,  ///< single-sided and clear: invisible from behind
+  pane,    ///< lets light straight through, single-sided or not
+  holed    ///< with an alpha mode, single-sided or not
 };
 constexpr std::size_t kTreatments = 6;
 
-/// Triangles of meshes that are one geometry, and whose they are.
+/// Triangles of meshes that form one geometry, and their owners.
 struct Group {
   struct Part {
     std::uint32_t instance = 0;  ///< meaningless in a shared group
@@ -37,7 +37,7 @@ struct Group {
   };
   std::vector<Part> parts;  ///< in order
   std::size_t triangles = 0, vertices = 0;
-  bool mirrored = false;  ///< one of them, at least
+  bool mirrored = false;  ///< at least one of them
 };
 using TreatedGroups = std::array<Group, kTreatments>;
 
@@ -49,7 +49,7 @@ struct Groups {
   std::vector<bool> closed;              ///< by mesh
   std::vector<std::int8_t> facing;       ///< by instance: -1 where the transform mirrors
   std::size_t triangles = 0;             ///< of all instances
-  double farthest = kFarthest;           ///< from where a ray may come
+  double farthest = kFarthest;           ///< farthest origin of a ray
 };
 
 /// Sums over the meshes of one instance.
@@ -57,12 +57,12 @@ struct ShapeSize {
   std::uint64_t triangles = 0, vertices = 0;
 };
 
-/// Bytes that the hierarchy takes for so many instances of a shape, in the cheaper of two ways:
-/// triangles of each in the world, or one copy that all share. Measured with Embree 3.13.
+/// Bytes of the hierarchy for so many instances of a shape, with the cheaper of two methods:
+/// triangles of each in world space, or one shared copy. Measured with Embree 3.13.
 std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances);
 
 /// Whether the mesh is the surface of a body, fronts outside: each edge of its triangles has a
-/// neighbour that runs along it the other way.
+/// neighbour in the opposite direction.
 bool is_closed(const Mesh& mesh);
 
 /// A shape is shared where that costs less memory, unless a transform has no inverse in floats.

@@ -10,7 +10,7 @@
 #include "render/bvh.hpp"
 #include "render/bvh_groups.hpp"
 
-// Handles of Embree, whose headers stay in source files.
+// Handles of Embree, whose headers are included in source files only.
 using RTCDevice = struct RTCDeviceTy*;
 using RTCScene = struct RTCSceneTy*;
 using RTCGeometry = struct RTCGeometryTy*;
@@ -24,11 +24,11 @@ struct Bvh::State {
   State& operator=(const State&) = delete;
   ~State();
 
-  /// False where there is not enough memory.
+  /// False when there is not enough memory.
   bool build();
-  /// Never frees a state whose build failed: Embree's threads still hold on to its memory.
+  /// Never frees a state whose build failed: Embree's threads may still use its memory.
   static void keep(std::unique_ptr<State> failed);
-  /// All but the distance.
+  /// All members except the distance.
   Hit hit_of(const RTCHit& found) const;
 
   const Scene& scene;

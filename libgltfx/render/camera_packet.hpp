@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Samples of a pixel, or of pixels side by side, whose rays are close together: to trace them
-/// together takes a fraction of the time.
+/// Samples of a pixel, or of adjacent pixels, whose rays are close together: tracing them together
+/// takes a fraction of the time.
 #pragma once
 
 #include <algorithm>

@@ -191,7 +191,7 @@ class TileFilter {
     }
   }
 
-  // Values for which the equations have no solution stay as they are.
+  // Values for which the equations have no solution do not change.
   void filter(int row) {
     auto& values = filtered_[static_cast<std::size_t>(row)];
     for (std::size_t c = 0; c < layer_.values.size(); ++c) {

@@ -20,8 +20,8 @@ constexpr std::uint32_t kDenoiseReach = kNeighbours + kPatch + kVarianceReach;
 
 /// Replaces the radiance of rows of the buffer, as resolve() gives it, by denoised radiance.
 /// The film holds the rows and kDenoiseReach more on either side, as far as the picture has them.
-/// Deterministic: the same values on any number of threads. A film with fewer than two samples a
-/// pixel, or without noise, comes out as it is.
+/// Deterministic: the same values on any number of threads. A film with fewer than two samples per
+/// pixel, or without noise, is not changed.
 void denoise(const Film& film, const Rows& rows, const DepthRange& depths, unsigned jobs,
              Framebuffer& buffer);
 

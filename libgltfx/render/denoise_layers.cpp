@@ -74,8 +74,8 @@ float count_of(const PixelSums& sums, std::size_t half) {
   return static_cast<float>(std::max(count, 1U));
 }
 
-// The variance of the samples is too much, since they are stratified: it is scaled to the variance
-// between the two halves around a pixel.
+// The variance of the samples is too large, because they are stratified: it is scaled to the
+// variance between the two halves around a pixel.
 void calibrate_variance(DenoiseLayer& layer, Plane sample_variance, Plane half_variance) {
   layer.variance = sample_variance;
   blur(half_variance, layer.width, layer.height, kWide);

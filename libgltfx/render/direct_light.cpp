@@ -48,7 +48,7 @@ Candidate DirectLight::candidate(const EnvironmentSample& light, const SkyPdf& p
   return {shadow_ray, bsdf, contribution, luminance(contribution)};
 }
 
-// First all directions, then all values: what is independent runs side by side in a processor.
+// First all directions, then all values: independent operations run in parallel in a processor.
 void DirectLight::sample_environment(std::span<const Float2> random, const SkyPdf& pdf,
                                      std::span<Candidate> candidates) const {
   std::array<EnvironmentSample, Bvh::kShadowPacket> lights;

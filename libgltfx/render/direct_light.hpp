@@ -35,9 +35,8 @@ inline Receiver receiver_of(const Surface& surface) {
   return {surface.frame.normal, m.volumetric() ? 0 : kBase * (1 - m.metallic) * behind};
 }
 
-/// Chooses one of `count` candidates by their weights, to stand for all of them: resampled
-/// importance sampling (J. Talbot et al., EGSR 2005). `random` is from [0, 1); propose(i) gives a
-/// candidate.
+/// Chooses one of `count` candidates by their weights, as an estimate of all: resampled importance
+/// sampling (J. Talbot et al., EGSR 2005). `random` is from [0, 1); propose(i) gives a candidate.
 template <class Propose>
 Candidate resample(std::uint32_t count, double random, const Propose& propose) {
   Candidate chosen;

@@ -117,7 +117,7 @@ PiecewiseConstant2d::Sample PiecewiseConstant2d::sample(const Float2& random) co
           1 / (static_cast<double>(x.spread) * static_cast<double>(y.spread))};
 }
 
-// Where the spread is infinite, no point is sampled.
+// Cells of infinite spread are never sampled.
 double PiecewiseConstant2d::density(const Float2& point) const {
   const float y = rows_.spread(0, point[1]);
   const float x = cells_.spread(rows_.cell_of(point[1]), point[0]);

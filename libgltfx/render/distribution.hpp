@@ -10,9 +10,9 @@
 
 namespace gltfx::render {
 
-/// A distribution over the cells of the unit square, in rows of parts of equal probability. Where
-/// the weights of a part are nearly equal, its density is constant, and sampling reads a table;
-/// elsewhere it searches for the cell. Weights that are all 0 count as equal.
+/// A distribution over the cells of the unit square, in rows of parts of equal probability. If the
+/// weights of a part are nearly equal, its density is constant, and sampling reads a table;
+/// otherwise it searches for the cell. Weights that are all 0 count as equal.
 class PiecewiseConstant2d {
  public:
   PiecewiseConstant2d() = default;
@@ -38,7 +38,7 @@ class PiecewiseConstant2d {
   struct Lists {
     std::size_t count = 1, parts = 1;  ///< the latter a power of two
     std::vector<float> sums;           ///< running, from 0 to 1: count + 1 of each list
-    /// Where parts begin and the last one ends; negative (be it 0) where weights differ.
+    /// Starts of the parts and end of the last one; negative (also -0) where weights differ.
     std::vector<float> bounds;
 
     void add(std::span<const float> weights, float alike);

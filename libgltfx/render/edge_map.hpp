@@ -20,9 +20,9 @@ class EdgeMap {
   EdgeMap(const Bvh& bvh, const View& view, const RenderOptions& options, std::uint32_t left,
           std::uint32_t top);
 
-  /// Whether the centres of a pixel and its eight neighbours, between which all samples of the
-  /// pixel lie, do not all show the same body, or all nothing. Things that are smaller than a pixel
-  /// may be missed.
+  /// Whether the centres of a pixel and its eight neighbours, which surround all samples of the
+  /// pixel, do not all show the same body, or all nothing. Details smaller than a pixel may be
+  /// missed.
   bool is_near_edge(std::uint32_t x, std::uint32_t y) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Embree 3.13 and Embree 4 under one set of names, those of Embree 4 where it has one.
-/// GLTFX_EMBREE is the major version.
+/// Embree 3.13 and Embree 4 under one set of names, those of Embree 4 if it has one. GLTFX_EMBREE
+/// is the major version.
 #pragma once
 
 #if GLTFX_EMBREE < 4

@@ -14,7 +14,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr float kAlike = 2;  // ratio of brightness up to which texels are sampled alike
 
-// A column beside the image wraps around; a row beside it is clamped.
+// A column outside of the image wraps around; a row outside is clamped.
 const Float3& texel(const EnvironmentImage& image, std::int64_t column, std::int64_t row) {
   const auto width = static_cast<std::int64_t>(image.width);
   const auto height = static_cast<std::int64_t>(image.height);

@@ -8,7 +8,8 @@
 
 namespace gltfx::render {
 
-/// Those of a surface alone, whatever it lets through. `material`: index in the scene, or kNone.
+/// Features of a surface alone, without those seen through it. `material`: index in the scene, or
+/// kNone.
 Features features_of(const Material& m, const Vec3d& normal, double depth, std::uint32_t material);
 
 /// Material and specular albedo are those of the first surface; albedo, normal and depth those of
@@ -16,11 +17,11 @@ Features features_of(const Material& m, const Vec3d& normal, double depth, std::
 class FeatureRecorder {
  public:
   void record_first(const Scene& scene, const Hit& hit, const Surface& surface);
-  /// A vertex at a distance from the one before it, which the path has reached and not left yet.
-  /// Only the first one counts.
+  /// A vertex that the path has reached and not left yet, at a distance from the previous one. Only
+  /// the first one counts.
   void record(const PathState& path, const Rgb& albedo, const Vec3d& normal, double distance);
   void record(const PathState& path, const Hit& hit, const Surface& surface);
-  /// The path has left a surface, which it reached after `distance`.
+  /// Call it when the path has left a surface, which it reached after `distance`.
   void go_on(const PathState& path, double distance);
 
   /// The recorder of a branch, without the features that the path before it has recorded.

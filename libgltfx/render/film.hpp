@@ -23,7 +23,7 @@ struct FeatureSums {
   void add(const PathSample& sample);
 };
 
-/// Sums of light with noise: even and odd samples apart, as independent estimates.
+/// Sums of light with noise: even and odd samples separately, as independent estimates.
 struct LightSums {
   std::array<Float3, 2> reflected{}, scattered{};
   std::array<float, 2> shadow{};  ///< luminance that shadow takes away
@@ -40,7 +40,7 @@ struct FeatureVariance {
 struct PixelSums {
   std::uint32_t samples = 0;
   std::uint32_t rays = 0;
-  std::uint32_t material = kNone;  ///< of the first sample that met one
+  std::uint32_t material = kNone;  ///< of the first sample that hit one
   bool clear = false;              ///< whether something is or may be seen through glass
   LightSums light;
   FeatureSums features;
@@ -61,8 +61,8 @@ struct Rows {
   std::uint32_t first = 0, last = 0;
 };
 
-/// Sums of those rows of a picture that are rendered at a time. Pixels are numbered row by row
-/// through the whole picture, whichever rows are held.
+/// Sums of the rows of a picture that are rendered at a time. Pixels are numbered row by row
+/// through the whole picture, independent of the rows that are held.
 class Film {
  public:
   /// Holds all rows.
@@ -75,9 +75,9 @@ class Film {
   std::uint32_t width() const { return width_; }
   std::uint32_t height() const { return height_; }
   const Rows& held() const { return held_; }
-  /// Reserves memory for as many rows as are going to be held at a time.
+  /// Reserves memory for the number of rows that will be held at a time.
   void reserve(std::uint32_t rows);
-  /// Rows that are held no longer are lost; new ones are empty. Neither end moves up.
+  /// Rows that are no longer held are lost; new ones are empty. Neither end moves up.
   void hold(const Rows& rows);
 
   void add(std::size_t pixel, const PathSample& sample);

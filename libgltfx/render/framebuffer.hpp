@@ -9,13 +9,13 @@
 
 namespace gltfx::render {
 
-/// The layers of a framebuffer beside the radiance: alpha, and features.
+/// The layers of a framebuffer in addition to the radiance: alpha, and features.
 struct Layers {
   bool alpha = false;
   bool albedo = false, normal = false, depth = false, material = false;
 };
 
-/// Values by pixel, rows from the top; layers that are not wanted are empty. Features are means
+/// Values by pixel, rows from the top; layers that were not requested are empty. Features are means
 /// over the samples, and 0 beside the scene.
 struct Framebuffer {
   Framebuffer(std::uint32_t width, std::uint32_t height, const Layers& layers = {});

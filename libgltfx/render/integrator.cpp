@@ -15,14 +15,14 @@ namespace {
 constexpr std::uint32_t kLayers = 4;        // of alpha, before the camera
 constexpr double kLeastWeight = 1.0 / 512;  // weight of a layer
 
-// With dispersion each colour has a path of its own.
+// With dispersion each colour has a separate path.
 std::uint32_t colors_at(const Scene& scene, const Hit& hit) {
   const Material& factors = material_of(scene, scene.meshes[hit.mesh]).factors;
   return factors.dispersion > 0 && factors.transmission > 0 ? 3 : 1;
 }
 
-// Layers of alpha before the camera are not sampled at random: each has a path of its own, whose
-// weight is its coverage times what the layers before it let through.
+// Layers of alpha in front of the camera are not sampled at random: each has a separate path,
+// weighted by its coverage times the transmittance of the layers before it.
 template <class Trace>
 PathSample blend_layers(const TraceContext& context, const CameraSample& camera,
                         std::optional<Hit> hit, const Trace& trace) {

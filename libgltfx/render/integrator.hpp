@@ -17,7 +17,7 @@ namespace gltfx::render {
 
 /// Features of the surface that is seen, for the denoiser and extra layers; 0 beside the scene.
 struct Features {
-  Rgb albedo;           ///< of what scatters light
+  Rgb albedo;           ///< of surfaces or media that scatter light
   Rgb specular_albedo;  ///< tint of mirrors and gloss, at normal incidence
   Vec3d normal;
   double depth = 0;  ///< along the ray
@@ -40,7 +40,7 @@ struct PathSample {
   std::uint32_t rays = 0;  ///< that were traced
 
   Rgb radiance() const { return reflected + scattered + emitted + background * (1 - shadow); }
-  /// Adds light, of which the first surface reflects a part, by colour.
+  /// Adds light; the first surface reflects a share of it, by colour.
   void add_light(const Rgb& light, const Rgb& reflected_share) {
     reflected += light * reflected_share;
     scattered += light * (Rgb(1) - reflected_share);
@@ -49,7 +49,7 @@ struct PathSample {
   void add(const PathSample& sample, double weight);
 };
 
-/// What a path does at its first surface, and after it.
+/// Work of a path at its first surface, and after it.
 struct Effort {
   std::uint32_t light_samples = 4;     ///< shadow rays to each kind of light
   std::uint32_t light_candidates = 2;  ///< emitters for each of them
@@ -59,7 +59,7 @@ struct Effort {
   bool sky_ends_paths = false;
 };
 
-/// What all paths of a picture have in common. References must outlive it.
+/// Data that all paths of a picture share. References must outlive it.
 struct TraceContext {
   const Scene& scene;
   const Bvh& bvh;
@@ -77,7 +77,7 @@ PathSample trace_path(const TraceContext& context, const CameraSample& camera,
                       const std::optional<Hit>& first);
 
 /// A feature sample: features and emission of the first surface, or the background. Without light
-/// on the surface, shadow, or anything behind glass.
+/// on the surface, shadow, or objects behind glass.
 PathSample sample_features(const TraceContext& context, const CameraSample& camera,
                            const std::optional<Hit>& first);
 

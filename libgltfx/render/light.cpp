@@ -48,7 +48,7 @@ Corners corners_of(const Instance& each, const Mesh& mesh, std::size_t triangle)
   return {point(a), point(b), point(c)};
 }
 
-// The emission of a triangle, as the mean of its middle and three points near its corners, at
+// The emission of a triangle, as the mean at its middle and at three points near its corners; at
 // most that of the factor.
 double brightness(const Scene& scene, const Mesh& mesh, const SceneMaterial& material, Hit hit) {
   if (material.use(Slot::emissive).texture == kNone) return luminance(material.factors.emissive);

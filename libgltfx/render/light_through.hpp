@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Light that comes in through walls that a ray meets (wall.hpp).
+/// Light that comes in through walls that a ray hits (wall.hpp).
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 namespace gltfx::render {
 namespace {
 
-// Multiplies the parameters of a slot. Where several share its texels, these are read once.
+// Multiplies the parameters of a slot. If several share its texels, these are read once.
 void scale_by_slot(const SlotReader& reader, Slot slot, Material& m) {
   const auto& scales = reading(slot).scales;
   const Float4 texel = scales.size() > 1 ? reader.texel(slot) : Float4();
@@ -44,7 +44,7 @@ void read_thickness_of_film(const SlotReader& reader, Material& m) {
   m.iridescence_thickness = least + (m.iridescence_thickness - least) * share;
 }
 
-// Other parameters stay.
+// Other parameters do not change.
 void read_specular_glossiness(const SlotReader& reader, Material& m) {
   Rgb specular = to_vec(reader.material().f0);
   auto glossiness = static_cast<double>(reader.material().glossiness);
@@ -123,7 +123,7 @@ Material material_at(const SlotReader& reader) {
   Material m = material.factors;
   const Float4 tint = color_at(mesh, reader.hit());
   m.base_color *= to_vec({tint[0], tint[1], tint[2]});
-  // The depth of a volume is that of the paths through it.
+  // The thickness of a volume comes from the paths through it, not from its texture.
   for (const TextureUse& use : material.textures) {
     if (use.slot == Slot::thickness || use.texture == kNone) continue;
     if (!m.unlit || use.slot == Slot::base_color) scale_by_slot(reader, use.slot, m);

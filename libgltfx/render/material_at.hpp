@@ -44,7 +44,7 @@ class SlotReader {
   const SceneMaterial& material_;
   const Hit& hit_;
   std::span<const Float2> uvs_;  // empty: those at the hit
-  // What was worked out last: most slots of a material share it.
+  // The last results: most slots of a material share them.
   mutable std::uint32_t set_ = kNone;
   mutable Float2 uv_{};  // of set_
   mutable const Texture* patched_ = nullptr;
@@ -52,11 +52,11 @@ class SlotReader {
   mutable TexelPatch patch_;  // of patched_ at patch_uv_
 };
 
-/// All parameters but the normals, and the vertex colour.
+/// All parameters except the normals, times the vertex colour.
 Material material_at(const SlotReader& reader);
 
-/// The normal that a normal map holds, scaled, in tangent space and of unit length; nothing where
-/// there is no map. `slot`: normal or clearcoat_normal.
+/// The normal of a normal map, scaled, in tangent space and of unit length; nothing if there is no
+/// map. `slot`: normal or clearcoat_normal.
 std::optional<Vec3d> mapped_normal(const SlotReader& reader, Slot slot);
 
 }  // namespace gltfx::render

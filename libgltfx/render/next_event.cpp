@@ -14,7 +14,7 @@ Rgb reflected_share(const PathState& path, const shader::Evaluation& bsdf) {
   return path.depth == 1 ? share_of(bsdf.reflected, bsdf.f) : path.reflected_share;
 }
 
-// Traces the shadow rays of candidates whose light paths find, too; `scale`: of their
+// Traces the shadow rays of candidates whose light paths can hit, too; `scale`: of their
 // contributions.
 void add_unoccluded(const TraceContext& context, const PathState& path,
                     std::span<const Candidate> candidates, double scale, PathSample& L) {
@@ -37,8 +37,8 @@ void add_unoccluded(const TraceContext& context, const PathState& path,
   }
 }
 
-// Traces the shadow ray towards a point or a direction, which no path meets; `share`: of the light,
-// that the first surface reflects.
+// Traces the shadow ray towards a point or a direction, which no path can hit; `share`: of the
+// light that the first surface reflects.
 void add_punctual(const TraceContext& context, const PathState& path, const Candidate& light,
                   const Rgb& share, PathSample& L) {
   if (!(max_value(light.contribution) > 0)) return;

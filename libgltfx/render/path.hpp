@@ -36,7 +36,7 @@ enum class Dimension : std::uint32_t {
 /// stratified.
 class PathSampler {
  public:
-  /// Layers of alpha along one ray have dimensions of their own.
+  /// Layers of alpha along one ray have separate dimensions.
   PathSampler(const SampleStream& stream, std::uint32_t layer)
       : stream_(stream), first_(kFirst + layer * kMaxSteps * kDimensions) {}
 
@@ -76,7 +76,7 @@ class PathSampler {
 
  private:
   static constexpr std::uint32_t kFirst = 1;        // after the position in the pixel
-  static constexpr std::uint32_t kStratified = 12;  // steps: of so many dimensions it is no use
+  static constexpr std::uint32_t kStratified = 12;  // steps: with more dimensions it is useless
   static constexpr auto kDimensions = static_cast<std::uint32_t>(Dimension::count);
   std::uint32_t number(Dimension d) const {
     return first_ + step_ * kDimensions + static_cast<std::uint32_t>(d);
@@ -90,8 +90,8 @@ class PathSampler {
 
 /// Properties of all vertices of a path so far.
 struct PathPrefix {
-  bool specular = true;         ///< nothing but mirrors and clear glass
-  bool straight = true;         ///< nothing but sheets of clear glass
+  bool specular = true;         ///< only mirrors and clear glass
+  bool straight = true;         ///< only sheets of clear glass
   bool environment_in = false;  ///< the environment came in through a wall
 };
 
@@ -100,12 +100,12 @@ struct PathState {
   Ray ray;
   PathSampler sampler;
   Rgb throughput{1, 1, 1};  ///< BSDFs, phase functions and cosines over densities
-  double pdf = 0;         ///< of the ray's direction; 0: light sampling does not find what it hits
-  SkyPdf sky_pdf{};       ///< of light sampling where the ray starts
-  int depth = 0;          ///< surfaces that scattered
-  int channel = -1;       ///< the only colour that it carries, after dispersion; -1: all
-  double weight = 1;      ///< of a branch in the throughput
-  Rgb reflected_share{};  ///< part of the throughput that the first surface reflects
+  double pdf = 0;           ///< of the ray's direction; 0: light sampling cannot find the hit
+  SkyPdf sky_pdf{};         ///< of light sampling where the ray starts
+  int depth = 0;            ///< surfaces that scattered
+  int channel = -1;         ///< the only colour that it carries, after dispersion; -1: all
+  double weight = 1;        ///< of a branch in the throughput
+  Rgb reflected_share{};    ///< part of the throughput that the first surface reflects
   PathPrefix prefix{};
   shader::MediaStack media{};
 };

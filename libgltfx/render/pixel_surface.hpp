@@ -13,8 +13,8 @@
 
 namespace gltfx::render {
 
-/// Where one smooth surface fills a pixel, its texture coordinates are an affine function of the
-/// point of the picture. A few rays tell which one.
+/// If one smooth surface fills a pixel, its texture coordinates are an affine function of the point
+/// of the picture. A few rays determine it.
 class PixelSurface {
  public:
   static constexpr std::uint32_t kRays = 8;
@@ -22,15 +22,15 @@ class PixelSurface {
   /// The scene must outlive it.
   explicit PixelSurface(const Scene& scene) : scene_(scene) {}
 
-  /// A feature sample, by a ray through `point` of the picture. After more than kRays of them
-  /// there is nothing to find.
+  /// A feature sample, by a ray through `point` of the picture. After more than kRays samples,
+  /// fit() fails.
   void add(const Float2& point, const std::optional<Hit>& hit, const PathSample& sample);
-  /// Finds the function by least squares. False where the rays met several bodies or none, where
-  /// the surface has more than two sets of texture coordinates or none, holes, emission, or colours
-  /// by vertex, and where coordinates differ from the function by a seventh of a pixel.
+  /// Finds the function by least squares. False if the rays hit several bodies or none, if the
+  /// surface has more than two sets of texture coordinates or none, holes, emission, or vertex
+  /// colours, or if coordinates differ from the function by a seventh of a pixel.
   bool fit();
 
-  /// After fit(): a feature sample at a point of the picture.
+  /// A feature sample at a point of the picture. Precondition: fit() was true.
   PathSample at(const Float2& point) const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// incident_radiance(), and before it its steps, free functions: they change the PathState that
-/// they get, and add light to a PathSample, called L, which transport never reads.
+/// incident_radiance(), preceded by its steps as free functions: they change the PathState, and add
+/// light to a PathSample, called L, which transport never reads.
 #include "render/radiance.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace {
 constexpr std::uint32_t kRouletteFrom = 3;  // step
 constexpr double kSharp = 0.5;              // roughness below which gloss shows a picture
 
-// Where a path meets a surface.
+// The hit of a path on a surface.
 struct SurfaceVertex {
   const Hit& hit;
   Surface surface;
@@ -56,8 +56,8 @@ void add_infinite_light(const TraceContext& context, const PathState& path, cons
   }
 }
 
-// A wall that lets light in is a window for the emitters and the environment behind it, one that is
-// too far away to occlude the environment for that. A medium goes on behind it.
+// A wall that lets light in is a window for the emitters and the environment behind it; one that is
+// too far away to occlude the environment, for the environment only. A medium continues behind it.
 void add_light_through_wall(const TraceContext& context, const SurfaceVertex& wall, PathState& path,
                             PathSample& L) {
   if (path.prefix.specular) return;
@@ -123,8 +123,8 @@ void choose_channel(const Material& material, PathState& path) {
   path.throughput *= carried;
 }
 
-// The next surface, or nothing where the medium scatters before it. Where that is ends the ray, so
-// that in dense media few triangles are looked at.
+// The next surface, or nothing if the medium scatters before it. The ray ends at the scattering
+// point, so that few triangles are tested in dense media.
 std::optional<Hit> find_surface(const TraceContext& context, PathState& path, PathSample& L) {
   path.ray.far = path.media.empty()
                      ? std::numeric_limits<double>::infinity()
@@ -135,7 +135,7 @@ std::optional<Hit> find_surface(const TraceContext& context, PathState& path, Pa
   return context.bvh.intersect(path.ray, path.sampler.key(), backs);
 }
 
-// Whether any lamp shines into a medium: what comes from infinitely far is gone.
+// Whether any lamp shines into a medium: light from infinity is absorbed.
 bool lamps_reach(const std::vector<Light>& lights, const shader::Medium& medium) {
   const Rgb extinction = medium.extinction();
   const bool clear = std::min({extinction.x, extinction.y, extinction.z}) <= 0;
@@ -171,7 +171,7 @@ Random3 bsdf_random(const PathSampler& sampler) {
   return {sampler.single(Dimension::lobe), static_cast<double>(u[0]), static_cast<double>(u[1])};
 }
 
-// The next direction. False where the path ends.
+// The next direction. False if the path ends.
 bool sample_bsdf(const TraceContext& context, const SurfaceVertex& vertex, const shader::Bsdf& bsdf,
                  const Random3& random, PathState& path, FeatureRecorder& features) {
   constexpr double kNarrow = 2;  // per steradian: transmitted light shows a picture
@@ -219,7 +219,7 @@ bool russian_roulette(PathState& path) {
 
 // How a path splits at the first surface (J. Arvo and D. Kirk, Particle Transport and Image
 // Synthesis, 1990). Mirrors and gloss get a branch of their own: reflections are sharp, but would
-// get few paths by their albedo. Light that is transmitted varies most, and gets several branches.
+// get few paths by their albedo. Transmitted light varies most, and gets several branches.
 struct Splitting {
   double reflecting;  // probability
   bool apart;         // mirrors and gloss
@@ -271,7 +271,7 @@ PathSample incident_radiance(const TraceContext& context, PathState& path,
     // Intersect the ray with the scene. The camera does not see the backs of walls.
     if (path.sampler.step() > 0) hit = find_surface(context, path, L);
 
-    // In a medium, the path may scatter before it gets to the surface.
+    // In a medium, the path may scatter before it reaches the surface.
     if (!path.media.empty() && sample_medium(context, hit, path, features, L)) {
       if (!russian_roulette(path)) break;
       continue;
@@ -291,7 +291,7 @@ PathSample incident_radiance(const TraceContext& context, PathState& path,
     add_light_through_wall(context, vertex, path, L);
     add_emission(context, path, vertex, L);
 
-    // End the path where nothing is reflected, or at its greatest depth.
+    // End the path if nothing is reflected, or at its maximum depth.
     if (surface.material.unlit || path.depth >= context.max_depth ||
         surface.flat_normal == Vec3d() || end_with_sky(context, path, vertex, L)) {
       features.record(path, *hit, surface);
@@ -299,7 +299,7 @@ PathSample incident_radiance(const TraceContext& context, PathState& path,
     }
     ++path.depth;
 
-    // Evaluate the material for the direction that light leaves in.
+    // Evaluate the material for the outgoing direction.
     surface.material.outside_ior = path.media.ior_around(hit->body());
     choose_channel(surface.material, path);
     const shader::Bsdf bsdf(surface.material, vertex.v, {context.mode, path.channel});

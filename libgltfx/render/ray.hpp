@@ -31,13 +31,13 @@ struct Hit {
   std::uint64_t body() const { return std::uint64_t{instance} << 32U | mesh; }
 };
 
-/// The start of a ray beside a surface, on the side of `normal`, so far that rounding does not lead
-/// back into the surface (C. Wächter and N. Binder, A Fast and Robust Method for Avoiding
+/// The start of a ray beside a surface, on the side of `normal`, at a distance at which rounding
+/// cannot cross the surface (C. Wächter and N. Binder, A Fast and Robust Method for Avoiding
 /// Self-Intersection, Ray Tracing Gems 2019). `size`: of the scene, in place of the metre of the
 /// paper.
 inline Vec3d beside(const Vec3d& point, const Vec3d& normal, double size) {
   constexpr double kSteps = 256;      // of the last place of a float, in which rays are traced
-  const double near = size * 0x1p-5;  // around the origin a fixed distance does it
+  const double near = size * 0x1p-5;  // around the origin a fixed distance is enough
   const double fixed = size * 0x1p-16;
   const auto moved = [near, fixed](double p, double n) {
     if (std::fabs(p) < near) return p + fixed * n;

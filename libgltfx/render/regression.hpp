@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Weighted least squares of first order, for pixels side by side.
+/// Weighted least squares of first order, for adjacent pixels.
 #pragma once
 
 #include <array>
@@ -48,8 +48,8 @@ struct NormalEquations {
     for (std::size_t x = 0; x < Pixels; ++x) quotient[x] = a[x] / b[x];
   }
 
-  // Cholesky's decomposition. Returns 1 for each pixel, or 0 where there is none and the root means
-  // nothing.
+  // Cholesky's decomposition. Returns 1 for each pixel, or 0 if there is none and the root is
+  // undefined.
   Row factor(float ridge, std::array<Row, kProducts>& root) const {
     Row solvable;
     solvable.fill(1);

@@ -22,10 +22,10 @@ namespace gltfx::render {
 namespace {
 
 constexpr std::uint32_t kRound = 8;  // samples of a pixel between two checks of time and noise
-// Samples of the features that miss no edge, far from edges between bodies and near them:
+// Numbers of feature samples that miss no edge, far from edges between bodies and near them:
 constexpr std::uint32_t kSure = 16, kSureNearEdge = 64;
 constexpr std::uint32_t kAtOnce =
-    PixelSurface::kRays;  // feature samples between two checks whether they differ
+    PixelSurface::kRays;  // feature samples between two checks for differences
 
 class Renderer {
  public:
@@ -76,13 +76,13 @@ class Renderer {
     std::uint32_t material;
   };
 
-  // How many feature samples the pixels of a tile take.
+  // Parameters of the feature samples of a tile.
   struct FeatureSampling {
     double stratification = 1;  // variance of a mean albedo, as part of that of random samples
     std::uint32_t most = 0;     // of a pixel
   };
 
-  // By the two halves of the samples of the light, as the denoiser does for its variance.
+  // Estimated from the two halves of the light samples, as the denoiser does for its variance.
   double stratification(std::uint32_t tile) const {
     double random = 0;
     double stratified = 0;
@@ -104,7 +104,8 @@ class Renderer {
     constexpr double kAlbedo = 5e-6;
     constexpr double kNormal = 12;  // relative to alpha
     const double part = count / options_.feature_samples;
-    const double edge = part * std::sqrt(part) / 4;  // that of half a pixel by all samples
+    const double edge =
+        part * std::sqrt(part) / 4;  // the variance for half a pixel with all samples
     return variance.alpha <= edge && variance.normal <= kNormal * edge &&
            variance.albedo * stratification <= kAlbedo * count;
   }
@@ -145,7 +146,7 @@ class Renderer {
         });
   }
 
-  // None, to save memory, where all samples of the pixel see nearly the same.
+  // None, to save memory, if all samples of the pixel are nearly the same.
   PixelFeatures sample_pixel_features(std::uint32_t x, std::uint32_t y, bool near_edge,
                                       const FeatureSampling& sampling) const {
     constexpr double kSmooth = 1e-3;  // variance of normals
@@ -174,7 +175,7 @@ class Renderer {
       });
       i = end;
       const FeatureVariance variance = sums.feature_variance();
-      // The texture of one smooth surface takes no more rays.
+      // The texture of one smooth surface needs no more rays.
       fits = !near_edge && variance.alpha <= 0 && variance.normal <= kSmooth && surface.fit();
     }
     return {pixel, same ? FeatureSums() : sums.features, sums.material};
@@ -246,7 +247,7 @@ class Renderer {
   const Rows rows_;
   Film& film_;
   std::uint32_t columns_;
-  std::vector<std::uint8_t> done_;  // by tile; not bool, as neighbours would share a byte
+  std::vector<std::uint8_t> done_;  // by tile; not bool, because neighbours would share a byte
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
@@ -272,8 +273,8 @@ DepthRange depth_range(const TraceContext& context, const View& view) {
   return range;
 }
 
-// Enough tiles that threads seldom wait for each other, but in wide pictures fewer: the denoiser
-// holds rows above and below besides. Values do not depend on it. At 256 x 256, 32 tiles for each
+// Enough tiles that threads seldom wait for each other, but fewer in wide pictures: the denoiser
+// also holds rows above and below. Values do not depend on it. At 256 x 256, 32 tiles for each
 // thread take 2 % less time than 16.
 std::uint32_t rows_at_once(const RenderOptions& options) {
   constexpr std::uint32_t kMostTilesPerJob = 32, kLeastTilesPerJob = 16;

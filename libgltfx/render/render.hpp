@@ -26,11 +26,11 @@ struct RenderOptions {
   /// `samples`, and with shared sky samples at least 11/32 of it, or 14/32 where a material
   /// transmits light; without them, or if 0, it is `samples`.
   double deviation = 0;
-  /// The most samples of the features of a pixel, those of the light among them: edges of the
-  /// subject take so many, finer differences fewer. In a tile full of edges and textures each pixel
+  /// Maximum number of feature samples of a pixel, including those of the light: edges of the
+  /// subject take all, finer differences fewer. In a tile full of edges and textures each pixel
   /// takes at most a quarter of them, or 8 if that is more. Pixels near edges between bodies take
-  /// up to 64 to find out whether anything differs within them. A power of two is stratified best.
-  /// 0: no more than the samples of the light.
+  /// up to 64 to detect differences within them. A power of two is stratified best. 0: no more than
+  /// the samples of the light.
   std::uint32_t feature_samples = 0;
   std::uint32_t seed = 0;
   unsigned jobs = 1;
@@ -38,7 +38,7 @@ struct RenderOptions {
   /// the machine.
   double seconds = 0;
   /// Standard error, as part of the range of the finished picture, at which a tile of pixels has
-  /// enough; 0: all samples.
+  /// enough samples; 0: all samples.
   double noise = 0;
   /// Called now and then with the part that is done, from 0 to 1, one call at a time.
   std::function<void(double)> progress;

@@ -14,16 +14,17 @@
 namespace gltfx::render {
 namespace {
 
-constexpr std::uint32_t kFewest = 16;  // of a pixel, for which an estimate pays
+constexpr std::uint32_t kFewest = 16;  // of a pixel, to make an estimate worthwhile
 // The range of a pixel's count around the average:
 constexpr std::uint32_t kTimesLess = 10, kTimesMore = 4;
 // With a deviation, the least average as part of RenderOptions::samples: of pictures of opaque
-// surfaces; of those with surfaces that transmit light, behind which the denoiser knows nothing;
+// surfaces; of those with surfaces that transmit light, behind which the denoiser has no features;
 // and of those without the sky, where a sample has fewer shadow rays: it is cheap, and adds less.
 // 11/32 gives 48.7 dB for a scene of common materials and 50.1 dB for a statue at 256 x 256.
 constexpr double kLeastOpaque = 11.0 / 32, kLeastTransmissive = 14.0 / 32, kLeastWithoutSky = 1;
-constexpr double kMostError = 0.25;  // of the range from black to white: more counts as this
-constexpr double kDark = 0.02;       // least albedo by which light is divided
+constexpr double kMostError =
+    0.25;                       // of the range from black to white; larger errors count as this
+constexpr double kDark = 0.02;  // least albedo by which light is divided
 
 // The variance of one part of the light of a pixel, which is divided by the albedo as the denoiser
 // does: variance of the albedo does not count.
@@ -61,7 +62,7 @@ class PixelVariance {
 
   /// Variance of a sample in the tone mapped picture.
   double tone_mapped() const {
-    constexpr double kShadow = 0.04;  // of its variance: smooth, so that it is denoised best
+    constexpr double kShadow = 0.04;  // part of its variance: smooth, so that it is denoised best
     constexpr double kClear = 12;  // behind glass: sharp and coloured, so that it is denoised least
     const double lit = scattered_.of_samples(count_) + reflected_.of_samples(count_);
     const double error = std::sqrt((clear_ ? (lit + unlit_.of_samples(count_)) * kClear : lit) +
@@ -116,7 +117,8 @@ SampleMap::SampleMap(const TraceContext& context, const View& view, const Render
 std::vector<float> SampleMap::estimate_variance(const TraceContext& context, const View& view,
                                                 const RenderOptions& options) const {
   const std::uint32_t samples = std::clamp(options.samples / kFewest, 2U, 4U);
-  // Independent of those of the picture: else pixels with bright samples would get more of them.
+  // Independent of the seed of the picture: otherwise pixels with bright samples would get more of
+  // them.
   const std::uint32_t seed = mix_bits(options.seed, 1);
   const auto variance_at = [&](std::uint32_t x, std::uint32_t y) {
     PixelVariance variance;
@@ -148,7 +150,7 @@ std::vector<float> SampleMap::estimate_variance(const TraceContext& context, con
   return variances;
 }
 
-// Few samples give a rough estimate: each block takes part in those of its neighbours.
+// Few samples give a rough estimate: each block contributes to those of its neighbours.
 void SampleMap::blur(std::vector<float>& values) const {
   const std::vector<float> from = values;
   for (std::uint32_t y = 0; y < rows_; ++y) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Adaptive sampling: how many samples the pixels of a picture get.
+/// Adaptive sampling: numbers of samples of the pixels of a picture.
 #pragma once
 
 #include <cstddef>

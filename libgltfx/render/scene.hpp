@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The scene: plain data, independent of the file format. Whoever fills it has checked it; every
-/// index is in range. Right-handed, y up, metres, linear colours (Rec. 709).
+/// The scene: plain data, independent of the file format. Its producer has checked it: every index
+/// is in range. Right-handed, y up, metres, linear colours (Rec. 709).
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -30,8 +30,8 @@ inline constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
 enum class Filter : std::uint8_t { linear, nearest };
 
-/// An image with the sampler of one texture. Texels are as they were decoded: no colour conversion,
-/// alpha apart.
+/// An image with the sampler of one texture. Texels are as decoded: no colour conversion, alpha not
+/// premultiplied.
 struct Texture {
   std::uint32_t width = 0, height = 0;  ///< texels; at least 1 unless `missing`
   std::uint32_t channels = 0;           ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
@@ -41,7 +41,7 @@ struct Texture {
   Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
   /// For magnification; between the levels of a mipmap samples are spread over the pixel instead.
   Filter filter = Filter::linear;
-  /// Its image could not be had: colours are drawn as a marked checker, other channels read 1.
+  /// Its image is not available: colours are drawn as a marked checker, other channels read 1.
   bool missing = false;
 };
 
@@ -67,12 +67,12 @@ struct TextureUse {
 
 inline const TextureUse kNoTexture{};
 
-/// A material of the asset: its factors, and the textures that scale them. It has many members, as
-/// they are the properties of glTF that are not in Material.
+/// A material of the asset: its factors, and the textures that scale them. It has many members
+/// because they are the properties of glTF that are not in Material.
 struct SceneMaterial {
   std::string name;
-  /// Factors in the words of the specification. For specular-glossiness the base colour is the
-  /// diffuse factor. The thickness of iridescence is the maximum.
+  /// Factors, named as in the specification. For specular-glossiness the base colour is the diffuse
+  /// factor. The thickness of iridescence is the maximum.
   Material factors;
   float alpha = 1;              ///< of the base colour factor
   float emissive_strength = 1;  ///< factors.emissive is multiplied by it already
@@ -96,14 +96,14 @@ struct SceneMaterial {
   /// factor, and transmitted light is tinted by the base colour.
   bool tinted_by_base_color = false;
 
-  /// Few slots have a texture, and an asset may have a hundred thousand materials: those in use, in
-  /// any order, and by slot the place of its use plus 1, or 0.
+  /// The slots in use, in any order, and by slot the position of its use plus 1, or 0: few slots
+  /// have a texture, and an asset may have a hundred thousand materials.
   std::vector<TextureUse> textures;
   std::array<std::uint8_t, kMaterialSlots> places{};
 
-  /// To be set: the use of a slot is added when it is asked for.
+  /// For writing: adds the use of the slot if there is none.
   TextureUse& use(Slot slot);
-  /// Of a slot without a texture: a use of kNone.
+  /// A use with texture kNone for a slot without one.
   const TextureUse& use(Slot slot) const {
     const std::uint8_t place = places[static_cast<std::size_t>(slot)];
     return place == 0 ? kNoTexture : textures[place - 1];
@@ -125,12 +125,12 @@ using ParameterMember = std::variant<double Material::*, Rgb Material::*, float 
 inline constexpr auto kParameterMembers =
     material_members<ParameterMember, Material, SceneMaterial>();
 
-/// Triangles with one material, posed: skinned and morphed where the asset says so. Attributes are
-/// by vertex, and empty where the asset has none. Points and lines are markers (markers.hpp).
+/// Triangles with one material, posed: skinned and morphed. Attributes are by vertex, and empty if
+/// the asset has none. Points and lines are markers (markers.hpp).
 struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the front
   std::vector<Float3> positions;
-  /// Empty: flat, and tangents count for nothing. Need not be of unit length.
+  /// Empty: flat, and tangents are ignored. Need not be of unit length.
   std::vector<Float3> normals;
   std::vector<Float4> tangents;          ///< w is the sign of the bitangent
   std::vector<std::vector<Float2>> uvs;  ///< by number of the set
@@ -138,11 +138,11 @@ struct Mesh {
   std::uint32_t material = kNone;        ///< index in Scene::materials; kNone: the default one
   /// Of markers that have no size yet: unit vectors from the point or line to their surface.
   std::vector<Float3> marker_directions;
-  bool unlit = false;  ///< shows base colour and emission, whatever the material says of light
+  bool unlit = false;  ///< shows base colour and emission, independent of the material
 };
 
-/// Meshes in one place: `count` of them from `mesh` on. Instances that begin with the same mesh
-/// have the same count.
+/// Meshes with one transform: `count` of them from `mesh` on. Instances that begin with the same
+/// mesh have the same count.
 struct Instance {
   std::uint32_t mesh = 0;
   Matrix34 to_world = kIdentity;  ///< may mirror, and may be singular
@@ -182,7 +182,7 @@ struct Scene {
   std::vector<SceneMaterial> materials;
   std::vector<Texture> textures;
   std::vector<Instance> instances;    ///< visible ones
-  std::vector<std::uint32_t> framed;  ///< indices of those that the picture is of; empty: all
+  std::vector<std::uint32_t> framed;  ///< indices of the framed instances; empty: all
   std::vector<Light> lights;
   std::vector<Camera> cameras;
   std::optional<EnvironmentImage> environment;

@@ -12,7 +12,7 @@
 namespace gltfx::render {
 namespace {
 
-// The number of directions for so many samples of a pixel: up to 9 MB of them.
+// The number of directions for so many samples per pixel: up to 9 MB.
 std::uint32_t direction_count(std::uint32_t samples) {
   constexpr std::uint32_t kForEachSample = 16;
   return kForEachSample * std::bit_ceil(std::clamp(samples, 256U, 16384U));
@@ -41,7 +41,7 @@ T at_normal(const std::array<T, 9>& coefficients, const Vec3d& normal) {
 }
 
 // One of four lanes, in proportion to its weight; `rest`, below their sum, loses the weights before
-// it. Which one it is cannot be foreseen: no branches.
+// it. Branch-free, because the choice is unpredictable.
 std::size_t choose_lane(const std::array<float, 4>& weights, float& rest) {
   const float two = weights[0] + weights[1];
   const std::array<float, 4> before{0, weights[0], two, two + weights[2]};
@@ -51,7 +51,7 @@ std::size_t choose_lane(const std::array<float, 4>& weights, float& rest) {
   return chosen;
 }
 
-// What is left of a harmonic of radiance in irradiance.
+// The factor from a harmonic of radiance to that of irradiance.
 double cosine_share(std::size_t harmonic) {
   return harmonic == 0 ? shader::pi : harmonic < 4 ? 2 * shader::pi / 3 : shader::pi / 4;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Samples of the environment that are made once for a picture, so that a surface can choose among
-/// many of them in the time that one of its own would take.
+/// many of them in the time of one new sample.
 #pragma once
 
 #include <array>
@@ -40,9 +40,9 @@ struct SkyPdf {
 };
 
 /// Blocks of directions, sampled by brightness. Each has one direction of each of 16 parts of the
-/// sky, and from block to block they move through their parts: stratified numbers choose directions
-/// that are apart. All surfaces of a picture share the directions, which are many more than a pixel
-/// has samples: their error is below that of 8 bits, and it falls with more samples.
+/// sky, and from block to block they move through their parts, so that stratified numbers choose
+/// distant directions. All surfaces of a picture share the directions, which are many more than a
+/// pixel has samples: their error is below that of 8 bits, and it falls with more samples.
 class SkySamples {
  public:
   /// `samples`: of a pixel.

@@ -28,12 +28,12 @@ class HitTriangle {
         along_2_(to_vec(mesh_.positions[corners_[2]]) - first_),
         normals_(instance_.to_world) {}
 
-  // By the barycentric coordinates: more exact than the end of the ray.
+  // From the barycentric coordinates: more exact than the end of the ray.
   Vec3d position() const {
     return transform_point(instance_.to_world, first_ + along_1_ * u_ + along_2_ * v_);
   }
 
-  // Out of the front; zero without area.
+  // Points out of the front; zero without area.
   Vec3d flat_normal() const {
     const Vec3d n = normals_.outward(cross(along_1_, along_2_));
     const double norm = length(n);
@@ -103,7 +103,7 @@ class HitTriangle {
     const Vec3d e1 = transform_vector(instance_.to_world, along_1_);
     const Vec3d e2 = transform_vector(instance_.to_world, along_2_);
     const Vec3d along = (e1 * dv2 - e2 * dv1) / area;
-    const Vec3d up = (e1 * du2 - e2 * du1) / area;  // against v
+    const Vec3d up = (e1 * du2 - e2 * du1) / area;  // opposite to v
     sign = dot(cross(normal, along), up) < 0 ? -1 : 1;
     return along;
   }
@@ -116,7 +116,8 @@ class HitTriangle {
   NormalTransform normals_;
 };
 
-// A shading normal that faces away from the viewer is bent until it just does not.
+// A shading normal that faces away from the viewer is bent until it is perpendicular to the view
+// direction.
 Vec3d facing(const Vec3d& normal, const Vec3d& viewer) {
   constexpr double kLeast = 1e-3;
   const double cosine = dot(normal, viewer);
@@ -126,7 +127,7 @@ Vec3d facing(const Vec3d& normal, const Vec3d& viewer) {
   return norm > 1e-6 ? bent / norm : viewer;
 }
 
-// The same axes around another normal, be it on the other side.
+// The same axes around another normal, also on the other side.
 Frame turned(const Frame& frame, const Vec3d& normal) {
   const Vec3d tangent = frame.tangent - normal * dot(frame.tangent, normal);
   const double norm = length(tangent);
@@ -163,7 +164,7 @@ bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface) 
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
   const Mesh& mesh = scene.meshes[hit.mesh];
   const SceneMaterial& material = material_of(scene, mesh);
-  // Textures first: what is known of the triangle need not be kept over calls then.
+  // Textures first: then data of the triangle need not be kept across calls.
   const SlotReader reader(scene, mesh, material, hit);
   Surface surface{{}, {}, {}, material_at(reader)};
   const auto bump = mapped_normal(reader, Slot::normal);

@@ -9,7 +9,7 @@
 
 namespace gltfx::render {
 
-/// Axes of a surface's own directions in the world: orthonormal, of either handedness.
+/// The local axes of a surface in world space: orthonormal, of either handedness.
 struct Frame {
   Vec3d tangent{1, 0, 0}, bitangent{0, 1, 0}, normal{0, 0, 1};
 
@@ -31,7 +31,7 @@ struct Surface {
   /// other surfaces on the side of the viewer.
   Frame frame;
   Material material;
-  bool front = true;  ///< the ray came from there
+  bool front = true;  ///< the ray came from the front
 };
 
 /// Whether objects behind a surface of the material may be seen sharply.
@@ -50,7 +50,7 @@ inline Rgb scattering_color(const Material& m) {
          m.diffuse_transmission_color * m.diffuse_transmission;
 }
 
-/// Whether a ray met the back of a single-sided surface, which sends no light.
+/// Whether a ray hit the back of a single-sided surface, which emits and reflects no light.
 bool is_unseen_back(const Scene& scene, const Hit& hit, const Surface& surface);
 
 /// Whether light may come straight through surfaces of the material: thin walls that are smooth
@@ -62,11 +62,11 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray);
 /// The material of a mesh, or the default one.
 const SceneMaterial& material_of(const Scene& scene, const Mesh& mesh);
 
-/// Whether alpha can make holes into surfaces of the material.
+/// Whether alpha can make holes in surfaces of the material.
 bool has_holes(const SceneMaterial& material);
 
-/// Whether rays from behind pass through surfaces of the material. The surface of a volume has two
-/// sides whatever `doubleSided` says: light has to get out again.
+/// Whether rays from behind pass through surfaces of the material. The surface of a volume always
+/// has two sides, independent of `doubleSided`: light must be able to leave it.
 bool is_culled(const SceneMaterial& material);
 
 /// Texture coordinates and vertex colour at a hit; zeros and ones where the mesh has none.

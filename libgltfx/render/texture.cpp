@@ -11,7 +11,7 @@
 namespace gltfx::render {
 namespace {
 
-// Texels between which a coordinate lies, and how far it is on its way.
+// The two texels around a coordinate, and its position between them.
 struct Footprint {
   std::uint32_t first = 0, second = 0;
   float share = 0;  // of the second
@@ -34,11 +34,11 @@ std::uint32_t wrapped(std::int64_t texel, std::int64_t size, Wrap wrap) {
 }
 
 Footprint footprint(float coordinate, std::uint32_t size, Wrap wrap, Filter filter) {
-  // Beyond that a float holds no texels of any image.
+  // Beyond that a float cannot distinguish texels.
   constexpr float kFar = 1e9F;
   const auto width = static_cast<float>(size);
   if (!(std::fabs(coordinate * width) < kFar)) return {};
-  if (wrap == Wrap::repeat) {  // brought near first: there is less to wrap then
+  if (wrap == Wrap::repeat) {  // reduced first, so that less must be wrapped
     coordinate -= static_cast<float>(shader::floor_of(static_cast<double>(coordinate)));
   }
   const float scaled = coordinate * width;
@@ -63,7 +63,7 @@ float component(const Texture& texture, std::size_t texel, std::uint32_t channel
   return srgb ? srgb_decode(value) : value;
 }
 
-// Where the channels R, G, B, A lie in a texel; kNone: nowhere, and the value is 1.
+// Position of the channels R, G, B, A in a texel; kNone: missing, and the value is 1.
 std::uint32_t stored_channel(const Texture& texture, std::uint32_t channel) {
   const bool grey = texture.channels < 3;
   if (channel < 3) return grey ? 0 : channel;
@@ -89,7 +89,7 @@ Float4 marked_checker(float u, float v) {
   return marked ? Float4{0.9F, 0.0F, 0.7F, 1.0F} : Float4{0.02F, 0.02F, 0.02F, 1.0F};
 }
 
-// The usual image: RGB or RGBA of 8 bits, in one go.
+// Fast path for usual images: RGB or RGBA of 8 bits.
 Float4 sample_bytes(const Texture& texture, const TexelPatch& patch, bool srgb) {
   Float4 sum{0, 0, 0, 0};
   const auto* bytes = reinterpret_cast<const std::uint8_t*>(texture.pixels.data());

@@ -10,7 +10,7 @@
 
 namespace gltfx::render {
 
-/// The texels between which a point of a texture lies, and their weights.
+/// The texels around a point of a texture, and their weights.
 struct TexelPatch {
   std::array<std::size_t, 4> texels{};
   std::array<float, 4> weights{};
@@ -21,8 +21,8 @@ struct TexelPatch {
 /// the texture is not `missing`.
 TexelPatch patch_at(const Texture& texture, const Float2& uv);
 
-/// The texture at `patch`: sRGB decoded where asked for before filtering. Missing channels: grey
-/// stands for all colours, alpha is 1.
+/// The texture at `patch`: sRGB, if requested, is decoded before filtering. Missing channels: grey
+/// gives all colours, alpha is 1.
 Float4 sample_texture(const Texture& texture, const TexelPatch& patch, bool srgb);
 
 /// One channel at `patch`, linear: 0 to 3 for R, G, B, A.
@@ -32,9 +32,9 @@ float sample_channel(const Texture& texture, const TexelPatch& patch, std::uint3
 Float4 sample_texture(const Texture& texture, float u, float v, bool srgb);
 float sample_channel(const Texture& texture, float u, float v, std::uint32_t channel);
 
-/// TextureUse::transform. The text of KHR_texture_transform contradicts itself: its words and its
-/// example turn coordinates counter-clockwise as they are seen, with v running down the image; its
-/// lines of GLSL turn them the other way. Words and example it is, as in other renderers.
+/// TextureUse::transform. The text of KHR_texture_transform contradicts itself: its text and its
+/// example rotate coordinates counter-clockwise as seen, with v running down the image; its GLSL
+/// code rotates them clockwise. This follows text and example, as other renderers do.
 inline std::array<Float3, 2> texture_transform(const Float2& offset, float rotation,
                                                const Float2& scale) {
   const float sine = std::sin(rotation);

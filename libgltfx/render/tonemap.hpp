@@ -10,7 +10,7 @@
 
 namespace gltfx::render {
 
-/// Khronos PBR Neutral: base colours under a white light stay as they are, brighter colours are
+/// Khronos PBR Neutral: base colours under a white light do not change, brighter colours are
 /// compressed towards white. Linear Rec. 709 in and out; negative and non-finite input counts as 0.
 Float3 tone_map(Float3 radiance);
 

@@ -23,8 +23,8 @@ inline double determinant(const Matrix34& m) {
              cross(Vec3d(m[0][1], m[1][1], m[2][1]), Vec3d(m[0][2], m[1][2], m[2][2])));
 }
 
-/// The transform of normals by the cofactors of the linear part: right for scales that differ by
-/// axis, for mirrors and for flattened objects. Results are not of unit length.
+/// The transform of normals by the cofactors of the linear part: correct for non-uniform scales,
+/// mirrors and flattened objects. Results are not of unit length.
 class NormalTransform {
  public:
   explicit NormalTransform(const Matrix34& m) {

@@ -37,7 +37,7 @@ View view_of(const Camera& camera, double aspect) {
   orient(m, view);
   view.perspective = camera.perspective;
   if (camera.perspective) {
-    // A narrower picture shows more above and below rather than less at the sides.
+    // A narrower picture shows more above and below instead of less at the sides.
     const double own = camera.aspect_ratio > 0 ? static_cast<double>(camera.aspect_ratio) : aspect;
     view.half_height = std::tan(std::clamp(static_cast<double>(camera.yfov), 1e-3, 3.1) / 2) *
                        std::max(1.0, own / aspect);

@@ -16,17 +16,17 @@
 
 namespace gltfx::render {
 
-/// A camera with a picture of a certain shape before it.
+/// A camera with the shape of its picture.
 struct View {
   Vec3d origin{0, 0, 1};
   Vec3d right{1, 0, 0}, up{0, 1, 0}, backward{0, 0, 1};  ///< orthonormal
   bool perspective = true;
   /// Half the extent of the picture: at distance 1, or everywhere for an orthographic camera.
   double half_width = 0.5, half_height = 0.5;
-  /// Of a room around the camera: light comes in through its walls.
+  /// The camera is inside a room: light comes in through its walls.
   bool inside = false;
 
-  /// Through a point of the picture: x and y from 0 to 1, from the upper left.
+  /// The ray through a point of the picture: x and y from 0 to 1, from the upper left.
   Ray ray(double x, double y) const;
 };
 

@@ -25,7 +25,7 @@ FacePlane plane_of(const Scene& scene, const Hit& hit) {
 
 }  // namespace
 
-// An unlit surface has its color alone: no factor lets light through it.
+// An unlit surface only shows its color: no factor lets light through it.
 bool is_wall(const SceneMaterial& material) {
   const Material& m = material.factors;
   const bool transmits = !m.unlit && (m.transmission > 0 || m.diffuse_transmission > 0);

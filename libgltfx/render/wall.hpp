@@ -35,7 +35,7 @@ class Eye {
 /// not: they transmit light anyway.
 bool is_wall(const SceneMaterial& material);
 
-/// Out of the front of the triangle of a hit, by its winding; not of unit length.
+/// The normal out of the front of the triangle of a hit, by its winding; not of unit length.
 Vec3d front_normal(const Scene& scene, const Hit& hit);
 
 /// Whether the surface of a hit turns its back to the eye, or there is no eye.

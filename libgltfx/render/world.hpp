@@ -18,7 +18,7 @@ namespace gltfx::render {
 /// The background of the picture.
 enum class Background : std::uint8_t { backdrop, environment, transparent };
 
-/// A level floor that is invisible but for the shadow on it.
+/// A level floor that is invisible except for the shadow on it.
 struct ShadowCatcher {
   double height = 0;
   double irradiance = 0;  ///< by the environment, unoccluded; luminance
@@ -26,16 +26,16 @@ struct ShadowCatcher {
 
 struct World {
   std::optional<Environment> environment;
-  std::optional<SkySamples> sky;  ///< of the environment; none: each surface samples it anew
-  /// Surfaces that are farther away from what is lit do not occlude the environment: so it shines
+  std::optional<SkySamples> sky;  ///< of the environment; none: each surface samples it separately
+  /// Surfaces farther away from the lit point do not occlude the environment, so that it shines
   /// into closed rooms.
   double sky_occlusion = std::numeric_limits<double>::infinity();
   std::vector<Light> lights;
-  Emitters emitters;  ///< of the scene; BSDF sampling finds the others
+  Emitters emitters;  ///< sampled ones of the scene; BSDF sampling finds the others
   Background background = Background::backdrop;
   double backdrop = 1;                          ///< factor of the radiance of the backdrop
   std::optional<ShadowCatcher> shadow_catcher;  ///< only with a backdrop
-  /// Decides which walls let light in. Nothing: all that turn their backs to the light.
+  /// Decides which walls let light in. Nothing: all walls that turn their backs to the light.
   std::optional<Eye> eye;
 
   /// A direction to the environment. Precondition: there is an environment.
