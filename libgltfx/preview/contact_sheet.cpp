@@ -19,7 +19,7 @@ constexpr std::uint32_t kWords = 96;     // narrowest cell that has a name below
 constexpr std::uint32_t kMargin = 4;     // around a name
 constexpr std::uint8_t kPaper = 236;
 
-// The mean of the part of a picture that one pixel of the sheet covers, on paper.
+// The mean of the part of a picture that one pixel of the sheet covers, on a paper background.
 std::array<std::uint8_t, 3> covered(const BakedPixels& from, double left, double top, double step) {
   const auto at = [](double value, std::uint32_t limit) {
     return std::min(static_cast<std::uint32_t>(std::max(value, 0.0)), limit - 1);
@@ -96,7 +96,7 @@ Picture ContactSheet::take() { return std::move(picture_); }
 
 std::vector<std::string> sheet_labels(const std::vector<std::string>& paths) {
   namespace fs = std::filesystem;
-  std::vector<fs::path> folders;  // what is left above each label
+  std::vector<fs::path> folders;  // remaining folders above each label
   std::vector<std::string> labels;
   for (const std::string& path : paths) {
     const fs::path normal = fs::path(path).lexically_normal();

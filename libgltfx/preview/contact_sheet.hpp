@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Many pictures on one.
+/// Contact sheets: many pictures in one.
 #pragma once
 
 #include <gltfx/bake.hpp>
@@ -17,11 +17,11 @@ namespace gltfx::preview {
 /// A grid of cells, filled row by row, as many columns as rows or a few more.
 class ContactSheet {
  public:
-  /// `count`: pictures to come, at least 1. `size`: theirs; cells are of its shape.
+  /// `count`: number of pictures, at least 1. `size`: of each picture; cells have its shape.
   ContactSheet(std::size_t count, const BakeSize& size);
 
-  /// The next one, made to fit into a cell, with its name below where there is room for words. A
-  /// cell without pixels shows the words `instead`.
+  /// Adds the next picture, scaled to fit into a cell, with its name below if there is room. A cell
+  /// without pixels shows the text `instead`.
   void add(const BakedPixels& pixels, std::string_view name, std::string_view instead);
   Picture take();
 
@@ -35,8 +35,8 @@ class ContactSheet {
   Picture picture_;
 };
 
-/// A label for each path: its name without ending, with as many of its folders as tell it from the
-/// others.
+/// A label for each path: its name without ending, with as many of its folders as distinguish it
+/// from the others.
 std::vector<std::string> sheet_labels(const std::vector<std::string>& paths);
 
 }  // namespace gltfx::preview

@@ -25,7 +25,7 @@ bool is_sane(const Vec3d& p) {
   return std::fabs(p.x) < kFar && std::fabs(p.y) < kFar && std::fabs(p.z) < kFar;
 }
 
-// Whether no ray ever meets a surface of the material, whatever its textures hold.
+// Whether no ray ever hits a surface of the material, independent of its textures.
 bool is_invisible(const render::SceneMaterial& material) {
   if (!render::has_holes(material)) return false;
   if (material.alpha_mode == render::AlphaMode::mask) return material.alpha < material.alpha_cutoff;
@@ -132,8 +132,8 @@ double fronts_seen(const Subject& subject, const Direction& direction) {
   return all > 0 ? seen / all : 0.0;
 }
 
-// Bounds of points along the planes of a camera's frustum: they decide where a perspective camera
-// has to stand to see all points. With `wide` and `high` 0, those of the picture of an
+// Bounds of points along the planes of a camera's frustum: they give the position from which a
+// perspective camera sees all points. With `wide` and `high` 0, the bounds of the picture of an
 // orthographic one.
 struct Slanted {
   double left = -std::numeric_limits<double>::infinity(), right = left, lower = left, upper = left;

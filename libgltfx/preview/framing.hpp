@@ -15,7 +15,7 @@ namespace gltfx::preview {
 
 /// The sides of a triangle.
 struct Face {
-  bool mirrored = false;  ///< its corners are clockwise seen from the front
+  bool mirrored = false;  ///< its corners are clockwise as seen from the front
   bool culled = false;    ///< invisible from behind
 };
 
@@ -26,7 +26,7 @@ struct Subject {
   Vec3d least, greatest;
   bool flat = false;  ///< all faces are parallel
 
-  /// Frees the triangles, but not the box, after framing.
+  /// Frees the triangles, but not the box, when framing is done.
   void forget_faces();
   Vec3d middle() const { return (least + greatest) * 0.5; }
   /// Length of the box's diagonal in the scene's unit; above 0.
@@ -53,11 +53,11 @@ Direction usual_direction(const Subject& subject);
 /// A camera on that side of the origin, upright.
 render::View view_from(const Direction& direction);
 
-/// The view that has the subject in its middle, as large as it goes with a margin. `aspect`: width
-/// by height.
+/// The view with the subject in the middle, as large as possible with a margin. `aspect`: width by
+/// height.
 render::View frame(const Subject& subject, const Direction& direction, double aspect);
 
-/// The same with an orthographic camera, which stands before all of `scene`.
+/// The same with an orthographic camera, in front of all of `scene`.
 render::View frame_orthographic(const Subject& subject, const Direction& direction, double aspect,
                                 const Subject& scene);
 

@@ -14,9 +14,9 @@
 namespace gltfx::preview {
 namespace {
 
-// Scenes that these numbers and those of drop_islands() tell apart are in
+// Scenes that these numbers and those of drop_islands() distinguish are in
 // tests/preview/framing_test.cpp.
-constexpr double kStrayFactor = 3;  // core extents that a point may lie from the middle
+constexpr double kStrayFactor = 3;  // maximum distance of a point from the middle, in core extents
 
 template <class Keep>
 void keep_faces(Subject& subject, const Keep& keep) {
@@ -47,7 +47,7 @@ std::pair<double, double> limits_along(const std::vector<Float3>& points, std::s
 }
 
 // A plane has no extent along one axis, so distances are relative to the longest one. Triangles are
-// removed as a whole: the edge of the picture would cut through the others.
+// removed as a whole: otherwise the edge of the picture would cut through them.
 void drop_far_corners(Subject& subject) {
   std::array<std::pair<double, double>, 3> core;
   double longest = 0;

@@ -7,9 +7,9 @@
 namespace gltfx::preview {
 
 /// Removes triangles with a corner far outside of the range of 99 % of the corners along an axis,
-/// and small parts that lie apart: of less than an eighth of the size of the part with the most
-/// area, further from it than a quarter of its size, and all together of less than a hundredth of
-/// its area.
+/// and small separate parts: of less than an eighth of the size of the part with the most area,
+/// further from it than a quarter of its size, and all together of less than a hundredth of its
+/// area.
 void drop_strays(Subject& subject);
 
 }  // namespace gltfx::preview

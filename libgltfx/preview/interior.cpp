@@ -17,9 +17,9 @@
 namespace gltfx::preview {
 namespace {
 
-// Rooms, boxes, bottles, houses and vehicles that these numbers tell apart are in
+// Rooms, boxes, bottles, houses and vehicles that these numbers distinguish are in
 // tests/pipeline/interior_test.cpp.
-constexpr double kLeastWidth = 2;     // metres that a room extends
+constexpr double kLeastWidth = 2;     // metres, extent of a room
 constexpr double kLeastHeight = 1.8;  // metres
 constexpr int kPlaces = 7;            // along each side
 constexpr int kRaysAround = 64;       // rays around a place
@@ -59,7 +59,7 @@ Place look_from(const render::Scene& scene, const render::Bvh& bvh, const Vec3d&
   return place;
 }
 
-// At eye level in the metres of a room, and lower in what is much higher.
+// At eye level in a room, in metres, and lower in larger spaces.
 std::vector<Place> places_in(const render::Scene& scene, const Subject& subject,
                              const render::Bvh& bvh) {
   constexpr double kEyeLevel = 1.6;  // metres
@@ -76,11 +76,11 @@ std::vector<Place> places_in(const render::Scene& scene, const Subject& subject,
   return places;
 }
 
-// What is seen of a scene through a camera around it.
+// Counts of what a camera around a scene sees.
 struct Outside {
   int seen = 0;
   int backs = 0;   // of surfaces
-  int inside = 0;  // fronts that are seen from the room, too
+  int inside = 0;  // fronts that are visible from the room, too
   int on_box = 0;  // at the sides of the box
   std::set<std::uint64_t> bodies;
   std::set<std::uint32_t> materials;
@@ -138,12 +138,12 @@ std::size_t hidden_bodies(const std::vector<const Place*>& places, const Outside
   return bodies.size();
 }
 
-// Rows and columns of rays through a picture: far and many things are better than few near ones.
+// Rows and columns of rays through a picture: many distant objects are better than few near ones.
 double worth_of(const render::Bvh& bvh, const render::View& view, double size) {
   constexpr int kWide = 12;
   constexpr int kHigh = 8;
   std::set<std::uint64_t> bodies;
-  double sum = 0;  // of reciprocals: what stands close to the camera hides much
+  double sum = 0;  // of reciprocals: objects close to the camera hide much
   for (int y = 0; y < kHigh; ++y) {
     for (int x = 0; x < kWide; ++x) {
       const auto hit = bvh.intersect(view.ray((x + 0.5) / kWide, (y + 0.5) / kHigh), 0);
@@ -158,7 +158,7 @@ double worth_of(const render::Bvh& bvh, const render::View& view, double size) {
 
 bool is_closed_room(const render::Scene& scene, const Subject& subject, const render::Bvh& bvh) {
   constexpr std::size_t kEnough = 5;  // places
-  constexpr double kShown = 0.15;     // part of the picture in which the room is seen anyway
+  constexpr double kShown = 0.15;  // part of the picture in which the room is visible from outside
   constexpr double kMostly = 0.6;
   constexpr double kFills = 0.9;
   constexpr std::size_t kMostOutside = 2;  // materials of plain walls

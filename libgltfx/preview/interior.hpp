@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rooms, and where a camera stands in them.
+/// Rooms, and positions of cameras in them.
 #pragma once
 
 #include <gltfx/vec3.hpp>
@@ -14,10 +14,10 @@
 namespace gltfx::preview {
 
 /// Whether a camera around the scene sees a closed room from behind its walls: it is high enough to
-/// stand in, around many places in it are the fronts of surfaces, few of which are seen from
-/// outside, and what is seen from there is the backs of the walls, or plain walls that fill the box
-/// and hide several things. Traces some ten thousand rays where the size fits.
-/// Precondition: the subject has its triangles.
+/// stand in; many places in it are surrounded by fronts of surfaces, few of which are visible from
+/// outside; and the view from outside shows the backs of walls, or plain walls that fill the box
+/// and hide several objects. Traces some ten thousand rays if the size fits. Precondition: the
+/// subject has its triangles.
 bool is_closed_room(const render::Scene& scene, const Subject& subject, const render::Bvh& bvh);
 
 /// A place in the box of the subject, and the side of it that the camera is on.
@@ -26,16 +26,16 @@ struct Standpoint {
   Direction direction;
 };
 
-/// Where most is seen: at eye level where surfaces are all around, or anywhere in the box if there
-/// is no such place. Without a direction, a little from above in the best one.
+/// The place with the best view: at eye level with surfaces all around, or anywhere in the box if
+/// there is no such place. Without a direction, the best one, a little from above.
 Standpoint find_standpoint(const render::Scene& scene, const Subject& subject,
                            const render::Bvh& bvh, const std::optional<Direction>& direction,
                            double aspect);
 
-/// A wide angle. `aspect`: width by height.
+/// A wide-angle view. `aspect`: width by height.
 render::View look_around(const Standpoint& from, double aspect);
 
-/// The distance up to which things in a room throw shadows, in the unit of the scene: a part of its
+/// The distance up to which objects in a room cast shadows, in the unit of the scene: a part of its
 /// least extent.
 double shadow_reach(const Subject& subject);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// DejaVu Sans stands in the program, so that labels have the same bytes whatever is installed.
+// DejaVu Sans is embedded in the program, so that labels do not depend on installed fonts.
 #include "preview/label_font.hpp"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 #include "base/text.hpp"
 
-// The font is a trusted one, and the library never aborts.
+// The font is trusted, and the library never aborts.
 #define STBTT_assert(condition) static_cast<void>(0)
 #define STBTT_STATIC
 #define STB_TRUETYPE_IMPLEMENTATION
@@ -39,7 +39,7 @@ class LabelLine {
     letters_ = placed(glyphs_of(text));
   }
 
-  /// Ends the line in dots if it is too wide, and where not even they fit, empties it.
+  /// Shortens a line that is too wide and ends it in dots; empties it if the dots do not fit.
   void shorten(double width) {
     if (this->width() <= width) return;
     const std::vector<int> dots = glyphs_of("...");
@@ -56,7 +56,7 @@ class LabelLine {
 
   double width() const { return end_of(letters_); }
 
-  /// `left` and `top` are those of the whole place; the line begins `indent` further to the right.
+  /// `left` and `top` are those of the label's area; the line begins `indent` further to the right.
   void draw(Picture& picture, std::uint32_t left, std::uint32_t top, std::uint32_t width,
             double indent) const {
     int ascent = 0, descent = 0, gap = 0;
@@ -100,7 +100,7 @@ class LabelLine {
     return glyphs;
   }
 
-  // Side by side, with kerning.
+  // Letters side by side, with kerning.
   std::vector<Letter> placed(const std::vector<int>& glyphs) const {
     std::vector<Letter> letters;
     for (const int glyph : glyphs) {

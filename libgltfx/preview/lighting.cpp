@@ -28,7 +28,7 @@ struct SoftBox {
   Rgb radiance;
 };
 
-// The usual set of a product photographer; ratios are a choice of looks, as scale_to_white() sets
+// The usual set of a product photographer; ratios are chosen for their look; scale_to_white() sets
 // the brightness.
 constexpr std::array<SoftBox, 4> kBoxes{{
     {-42, 46, 24, 20, {9.6, 9.3, 8.8}},   // key
@@ -59,7 +59,7 @@ double within(const SoftBox& box, double azimuth, double elevation) {
          render::smooth_step(box.height + kEdge, box.height, upwards);
 }
 
-// The part that is left of the light from a direction. The sides of a white cube then differ: CIE
+// The remaining fraction of the light from a direction. The sides of a white cube then differ: CIE
 // L* 60, 49 and 93, where the even light gives 58.3, 57.8 and 94.2.
 double modelling_share(double azimuth) {
   return 1 - 0.6 * render::smooth_step(20, 80, azimuth) * render::smooth_step(175, 150, azimuth);
@@ -68,7 +68,7 @@ double modelling_share(double azimuth) {
 // A white surface that faces the camera becomes as bright as this.
 constexpr double kWhite = 1.0;
 
-// In the studio, surfaces that shine no brighter are found by paths, as lit surfaces are.
+// In the studio, surfaces that are no brighter are found by paths, like lit surfaces.
 constexpr double kDim = 1.5 * kWhite;
 
 void scale_to_white(render::EnvironmentImage& image, const Vec3d& normal) {

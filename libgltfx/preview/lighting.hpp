@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The lighting of a picture, and what an object without its own stands in.
+/// The lighting of a picture, and the studio for assets without lights.
 #pragma once
 
 #include <gltfx/vec3.hpp>
@@ -15,16 +15,16 @@
 namespace gltfx::preview {
 
 /// Soft boxes around a bright room: a key light from the upper left of a camera that looks along
-/// -`backward`, a fill from the right, a rim light from behind. White surfaces come out a little
-/// below white. `modelling`: with less light from the right, so that the sides of a cube differ
-/// that has neither color nor gloss.
+/// -`backward`, a fill from the right, a rim light from behind. White surfaces are drawn a little
+/// below white. `modelling`: with less light from the right, so that the sides of a cube without
+/// color or gloss differ.
 render::EnvironmentImage studio_environment(const Vec3d& backward, bool modelling = false);
 
 /// The unoccluded irradiance of a surface: the integral of the radiance of the environment times
 /// the cosine to the normal.
 Rgb irradiance(const render::EnvironmentImage& image, const Vec3d& normal);
 
-/// Whether all that is drawn shows the default material alone: white, rough metal.
+/// Whether everything drawn has the default material: white, rough metal.
 bool is_plain(const render::Scene& scene);
 
 enum class Lamps : std::uint8_t { studio, asset, both };
@@ -33,20 +33,19 @@ struct LightingOptions {
   Lamps lamps = Lamps::both;
   bool transparent = false;
   double exposure = 0;        ///< stops
-  bool dim_backdrop = false;  ///< darker, so that what is as bright as the usual one stands out
-  /// The camera stands in a closed room, where all that shines is a lamp.
+  bool dim_backdrop = false;  ///< darker, so that objects as bright as the usual backdrop stand out
+  /// The camera is in a closed room, where all emissive surfaces count as lamps.
   bool enclosed = false;
 };
 
-/// An environment of the scene's own takes the place of studio and backdrop. Otherwise the studio
-/// follows the camera; lamps of the asset shine beside it, dimmed to its brightness where they
-/// would drown it, or alone, brought to that brightness: assets mean very different things by one
-/// candela.
+/// An environment of the scene replaces studio and backdrop. Otherwise the studio follows the
+/// camera; lamps of the asset are added, dimmed to its brightness if they exceed it, or used alone,
+/// scaled to that brightness: the candela of assets vary widely.
 render::World make_world(const render::Scene& scene, const Subject& subject,
                          const render::View& view, const LightingOptions& options);
 
-/// The eye of a picture; nothing for a camera that stands in a closed room, where no wall turns its
-/// back to it: then light comes in through all walls.
+/// The eye of a picture; nothing for a camera in a closed room, where no wall turns its back to it:
+/// then light comes in through all walls.
 std::optional<render::Eye> eye_of(const render::View& view, const render::Bvh& bvh);
 
 }  // namespace gltfx::preview

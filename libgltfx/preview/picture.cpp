@@ -27,7 +27,7 @@ Picture blank(const render::Framebuffer& buffer, std::uint32_t channels, PixelTy
   return picture;
 }
 
-// Adds a colour without tone mapping; `encoded`: it is not to be converted to sRGB.
+// Adds a colour without tone mapping; `encoded`: without conversion to sRGB.
 void add_color(Picture& picture, const Float3& color, bool encoded, PixelType type) {
   for (const float part : color) {
     if (type == PixelType::floats) {
@@ -91,7 +91,7 @@ double lightness(const Float3& radiance) {
   return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389.0 / 27;
 }
 
-// Of each pixel, 0 to 255 (Rec. 709).
+// Luma of each pixel, 0 to 255 (Rec. 709).
 std::vector<float> luma_of(const Picture& picture) {
   std::vector<float> luma;
   luma.reserve(std::size_t{picture.width} * picture.height);
