@@ -2,7 +2,7 @@
 /// Directional albedos: parts of light that lobes send back, by the cosine of the view.
 ///
 /// The shader reads them from tables over roughness and the fourth root of the cosine. A test
-/// compares the tables with quadratures, or writes them anew.
+/// compares the tables with quadratures, or rewrites them.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace gltfx::shader {
 
 /// Four neighbours in a table of values over [0, 1], and the weights of a cubic curve through them
-/// (Catmull and Rom); at the ends it goes on straight.
+/// (Catmull and Rom); at the ends it is extrapolated linearly.
 struct TableCell {
   std::size_t first = 0;
   std::array<float, 4> weights{};
@@ -101,7 +101,7 @@ inline double diffuse_fresnel(double cosine) {
          x * (-0.0798414128 + x * (0.0864126795 + x * (-0.0436042617 + x * 0.0089516657)));
 }
 
-/// Roughness of a row and cosine of a column; the first column stands for a cosine just above 0.
+/// Roughness of a row and cosine of a column; the first column is for a cosine just above 0.
 constexpr double row_roughness(int row, int rows) { return row / (rows - 1.0); }
 constexpr double column_cosine(int column) {
   const double root = column == 0 ? 0.02 : column / (kAlbedoColumns - 1.0);

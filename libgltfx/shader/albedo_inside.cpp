@@ -16,7 +16,7 @@
 namespace gltfx::shader {
 namespace {
 
-// Points of a square, by neighbours among Fibonacci's numbers: they follow no edge.
+// Points of a square, by adjacent Fibonacci numbers: they are not aligned with edges.
 struct Lattice {
   int points, turn;
 };
@@ -77,13 +77,13 @@ double summed_share(const Fresnel& fresnel, const Microfacets& facets, const Vec
       facets.smooth() ? reflectance(v.z) : sum_layer({144, 89}, facets, v, reflectance);
   return share_of(
       layer, sum_base(fresnel.eta, v.z, reflectance),
-      facets.smooth() ? 1e-4 : 0.0145);  // so few points are 0.010 below a fine sum at most
+      facets.smooth() ? 1e-4 : 0.0145);  // with so few points, at most 0.010 below a fine sum
 }
 
-// The sums for one ratio of indices without a film. They are linear in F0 and F90: x is what
-// reflects totally, y is for each F0, z for each F90. Cells are computed when they are first asked
-// for. Rows of the layer go by the logarithm of alpha. Its columns crowd around the cosine at which
-// total reflection begins, and around 0, closer the narrower the lobe.
+// The sums for one ratio of indices without a film. They are linear in F0 and F90: x is the total
+// reflection, y is for each F0, z for each F90. Cells are computed at first use. Rows of the layer
+// are by the logarithm of alpha. Its columns are dense around the cosine at which total reflection
+// begins, and around 0, closer the narrower the lobe.
 class InsideTable {
  public:
   explicit InsideTable(double eta)
@@ -122,7 +122,7 @@ class InsideTable {
 
   struct Row {
     double alpha = 1;
-    double first = 0, last = 1;  // places of the columns at the ends
+    double first = 0, last = 1;  // positions of the columns at the ends
   };
 
   double place(const Row& row, double cosine) const {
@@ -189,7 +189,7 @@ class InsideTable {
   std::vector<Float3> layers_, bases_;
 };
 
-// One thread has few: indices of refraction are those of materials, not of texels.
+// A thread has few: indices of refraction belong to materials, not to texels.
 InsideTable& table_of(double eta) {
   thread_local std::array<std::unique_ptr<InsideTable>, 6> tables;
   thread_local std::size_t oldest = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Energy conservation of a dielectric's layer inside a volume.
 ///
-/// Total reflection makes a curve that the tables of albedo.hpp do not have. It is summed over
-/// visible normals, which takes longer than all else at a surface: sums are kept in a table.
+/// The tables of albedo.hpp do not have the curve of total reflection. It is summed over visible
+/// normals, which takes longer than everything else at a surface: sums are kept in a table.
 #pragma once
 
 #include "shader/fresnel.hpp"
@@ -10,7 +10,7 @@
 
 namespace gltfx::shader {
 
-/// The transmittance of the layer over that of the sample implementation, which hands 1 - F on to
+/// The transmittance of the layer over that of the sample implementation, which passes 1 - F on to
 /// diffuse lobes; from 0 to 1. Precondition: `fresnel.eta` is below 1. The result depends on the
 /// arguments alone.
 double share_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v);

@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The operators that mix lobes, with the names of the specification (Appendix B and the texts of
-/// the material extensions). Nodes hold their operands by value, and refer to what the surface's
-/// parameters come to (Seen).
+/// the material extensions). Nodes hold their operands by value, and refer to the evaluated
+/// parameters of the surface (Seen).
 ///
-/// Where the texts leave something open or contradict themselves, it is decided here:
+/// Decisions where the texts are ambiguous or contradict themselves:
 ///
 /// 1. Half vector of transmitted light: the light is mirrored into the viewer's hemisphere
 ///    (Directions), for the Fresnel weight of diffuse_btdf too, which the text of
 ///    KHR_materials_diffuse_transmission leaves open. Then dt 0 and dt 1 reflect alike, and a plane
-///    whose two colours are equal looks the same whatever the factor. The step functions of G_T
-///    are read with the mirrored direction; taken literally they would cut the lobe of rough thin
-///    walls where its reflected twin is whole.
+///    whose two colours are equal looks the same for any factor. The step functions of G_T are read
+///    with the mirrored direction; taken literally they would cut the lobe of rough thin walls
+///    where its reflected twin is whole.
 /// 2. Refraction (KHR_materials_volume) uses H_TR for the lobe and its Fresnel weight. The prose
-///    asks for the angle "on the dense side", the formulas beside it use the thinner side, as
-///    Schlick's curve needs it: the formulas hold. Total reflection is 1 for all colours.
-/// 3. Radiance is not scaled by eta^2 on entering a volume: what enters leaves again, and the
-///    formula of the text is normalised so that the lobe takes 1 - F.
+/// says the angle "on the dense side", its formulas use the thinner side, as Schlick's curve
+/// requires: the formulas hold. Total reflection is 1 for all colours.
+/// 3. Radiance is not scaled by eta^2 on entering a volume: light that enters leaves again, and the
+/// formula of the text is normalised so that the lobe takes 1 - F.
 /// 4. Anisotropy turns and stretches specular_btdf like specular_brdf, as "this microfacet lobe is
-///    exactly the same". The clamp of V_GGX_anisotropic to 1 is left out: it is no part of the
-///    model, and would darken grazing angles only where there is anisotropy.
+///    exactly the same". The clamp of V_GGX_anisotropic to 1 is left out: it is not part of the
+///    model, and would darken grazing angles only with anisotropy.
 /// 5. ior 0 is an infinite IOR: F0 is 1 times the specular colour, dispersion has no effect. (For
-///    refraction, where the mode is not to be used, a number so large that light goes straight in.)
+/// refraction, for which the mode is not intended, a number so large that light goes straight in.)
 /// 6. KHR_materials_subsurface writes sigma_s = (1 - log c) / d in one place and -log(c) / d in the
 ///    other; the second follows from the definition by Beer's law and is that of its predecessor.
 ///    A colour of 0 would make a medium infinitely dense: it counts as 1e-6.
 /// 7. KHR_materials_scatter at strength 0 says "therefore rho_ss = 0"; the fit gives 6e-6 there.
 ///    Strength 0 is no scattering.
-/// 8. The thin film always has air outside, as in the text, and lies below the clearcoat without an
-///    interface between. A base of F0 above 0.9999 gets the phase that the text's code gives it.
-/// 9. A clearcoat with a normal of its own is a BRDF about that normal: its cosine replaces that of
+/// 8. The thin film always has air outside, as in the text, and is below the clearcoat without an
+/// interface between. A base of F0 above 0.9999 gets the phase that the text's code gives it.
+/// 9. A clearcoat with its own normal is a BRDF about that normal: its cosine replaces that of
 ///    the base. Clearcoat and sheen cover both sides of a surface.
 /// 10. The prose of KHR_materials_diffuse_transmission multiplies the colour texture by the factor
 ///    of the strength; its formula, by the colour factor: the formula holds. (That is done where
 ///    textures are read.)
-/// The layer of KHR_materials_clearcoat: specular_brdf about a normal of its own.
+/// The layer of KHR_materials_clearcoat: specular_brdf about its own normal.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -44,12 +44,12 @@
 
 namespace gltfx::shader {
 
-/// A turned frame; of no effect when its normal is +z.
+/// A rotated frame; no effect when its normal is +z.
 struct CoatFrame {
   Vec3d x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 
   CoatFrame() = default;
-  /// The tangent is as near to +x as possible.
+  /// The tangent is as close to +x as possible.
   explicit CoatFrame(const Vec3d& normal) {
     if (normal == Vec3d(0, 0, 1)) return;
     z = normal;
@@ -62,7 +62,7 @@ struct CoatFrame {
   Vec3d out_of(const Vec3d& w) const { return w.x * x + w.y * y + w.z * z; }
 };
 
-/// A coat as it is seen from v.
+/// A coat seen from v.
 struct SeenCoat {
   CoatFrame frame;
   Vec3d v;  ///< in that frame; below its horizon nothing is reflected
@@ -104,7 +104,8 @@ struct clearcoat_brdf : Lobe {
   }
 };
 
-/// Hands the leaves below a node to visitor(leaf, probability); those that are never chosen not.
+/// Calls visitor(leaf, probability) for the leaves below a node, except those that are never
+/// chosen.
 template <class Node, class Visitor>
 void visit_node(const Node& node, Visitor& visitor, double probability) {
   if (probability <= 0) return;
@@ -115,7 +116,7 @@ void visit_node(const Node& node, Visitor& visitor, double probability) {
   }
 }
 
-/// Value and density of a node: of its own making, or of a leaf one after the other.
+/// Value and density of a node: by its own function, or, for a leaf, one after the other.
 template <class Node>
 Evaluation evaluate_node(const Node& node, const Directions& d, const Through& through) {
   if constexpr (requires { node.evaluate(d, through); }) {
@@ -126,7 +127,7 @@ Evaluation evaluate_node(const Node& node, const Directions& d, const Through& t
   }
 }
 
-/// What a choice between two makes of their densities.
+/// The density of a choice between two.
 inline double mix_pdf(double pdf0, double pdf1, double chance) {
   return chance <= 0 ? pdf0 : chance >= 1 ? pdf1 : (1 - chance) * pdf0 + chance * pdf1;
 }
@@ -161,7 +162,7 @@ struct mix : Lobe {
 };
 
 /// conductor_fresnel(f0, bsdf): tints a BSDF by the Fresnel term of a metal;
-/// iridescent_conductor_layer where there is a film.
+/// iridescent_conductor_layer with a film.
 template <class Bsdf>
 struct conductor_fresnel : Lobe {
   const Fresnel& fresnel;
@@ -182,9 +183,9 @@ struct conductor_fresnel : Lobe {
   }
 };
 
-/// fresnel_mix(ior, base, layer): the layer reflects what the Fresnel term says, the base gets the
-/// rest; in the form of KHR_materials_specular, `fr * layer + (1 - max_value(fr)) * base`, and as
-/// iridescent_dielectric_layer (rgb_mix) where there is a film.
+/// fresnel_mix(ior, base, layer): the layer reflects by the Fresnel term, the base gets the rest;
+/// in the form of KHR_materials_specular, `fr * layer + (1 - max_value(fr)) * base`, and as
+/// iridescent_dielectric_layer (rgb_mix) with a film.
 template <class Base, class Layer>
 struct fresnel_mix : Lobe {
   const Fresnel& fresnel;
@@ -197,7 +198,7 @@ struct fresnel_mix : Lobe {
               const EnergyCompensation& h)
       : fresnel(f), base(b), layer(l), held(h) {
     const Rgb fr = f.at(v.z);
-    // Facets that lean far reflect totally what comes from the dense side.
+    // Steep facets totally reflect light from the dense side.
     const double total = f.eta < 1 ? l.facets.beyond(f.eta / std::sqrt(1 - square(f.eta))) : 0;
     const double rest = (1 - max_value(fr)) * (1 - total);
     const double reflected = (1 - rest) * l.power;
@@ -233,8 +234,8 @@ struct fresnel_mix : Lobe {
   }
 
  private:
-  // Facets are inclined: what the flat surface says of either part is a guess. On the dense side
-  // the guess is bad: some facets reflect totally, and others let something out where the flat
+  // Facets are inclined: the flat surface gives only an estimate of either part. On the dense side
+  // the estimate is bad: some facets reflect totally, and others transmit light where the flat
   // surface would not.
   double chance_of(double reflected, double passed) const {
     const bool dense = fresnel.eta < 1;

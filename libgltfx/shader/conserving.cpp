@@ -18,7 +18,7 @@ double f0_through(double reflectance, double f90, double cosine) {
   return (reflectance - f90 * w) / (1 - w);
 }
 
-// More than the tables are wrong by where a layer reflects most. Plastics of F0 0.04 to 0.8 and of
+// More than the error of the tables where a layer reflects most. Plastics of F0 0.04 to 0.8 and of
 // any roughness then reflect 0.9996 of all light at most.
 double table_margin(double cosine) { return 3e-5 / (cosine + 0.001); }
 
@@ -82,7 +82,7 @@ EnergyCompensation::EnergyCompensation(const Fresnel& fresnel, const Microfacets
 inline double EnergyCompensation::share(const SpecularAlbedo& along, const SpecularAlbedo& across,
                                         double diffuse, double margin) const {
   double reflected = highest_f0_ * along.constant + f90_ * (along.rising + margin);
-  if (!isotropic_) {  // between the isotropic values of both, but for grazing angles
+  if (!isotropic_) {  // between the isotropic values of both, except at grazing angles
     reflected = std::max(reflected, highest_f0_ * across.constant + f90_ * across.rising) +
                 4 * f90_ * margin;
   }
@@ -115,7 +115,7 @@ double EnergyCompensation::mean_share() const {
                        lights.diffuse[i], lights.margin[i]);
     all += passed;
   }
-  constexpr double kMargin = 1.003;  // of so few points
+  constexpr double kMargin = 1.003;  // for so few points
   return all > 0 ? std::min(1.0, sum / all * kMargin) : 1;
 }
 
@@ -136,7 +136,7 @@ SheenScaling::SheenScaling(const Rgb& color, double sheen_roughness, const Vec3d
 
 SheenScaling::Weights SheenScaling::weights(double n_l) const {
   double highest = strength * std::max(albedo_v, curve.at(n_l));
-  // Fibres that stand nearly upright make a curve too steep for the table.
+  // Nearly upright fibres give a curve too steep for the table.
   if (conserving) highest *= roughness < 0.1 ? 1.05 : 1.002;
   return {conserving ? 1 / std::max(1.0, highest) : 1, std::max(0.0, 1 - highest)};
 }

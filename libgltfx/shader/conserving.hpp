@@ -19,7 +19,7 @@ namespace gltfx::shader {
 /// The factor for the diffuse lobes below an interface.
 class EnergyCompensation {
  public:
-  /// Nothing is held back.
+  /// No compensation.
   EnergyCompensation() = default;
   EnergyCompensation(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v);
 
@@ -27,7 +27,7 @@ class EnergyCompensation {
   double factor(double n_l) const;
 
   /// For rough diffuse lobes: they reflect more light back to its source, where an interface
-  /// transmits more than elsewhere. In a furnace the difference is 2 % at most.
+  /// transmits more. In a furnace test the difference is 2 % at most.
   void calm(double diffuse_roughness) { scale_ *= 1 - 0.021 * diffuse_roughness * f90_; }
 
  private:

@@ -37,7 +37,7 @@ constexpr Vec3d mirrored(const Vec3d& a) { return {a.x, a.y, -a.z}; }
 ///
 /// One convention for the half vector of transmitted light: the light is mirrored at the surface
 /// into the viewer's hemisphere first (H_T of KHR_materials_transmission). Only refraction has
-/// another, H_TR, which specular_btdf works out.
+/// another, H_TR, which specular_btdf computes.
 struct Directions {
   Vec3d v;
   Vec3d l;         ///< mirrored: l.z >= 0
@@ -56,7 +56,7 @@ struct Directions {
         lobes(asked) {
     const Vec3d sum = v + l;
     const double square_length = dot(sum, sum);
-    if (square_length < 1e-300) return;  // both in the plane and opposed: no facet between them
+    if (square_length < 1e-300) return;  // both in the plane and opposite: no facet between them
     h = sum * (1 / std::sqrt(square_length));
     v_h = dot(v, h);
   }
@@ -117,7 +117,7 @@ inline Vec3d uniform_hemisphere(double u, double v) {
   return {radius * turn.cosine, radius * turn.sine, u};
 }
 
-/// One of `count` directions that are spread evenly.
+/// One of `count` evenly spread directions.
 inline Vec3d even_direction(int index, int count) {
   constexpr double kGoldenAngle = pi * (3 - 2.23606797749979);
   const double y = 1 - (2 * index + 1.0) / count;

@@ -74,9 +74,9 @@ Rgb iridescent_fresnel(double outside_ior, double film_ior, const Rgb& base_f0, 
 }
 
 Rgb Fresnel::inside_or_iridescent(double cosine) const {
-  if (eta < 1) {  // Schlick's curve belongs to the angle in the thinner medium
+  if (eta < 1) {  // Schlick's curve uses the angle in the thinner medium
     const double sine_square = (1 - square(cosine)) / square(eta);
-    if (sine_square >= 1) return Rgb(1);  // total reflection, whatever `specular` says
+    if (sine_square >= 1) return Rgb(1);  // total reflection, independent of `specular`
     cosine = std::sqrt(1 - sine_square);
   }
   const Rgb plain = schlick(f0, f90, cosine);

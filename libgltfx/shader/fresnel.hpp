@@ -24,7 +24,7 @@ struct ThinFilm {
   double strength = 0;  ///< `iridescence`; 0: no film
   double ior = 1.3;
   double thickness = 0;  ///< nanometres
-  /// The fit can give a little more than 1, which the conserving mode cuts off.
+  /// The fit can give slightly more than 1, which the conserving mode clamps.
   double most = 1;
 };
 

@@ -2,9 +2,9 @@
 /// Albedo of a graph of nodes by quadrature.
 ///
 /// Each kind of light is integrated over the directions that the lobes of its kind sample, weighted
-/// against the density of all these lobes together. At one azimuth the directions of a lobe lie on
-/// a curve that the horizon cuts; between the cuts the integrand is smooth, and Gauss's nodes
-/// suffice.
+/// against the density of all these lobes together. At one azimuth the directions of a lobe are on
+/// a curve that the horizon cuts; between the cuts the integrand is smooth, and Gaussian quadrature
+/// suffices.
 #pragma once
 
 #include <cmath>
@@ -88,7 +88,7 @@ class Integration {
   }
 
  private:
-  // Where a curve of directions is: 0 nowhere, else on which side.
+  // The side of a curve of directions; 0: neither.
   template <class Leaf>
   int side(const Leaf& leaf, double turn, double u) const {
     const Proposal p = leaf.sample(v_, {0.5, u, turn});
@@ -120,7 +120,7 @@ class Integration {
     piece(leaf, turn, begin, 1, share);
   }
 
-  // Nodes crowd towards the end, where lobes run out slowly or meet the horizon.
+  // Nodes are dense towards the end, where lobes fall off slowly or reach the horizon.
   template <class Leaf>
   void piece(const Leaf& leaf, double turn, double begin, double end, double share) {
     const double width = end - begin;

@@ -36,9 +36,9 @@ struct diffuse_brdf : Lobe {
 
 /// Lambert's law for a rough surface of V-shaped cavities, for
 /// KHR_materials_diffuse_roughness: EON, the model of OpenPBR, which the text names. It is Fujii's
-/// form of the model of Oren and Nayar, plus the light that bounces more than once: white loses
-/// nothing. (J. Portsmouth, P. Kutz and S. Hill, EON: A Practical Energy-Preserving Rough Diffuse
-/// BRDF, Journal of Computer Graphics Techniques 14(1), 2025.)
+/// form of the model of Oren and Nayar, plus multiple bounces: white loses no energy. (J.
+/// Portsmouth, P. Kutz and S. Hill, EON: A Practical Energy-Preserving Rough Diffuse BRDF, Journal
+/// of Computer Graphics Techniques 14(1), 2025.)
 class Cavities {
  public:
   Cavities(double roughness, const Vec3d& v)
@@ -57,7 +57,7 @@ class Cavities {
   }
 
  private:
-  // The part of light that does not leave white facets at the first bounce: 1 less the albedo.
+  // The fraction of light that does not leave white facets at the first bounce: 1 minus the albedo.
   double kept(double cosine) const {
     const double sine = std::sqrt(std::fmax(0.0, 1 - square(cosine)));
     const double ends = cosine * (1 + sine + square(sine)) / (1 + sine);  // (1 - sine^3) / cosine
@@ -83,8 +83,8 @@ struct rough_diffuse_brdf : diffuse_brdf {
   }
 };
 
-/// diffuse_btdf(color) of a rough surface, or of a smooth one: the same lobe on the other side, as
-/// the text says that diffuse transmission relies on it.
+/// diffuse_btdf(color) of a rough surface, or of a smooth one: the same lobe on the other side,
+/// because the text bases diffuse transmission on it.
 struct rough_diffuse_btdf : Lobe {
   static constexpr int kKinds = kDiffuseTransmit;
   Rgb color;
@@ -113,7 +113,7 @@ struct specular_brdf : Lobe {
   explicit specular_brdf(const SeenFacets& f) : Lobe{1, f.smooth()}, facets(f) {}
   Rgb eval(const Directions& d, const Through& through) const { return evaluate(d, through).f; }
   double pdf(const Directions& d) const { return evaluate(d, {}).pdf; }
-  /// Both in one: they share the distribution of the facets.
+  /// Value and density together: they share the distribution of the facets.
   Evaluation evaluate(const Directions& d, const Through& through) const {
     if (is_delta) return mirror(d, through);
     if (!d.reflects(kAllLobes, Measure::solid_angle)) return {};
@@ -149,8 +149,8 @@ struct specular_btdf : Lobe {
   bool refracts;
   Rgb color{1, 1, 1};
 
-  /// `volume`: the surface bounds one. A boundary between equal media leaves light alone, however
-  /// rough it is. Keeps a reference to the facets.
+  /// `volume`: the surface bounds one. A boundary between equal media has no effect on light, at
+  /// any roughness. Keeps a reference to the facets.
   specular_btdf(const SeenFacets& f, bool volume, double relative_ior)
       : Lobe{1, f.smooth() || (volume && std::fabs(relative_ior - 1) < 1e-9)},
         facets(f),
@@ -199,7 +199,7 @@ struct scatter_bsdf : Lobe {
   }
 };
 
-/// sheen_brdf: fibres that stand up. Sampled uniformly over the hemisphere, as it is strongest at
+/// sheen_brdf: upright fibres. Sampled uniformly over the hemisphere, because it is strongest at
 /// grazing angles.
 struct sheen_brdf : Lobe {
   static constexpr int kKinds = kSpecularReflect;

@@ -9,7 +9,7 @@ namespace gltfx::shader {
 namespace {
 
 constexpr double kGrazing = 1e-7;     // cosine below which directions count as the horizon
-constexpr double kInfiniteIor = 1e4;  // for ior 0, where light is refracted all the same
+constexpr double kInfiniteIor = 1e4;  // for ior 0 with refraction
 
 // IOR behind the surface over IOR in front of it.
 double relative_ior(const Material& m, int channel) {
@@ -36,7 +36,7 @@ SeenLayers see_layers(const Material& m, const Vec3d& v, ShaderMode mode) {
 
 }  // namespace
 
-// Nodes are small: in one piece they take half the time.
+// Nodes are small: inlined together they take half the time.
 template <class Graph>
 [[gnu::flatten]] Evaluation in_one_piece(const Graph& graph, const Directions& d) {
   return graph.evaluate(d, {});

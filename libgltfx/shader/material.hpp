@@ -40,14 +40,14 @@ struct SeenLayers {
         coat(m.clearcoat_normal, m.clearcoat_roughness, v) {}
 };
 
-/// Whether a material is that of the core specification, as far as its lobes go.
+/// Whether a material has only lobes of the core specification.
 inline bool is_core(const Material& m) {
   return m.transmission == 0 && m.diffuse_transmission == 0 && m.diffuse_roughness == 0 &&
          max_value(m.sheen_color) <= 0 && m.clearcoat == 0;
 }
 
-/// The core material as a graph of nodes (Appendix B). They refer to `seen`. It equals
-/// the graph below where no extension is used, in a third of the time.
+/// The core material as a graph of nodes (Appendix B). They refer to `seen`. It equals the graph
+/// below if no extension is used, in a third of the time.
 // clang-format off
 inline auto core_graph(const Material& m, const Seen& seen) {
   const auto dielectric_brdf = fresnel_mix(
@@ -114,7 +114,7 @@ struct BsdfSample : MaterialSample {
 };
 
 /// Frame, units and options as in <gltfx/material.hpp>. Keeps no reference to the material. Not for
-/// unlit materials, which only emit.
+/// unlit materials, which only emit light.
 class Bsdf {
  public:
   Bsdf(const Material& material, const Vec3d& v, const ShaderOptions& options = {});
@@ -124,7 +124,7 @@ class Bsdf {
   /// The value without delta lobes.
   Evaluation evaluate(const Vec3d& l) const;
   std::optional<BsdfSample> sample(const Random3& random) const;
-  /// The part of light from the opposite side that comes straight through: of thin smooth walls.
+  /// The fraction of light from the opposite side that passes straight through thin smooth walls.
   Rgb straight_transmittance() const;
   /// Below this, Random3::lobe leads to mirrors, gloss and sheen; from it on, to the rest.
   double reflection_chance() const;
@@ -140,7 +140,7 @@ class Bsdf {
   template <class Nodes>
   std::optional<BsdfSample> sample(const Nodes& graph, const Random3& random) const;
 
-  bool flipped_;  // seen from behind: all is mirrored at the surface
+  bool flipped_;  // seen from behind: everything is mirrored at the surface
   Seen seen_;
   std::optional<CoreGraph> core_;  // or else:
   std::optional<SeenLayers> layers_;

@@ -23,14 +23,14 @@ void share(Medium& medium, const Rgb& extinction, const Rgb& albedo) {
   medium.absorption = extinction - medium.scattering;
 }
 
-// Strength 0 is no scattering, where the fit would leave a rest.
+// Strength 0 is no scattering; the fit would leave a remainder.
 Rgb albedo_of(const Material& m, double strength, double g) {
   return each(m.scatter_color, [&](double color) {
     return strength * color > 0 ? single_scatter_albedo(strength * color, g) : 0;
   });
 }
 
-// How likely each colour is to decide.
+// The probability of each colour.
 Rgb color_odds(const Rgb& throughput) {
   const double sum = throughput.x + throughput.y + throughput.z;
   return sum > 0 ? throughput / Rgb(sum) : Rgb(1.0 / 3);
@@ -96,7 +96,7 @@ Vec3d sample_phase(const Medium& medium, const Vec3d& along, double u, double v)
                             ? 2 * u - 1
                             : std::clamp((1 + square(g) - square(k)) / (2 * g), -1.0, 1.0);
   const double sine = std::sqrt(std::max(0.0, 1 - square(cosine)));
-  // Made of unit length once more, by a step of Newton: paths have hundreds of directions.
+  // Normalized again by a Newton step: paths have hundreds of directions.
   const SinCos turn = sin_cos_of(v);
   const double side = sine * (1.5 - 0.5 * (square(turn.sine) + square(turn.cosine)));
   // A frame around the direction (T. Duff et al., Building an Orthonormal Basis, Revisited, 2017).

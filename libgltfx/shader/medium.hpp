@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Homogeneous media: KHR_materials_volume, KHR_materials_sss, KHR_materials_subsurface,
 /// KHR_materials_volume_scatter, KHR_materials_scatter. Coefficients are per metre. A path may be
-/// in several, one inside of the other.
+/// in several, nested inside each other.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -19,12 +19,13 @@ struct Medium {
 
   Rgb extinction() const { return absorption + scattering; }
   bool scatters() const { return max_value(scattering) > 0; }
-  /// Whether all colours get equally far.
+  /// Whether the extinction of all colours is equal.
   bool is_grey() const {
     const Rgb all = extinction();
     return all.x == all.y && all.y == all.z;
   }
-  /// The part of light that `distance` metres, which may be infinite, neither absorb nor scatter.
+  /// The fraction of light that is neither absorbed nor scattered over `distance` metres, which may
+  /// be infinite.
   Rgb transmittance(double distance) const;
 };
 
@@ -36,19 +37,19 @@ Medium medium_of(const Material& material);
 Rgb coefficient(const Rgb& color, double distance);
 
 /// The albedo of one scattering event for that of very many, by C. Kulla and A. Conty (Revisiting
-/// Physically Based Shading at Imageworks, 2017); with the anisotropy g as KHR_materials_scatter
-/// has it (0: as KHR_materials_volume_scatter and KHR_materials_sss).
+/// Physically Based Shading at Imageworks, 2017); with the anisotropy g as in KHR_materials_scatter
+/// (0: as in KHR_materials_volume_scatter and KHR_materials_sss).
 double single_scatter_albedo(double multi_scatter_albedo, double g = 0);
 
 /// The phase function of L. Henyey and J. Greenstein (1941), per steradian. Both directions point
-/// away from the scattering point: v.l is -1 straight on.
+/// away from the scattering point: v.l is -1 straight ahead.
 double henyey_greenstein(double g, double v_dot_l);
 
 /// The next direction of a path that came along `along` (-v). Its density is the phase function.
 Vec3d sample_phase(const Medium& medium, const Vec3d& along, double u, double v);
 
 /// A path enters and leaves closed meshes, each known by its Hit::body(). A medium that is nested
-/// deeper than some levels counts as the medium around it.
+/// too deeply counts as the medium around it.
 class MediaStack {
  public:
   bool empty() const { return entries_.empty(); }
@@ -74,12 +75,12 @@ class MediaStack {
   std::vector<Entry> entries_;  // most paths never have one
 };
 
-/// The distance after which a path is scattered, if no surface comes first; infinite where nothing
-/// scatters. The throughput of the path chooses the colour whose extinction decides.
+/// The distance after which a path is scattered, if no surface comes first; infinite if nothing
+/// scatters. The throughput of the path chooses the colour whose extinction is used.
 double sample_distance(const Medium& medium, const Rgb& throughput, const Float2& random);
 
-/// By what the throughput of a path is multiplied that got `distance` metres far, to where it is
-/// scattered or to a surface. The colours are combined by multiple importance sampling.
+/// The factor of the throughput of a path after `distance` metres, to a scattering point or to a
+/// surface. The colours are combined by multiple importance sampling.
 Rgb distance_weight(const Medium& medium, const Rgb& throughput, double distance, bool scattered);
 
 }  // namespace gltfx::shader

@@ -38,7 +38,7 @@ struct Microfacets {
     return a * a * a / (pi * square(sum));
   }
 
-  /// The part of the facets, by area projected from above, whose slope is above `tangent`.
+  /// The fraction of the facets, by projected area, whose slope is above `tangent`.
   double beyond(double tangent) const {
     return alpha_t * alpha_b / (alpha_t * alpha_b + square(tangent));
   }
@@ -72,7 +72,7 @@ struct Microfacets {
   }
 };
 
-/// Microfacets seen from v: values that are the same for all lights.
+/// Microfacets seen from v: values that do not depend on the light.
 struct SeenFacets : Microfacets {
   double v_stretched;
   double visible;  ///< density of normals over the distribution and v.h
@@ -81,7 +81,7 @@ struct SeenFacets : Microfacets {
       : Microfacets(facets), v_stretched(stretched(v)), visible(2 / (v.z + v_stretched)) {}
 };
 
-/// KHR_materials_anisotropy: the direction's alpha grows, the other keeps the material's.
+/// KHR_materials_anisotropy: alpha along the direction grows, the other is that of the material.
 inline Microfacets microfacets(double roughness, double anisotropy = 0, double rotation = 0) {
   const double alpha = square(roughness);
   if (anisotropy == 0) return {alpha, alpha, 1, 0};
@@ -92,7 +92,7 @@ inline Microfacets microfacets(double roughness, double anisotropy = 0, double r
 struct Fibres {
   double alpha;
 
-  /// The distribution is not defined at roughness 0; so smooth a sheen reflects no light.
+  /// The distribution is undefined at roughness 0; such a sheen reflects no light.
   explicit Fibres(double sheen_roughness) : alpha(std::fmax(square(sheen_roughness), 1e-3)) {}
 
   double distribution(double n_h) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Sines, cosines and whole numbers in less time than the library takes.
+/// Sines, cosines and whole numbers, faster than the standard library.
 #pragma once
 
 #include <array>
@@ -9,14 +9,14 @@
 
 namespace gltfx::shader {
 
-/// The next whole number below, of one that fits. (Without SSE4.1 std::floor is a call.)
+/// The next whole number below, which must fit. (Without SSE4.1 std::floor is a call.)
 inline std::int64_t floor_of(double value) {
   const auto whole = static_cast<std::int64_t>(value);
   return whole - (value < static_cast<double>(whole) ? 1 : 0);
 }
 
-/// Sine and cosine of an angle from -1 to 1 full turns, to some 1e-9: a third of the time that the
-/// library takes for every angle there is.
+/// Sine and cosine of an angle from -1 to 1 full turns, to some 1e-9: in a third of the time of the
+/// standard library, which accepts any angle.
 struct SinCos {
   double sine = 0, cosine = 1;
 };
@@ -29,14 +29,14 @@ inline SinCos sin_cos_of(double turns) {
       x * (1 + q * (-1.0 / 6 + q * (1.0 / 120 + q * (-1.0 / 5040 + q * (1.0 / 362880)))));
   const double c =
       1 + q * (-0.5 + q * (1.0 / 24 + q * (-1.0 / 720 + q * (1.0 / 40320 - q * (1.0 / 3628800)))));
-  // Which quarter it is cannot be foreseen: no branches.
+  // Branch-free, because the quarter is unpredictable.
   const std::array<double, 2> parts{s, c};
   const auto first = static_cast<std::size_t>(quarters & 1);
   return {parts[first] * static_cast<double>(1 - (quarters & 2)),
           parts[1 - first] * static_cast<double>(1 - ((quarters + 1) & 2))};
 }
 
-/// The other way round, from -1/2 to 1/2, to some 1e-7: the angle from +x to (x, y).
+/// The inverse, from -1/2 to 1/2, to some 1e-7: the angle from +x to (x, y).
 inline double turn_of(double y, double x) {
   constexpr double kTurn = 6.28318530717958648;
   const double across = std::fabs(x);
