@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// For programs that read as people do, and for grep: everything about a finding in one line.
+// For coding agents and grep: everything about a finding in one line.
 //
 //     SEVERITY[CODE] PLACE at POINTER ('NAME'): MESSAGE | help: HELP | fix: TOOL | note: REPEATS
 //     summary: 3 files, 1 error; profile default, pixels headers
 //
-// PLACE is PATH:LINE:COLUMN, or PATH alone; parts behind ':' that there is nothing to say for are
-// left out. No line begins with asset text.
+// PLACE is PATH:LINE:COLUMN, or PATH alone; unknown parts after ':' are left out. No line begins
+// with asset text.
 #include <string>
 
 #include <fmt/format.h>
@@ -70,7 +70,7 @@ class AgentWriter final : public ReportWriter {
   }
 
  private:
-  // What the rule says to do, where the finding has no help of its own.
+  // The help of the rule, if the finding has none.
   std::string help_for(const Diagnostic& finding) const {
     if (!finding.help.empty()) return safe(finding.help);
     const RuleDescription* rule = find_rule_in(options_.rules, finding.code);

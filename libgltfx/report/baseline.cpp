@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A baseline is edited and merged by people, so what is wrong with it is said with its place.
+// People edit and merge baselines, so errors in one are reported with their place.
 #include "report/baseline.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace gltfx::report {
 namespace {
 
-// What a text is after it went through a JSON file: a key must find itself again.
+// A text as it is after writing and reading JSON, so that keys match.
 std::string as_utf8(std::string_view text) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
@@ -52,7 +52,7 @@ void take(Counts& counts, Severity severity, std::uint64_t known) {
   }
 }
 
-// A baseline counts the repeats of a folded finding: nobody can say which of them is new.
+// A baseline counts the repeats of a folded finding: which of them are new is unknown.
 void keep_new_ones(Diagnostic& finding, std::uint64_t known) {
   const std::uint64_t all = finding.count;
   finding.count -= known;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A baseline is the list of findings a team has agreed to live with for now: what is on it is not
-/// reported again, what comes on top is. It is kept under version control, so it is sorted, has one
-/// finding a line and names nothing that an unrelated edit moves: no line, no array index.
+/// A baseline is a list of accepted findings: those in it are not reported again, further ones are.
+/// It is kept under version control, so it is sorted, has one finding per line and contains nothing
+/// that an unrelated edit changes: no line, no array index.
 ///
 ///     {
 ///       "gltfx-baseline": 1,
@@ -26,18 +26,18 @@ namespace gltfx::report {
 /// Path (without "./" and the like), code, and pointer with '*' for array indices. Valid UTF-8.
 using FindingKey = std::tuple<std::string, std::string, std::string>;
 
-/// How often each finding is known or was met.
+/// How often each finding is in the baseline or was found.
 using FindingCounts = std::map<FindingKey, std::uint64_t>;
 
 /// Immutable; any number of threads may apply one.
 class Baseline {
  public:
-  /// Reads what BaselineWriter wrote. Entries of one key add up, as after a merge of branches.
+  /// Reads the text of a BaselineWriter. Entries of one key add up, as after a merge of branches.
   static Result<Baseline> parse(std::string_view text);
 
-  /// Takes the known findings out of a report and its counts and adds their number to
-  /// `suppressed`. Of a folded finding that is known in part, the rest stays, with a remark that it
-  /// is not known which ones are new. A file that could not be read is reported in any case.
+  /// Removes the known findings from a report and its counts and adds their number to `suppressed`.
+  /// If a folded finding is known in part, the rest stays, with a remark that it is unknown which
+  /// ones are new. A file that could not be read is reported in any case.
   void apply(FileReport& report) const;
 
  private:
@@ -49,7 +49,7 @@ class BaselineWriter {
  public:
   /// Files that could not be read are left out.
   void add(const FileReport& report);
-  /// The file's text; the same findings give the same bytes, in whatever order they came.
+  /// The file's text; the same findings give the same bytes, in any order.
   std::string text() const;
 
  private:

@@ -36,7 +36,7 @@ class JsonOut {
   void long_text(std::string_view name, const std::string& value, bool when = true) {
     if (when) writer_.member(name, long_value(value));
   }
-  // JSON holds text only: bytes that are none are there in another form besides.
+  // JSON holds text only: bytes that are not UTF-8 are also written as hexadecimal digits.
   void bytes(std::string_view name, std::string_view value) {
     writer_.member(name, value);
     if (!is_full() || json::is_utf8(value)) return;

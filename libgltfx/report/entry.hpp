@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What `--format json` and `--format jsonl` say of one file and of a run.
+/// The entries of `--format json` and `--format jsonl` for files and runs.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -10,17 +10,16 @@
 
 namespace gltfx::report {
 
-/// Writes `info` as one object: members of the Khronos report, in its order, those left out that
-/// have nothing to say.
+/// Writes `info` as one object: members of the Khronos report, in its order, without empty ones.
 void write_asset_info(json::Writer& writer, const AssetInfo& info);
 
-/// Raised when a reader of the format before could misread the next.
+/// Raised when a reader of the previous format could misread the next.
 inline constexpr std::uint64_t kJsonFormat = 1;
 
 /// `full`: everything that any format needs, so that a report can be read back.
 enum class Detail : std::uint8_t { plain, full };
 
-/// `timings`: how long it took as well.
+/// `timings`: with the duration.
 void write_entry(json::Writer& writer, const FileReport& report, Detail detail,
                  bool timings = false);
 void write_summary(json::Writer& writer, const RunSummary& summary);

@@ -15,7 +15,7 @@ namespace {
 
 using json::Writer;
 
-// Raised when a reader of the format before could misread the next.
+// Raised when a reader of the previous format could misread the next.
 constexpr std::uint64_t kFormat = 1;
 
 constexpr std::array<std::string_view, kByteUseCount> kByteUseNames{

@@ -7,7 +7,7 @@
 
 namespace gltfx::report {
 
-/// A path as a report can refer to it.
+/// A path as a URI in a report.
 struct FileUri {
   std::string text;  ///< ASCII: everything but unreserved characters and '/' is percent-encoded
   bool relative = false;  ///< to the base folder

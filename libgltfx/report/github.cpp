@@ -33,7 +33,7 @@ std::string_view command_of(Severity severity) {
   return severity == Severity::warning ? "warning" : "notice";
 }
 
-// Lines of a GLB's JSON chunk are no lines of the file; columns are refused across lines.
+// Lines of a GLB's JSON chunk are not lines of the file; GitHub refuses columns across lines.
 std::string location_properties(const FileReport& report, const Location& at) {
   if (at.line == 0 || report.mime_type == "model/gltf-binary") return {};
   std::string out = fmt::format(",line={},endLine={}", at.line, at.end_line);
@@ -49,7 +49,7 @@ std::string byte_place(const FileReport& report, const Diagnostic& finding) {
   return fmt::format(" at byte {}", finding.location.offset);
 }
 
-// All asset text in here is neutralised; the line breaks are ours.
+// All asset text here is neutralised; line breaks come from the format.
 std::string message_text(const FileReport& report, const Diagnostic& finding) {
   std::string text = safe(finding.message);
   const std::string place = byte_place(report, finding) + document_place(finding);
@@ -87,7 +87,7 @@ class GithubWriter final : public ReportWriter {
     if (summary.unchanged != 0) {
       out += fmt::format("::notice title=gltfx::{}\n", unchanged_note(summary.unchanged));
     }
-    // A plain line of the log: worth knowing, but no annotation.
+    // A plain line of the log, not an annotation.
     if (!pixel_level_.empty()) {
       out += fmt::format("gltfx: {} checked, pixels: {}\n", counted(summary.files, "file"),
                          pixel_level_);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// For programs: one object a run, one line a file (schema/meta/report.schema.json describes it);
-// or JSON Lines: one object a line, each complete as soon as it is there, from which any other
-// format can be made. The first line tells of the run, the last sums it up, one stands for each
+// For programs: one object per run, one line per file (schema/meta/report.schema.json describes
+// it); or JSON Lines: one object per line, each complete when written, from which any other format
+// can be made. The first line describes the run, the last is the summary, and there is one for each
 // file.
 #include <gltfx/version.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The XML of JUnit, which build servers show as tests: a suite a file, a test a finding, each
-// repeat of it too. What is as loud as --fail-on fails; the rest passes and says what it is. Tests
-// are called by what stays from run to run. tests/report/junit.xsd has the shape.
+// JUnit XML, which build servers show as tests: a suite per file, a test per finding and per
+// repeat. Findings at or above --fail-on fail; the others pass with their text. Names of tests are
+// stable from run to run. tests/report/junit.xsd has the shape.
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,8 +16,8 @@
 namespace gltfx::report {
 namespace {
 
-// Neutralised text for an element or a quoted attribute. XML has no way at all to name a control
-// character or U+FFFE and U+FFFF: they become visible escapes of our own.
+// Neutralised text for an element or a quoted attribute. XML cannot represent control characters,
+// U+FFFE and U+FFFF: they become visible escapes.
 std::string xml(std::string_view text) {
   std::string out;
   const std::string plain = safe(text);
@@ -48,7 +48,7 @@ std::string xml(std::string_view text) {
   return out;
 }
 
-/// What the elements around tests say of them.
+/// Totals of the elements around tests.
 struct Totals {
   std::uint64_t tests = 0, failures = 0, errors = 0, microseconds = 0;
 
@@ -67,7 +67,7 @@ class JunitWriter final : public ReportWriter {
 
   void begin(std::string&) override {}
 
-  // The totals stand before the suites.
+  // The totals come before the suites.
   void file(const FileReport& report, std::string&) override {
     const std::string path = xml(report.path);
     Totals totals;
@@ -124,7 +124,7 @@ class JunitWriter final : public ReportWriter {
         xml(options_.profile), xml(options_.pixel_level));
   }
 
-  // The first test of a file has all of its time, so that sums over tests are right.
+  // The first test of a file has the whole time of the file, so that sums over tests are right.
   void begin_test(std::string_view path, std::string_view name, Totals& totals,
                   std::string& out) const {
     out += fmt::format("    <testcase classname=\"{0}\" name=\"{1}\" file=\"{0}\" time=\"{2}\"",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report structure of the Khronos glTF validator, for tools that read that one.
+// The report structure of the Khronos glTF validator, for tools that read its reports.
 #include <gltfx/version.hpp>
 
 #include <string>
@@ -13,8 +13,8 @@
 namespace gltfx::report {
 namespace {
 
-// There the root object is "/"; only what is said of the text, or of a root that is no object, has
-// the empty pointer that RFC 6901 gives to both.
+// In that report the root object is "/"; only findings on the text, or on a root that is not an
+// object, have the empty pointer of RFC 6901.
 std::string_view pointer_of(const FileReport& report, const Diagnostic& finding) {
   if (!finding.pointer.empty() || report.mime_type.empty()) return finding.pointer;
   const bool on_text = finding.code == "INVALID_JSON" || finding.code == "TYPE_MISMATCH" ||
@@ -39,7 +39,7 @@ void write_message(json::Writer& writer, const FileReport& report, const Diagnos
   writer.end_object();
 }
 
-// The numbers of a report that was cut short are those of the messages in it.
+// The counts of a truncated report are those of its messages.
 Counts counts_of(const FileReport& report) {
   if (!report.truncated) return report.counts;
   Counts counts;
@@ -64,7 +64,7 @@ void write_issues(json::Writer& writer, const FileReport& report) {
 
 std::string object_text(const FileReport& report) {
   std::string out;
-  out.reserve(1024);  // that of an asset without findings
+  out.reserve(1024);  // size of the report of an asset without findings
   json::Writer writer(out, true);
   writer.begin_object();
   writer.member("uri", report.path);
@@ -81,7 +81,7 @@ std::string object_text(const FileReport& report) {
   return out;
 }
 
-// Strings have no line breaks of their own, so every one is the writer's.
+// Strings have no line breaks, so every line break is the writer's.
 void append_indented(std::string& out, std::string_view text) {
   out += "  ";
   for (const char c : text) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Findings one by one, for formats that follow each from run to run.
+/// Findings one by one, for formats that track each from run to run.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -11,19 +11,19 @@
 
 namespace gltfx::report {
 
-/// Each finding of a report and, behind it, each repeat that was folded into it. Repeats that were
-/// not kept stay with the finding: they are its `count`. The reference holds during the call.
+/// Each finding of a report, followed by each repeat that was folded into it. Repeats that were not
+/// kept stay in the `count` of the finding. The reference is valid during the call.
 void for_each_occurrence(const FileReport& report,
                          const std::function<void(const Diagnostic&)>& consume);
 
-/// What tells a finding from the others of its file and is the same in the next run.
+/// Identifies a finding in its file across runs.
 struct Identity {
-  /// "CODE at /nodes/*/mesh ('Leaf')": array indices change when something is put in front, names
-  /// do not. Neutralised; what is unreasonably long is cut.
+  /// "CODE at /nodes/*/mesh ('Leaf')": array indices change when an element is inserted before,
+  /// names do not. Neutralised; very long parts are cut.
   std::string text;
   std::uint64_t number = 1;  ///< among those of the file with this text, in the order of the report
 
-  /// The text, with " #2" where there are several.
+  /// The text, with " #2" if there are several.
   std::string label() const;
 };
 

@@ -147,7 +147,7 @@ class Unpacker : public PackedForm {
     rest_.remove_prefix(size);
     return value;
   }
-  // An element takes at least a byte: neither a list nor a text is longer than what is left.
+  // An element takes at least a byte: neither a list nor a text is longer than the remaining bytes.
   std::uint64_t length() {
     const std::uint64_t size = next();
     whole_ = whole_ && size <= rest_.size();

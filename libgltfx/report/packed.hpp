@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Reports as few bytes, to be kept and read back by the same build of the program.
+/// Compact reports, stored and read by the same build of the program.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -11,10 +11,10 @@
 
 namespace gltfx::report {
 
-/// All but where the file lies: path and position.
+/// All members except path and position.
 std::string pack(const FileReport& report);
 
-/// Nothing when these are no bytes that pack() gives. `rules`: sorted by code, of static storage.
+/// Nothing when the bytes are not from pack(). `rules`: sorted by code, of static storage.
 std::optional<FileReport> unpack(std::string_view bytes, std::span<const RuleDescription> rules);
 
 }  // namespace gltfx::report

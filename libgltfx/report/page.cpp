@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of the page: everything that comes from assets stands in one block of JSON, in which no
-// '<' is left that could end it.
+// The data of the page: everything from assets is in one block of JSON, in which no '<' is left
+// that could end it.
 #include <gltfx/page.hpp>
 #include <gltfx/version.hpp>
 
@@ -18,7 +18,7 @@ namespace {
 
 using json::Writer;
 
-constexpr std::size_t kMostOfAKind = 12;   // meshes, images and so on that an asset lists
+constexpr std::size_t kMostOfAKind = 12;   // listed meshes, images and so on of an asset
 constexpr std::size_t kMostUpgrades = 50;  // legacy objects
 
 void member_if(Writer& writer, std::string_view name, const std::string& text) {
@@ -132,7 +132,7 @@ void write_shard(Writer& writer, const PageOptions& options) {
   writer.end_object();
 }
 
-// In JSON a '<' can only stand inside of a string.
+// In JSON a '<' can only be inside a string.
 void add_json(std::string& out, std::string_view json) {
   while (!json.empty()) {
     const std::size_t at = std::min(json.find('<'), json.size());
@@ -143,7 +143,7 @@ void add_json(std::string& out, std::string_view json) {
   }
 }
 
-// What stands behind the assets.
+// The data after the assets.
 std::string tail_of(const std::set<std::string_view>& codes, const std::set<std::string>& targets,
                     std::span<const RuleDescription> rules, const RunSummary& summary) {
   std::string json;

@@ -23,7 +23,7 @@ Error foreign() {
   return {fmt::format("it is no page that 'gltfx report --shard' of version {} wrote", version())};
 }
 
-/// Members of an object; what is missing or of another type is noted.
+/// Members of an object; missing ones and wrong types are recorded.
 class Members {
  public:
   Members(const json::Document& document, NodeId object) : document_(document), object_(object) {}
@@ -66,7 +66,7 @@ class Members {
   bool complete_ = true;
 };
 
-// Text of a page is taken over as it is: nothing in it may end the block of data.
+// Text of a page is copied unchanged: nothing in it may end the block of data.
 bool is_harmless(std::string_view text, const json::Parsed& parsed) {
   return text.find('<') == std::string_view::npos && parsed.ok() &&
          parsed.document.is_object(parsed.document.root());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The page without its data, as the build put it together from page/.
+/// The page without its data, which the build combines from page/.
 #pragma once
 
 #include <string_view>
@@ -7,6 +7,6 @@
 namespace gltfx::report {
 
 std::string_view page_begin();  ///< up to the block of data
-std::string_view page_end();    ///< behind it
+std::string_view page_end();    ///< after the block of data
 
 }  // namespace gltfx::report

@@ -16,8 +16,8 @@ namespace {
 
 using json::NodeId;
 
-/// Members of JSON objects into values. What is missing leaves a value alone, as do members that
-/// only later versions have; what is of another type is remembered.
+/// Reads members of objects into values. A missing member does not change its value, members of
+/// later versions are ignored, and a wrong type is recorded.
 class JsonIn {
  public:
   static constexpr bool kIsJson = true;

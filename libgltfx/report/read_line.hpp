@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Reads back what `--format jsonl` wrote.
+/// Reads the output of `--format jsonl`.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -14,7 +14,7 @@
 
 namespace gltfx::report {
 
-/// As the first line names a run that nothing makes fail.
+/// The value in the first line of a run that no finding makes fail.
 inline constexpr std::string_view kNever = "never";
 
 /// The first line of a run.
@@ -22,16 +22,16 @@ struct RunHead {
   std::string version, profile, pixel_level;
   std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
   Shard shard;
-  bool timings = false;  ///< its entries say how long each file took
+  bool timings = false;  ///< its entries have the duration of each file
 };
 
-/// Its last line: without it the run was cut off.
+/// The last line of a run: without it the run was interrupted.
 struct RunEnd {};
 
 using ReportLine = std::variant<RunHead, FileReport, RunEnd>;
 
-/// `rules`: those whose codes the report may name, sorted by code, of static storage. An Error says
-/// what is wrong with the line.
+/// `rules`: those whose codes the report may name, sorted by code, of static storage. The Error
+/// describes the mistake in the line.
 Result<ReportLine> read_line(std::string_view line, std::span<const RuleDescription> rules);
 
 }  // namespace gltfx::report

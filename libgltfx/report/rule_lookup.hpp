@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The rule behind a finding, for formats that say more than the finding does.
+/// The rule of a finding, for formats that print more than the finding.
 #pragma once
 
 #include <gltfx/diagnostic.hpp>

@@ -12,7 +12,7 @@ constexpr std::string_view kEscapedHash = "\\u0023";
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
-// Position of the second '#' of the next "##word[" of which it is at or behind `from`.
+// Position of the second '#', from `from` on, of the next "##word[".
 std::size_t find_command(std::string_view text, std::size_t from) {
   std::size_t at = text.find("##", from > 0 ? from - 1 : 0);
   for (; at != std::string_view::npos; at = text.find("##", at + 1)) {
@@ -37,7 +37,7 @@ bool is_ascii(std::string_view text) {
   return all < 0x80;
 }
 
-// What reorders text or hides in it stands in strings only, where an escape says the same.
+// Characters that reorder or hide text occur in strings only, where an escape has the same meaning.
 std::string without_unprintable(std::string_view json) {
   std::string out;
   for (std::size_t at = 0; at < json.size();) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Asset text on its way to a terminal, a CI log or a value of a machine format. printable() of
-/// base takes the control characters out; here the words go that build servers obey wherever they
-/// stand in a line.
+/// Asset text for a terminal, a CI log or a value of a machine format. printable() of base removes
+/// control characters; this removes the commands that build servers execute anywhere in a line.
 #pragma once
 
 #include <cstddef>
@@ -15,24 +14,24 @@
 namespace gltfx::report {
 
 /// printable(text) in which no `##[...]` (GitHub), `##vso[...]` (Azure) or `##teamcity[...]` is
-/// left: the second '#' becomes "\u0023". A command that must stand at the start of a line
-/// (`::error::`) is left to the formats: they begin no line with asset text.
+/// left: the second '#' becomes "\u0023". Commands at the start of a line (`::error::`) are handled
+/// by the formats: they begin no line with asset text.
 std::string safe(std::string_view text);
 
-/// The bytes [begin, end) of `whole` made safe, judged by all of `whole`: parts that touch give
-/// together what safe(whole) gives. Precondition: both stand at the start of a code point.
+/// The bytes [begin, end) of `whole` made safe, in the context of `whole`: adjacent parts together
+/// equal safe(whole). Precondition: both are at the start of a code point.
 std::string safe_part(std::string_view whole, std::size_t begin, std::size_t end);
 
-/// safe() of a text of which at most `limit` code points are shown: of a longer one the beginning
-/// and the end, with an ellipsis between them.
+/// safe() of a text of which at most `limit` code points are shown: a longer one is reduced to its
+/// beginning and its end, with an ellipsis between them.
 std::string safe_cut(std::string_view text, std::size_t limit);
 
-/// The same for JSON text behind position `from`, with the JSON escapes of what is not printable:
-/// they keep the value what it was. Precondition: valid JSON.
+/// The same for JSON text after position `from`, with JSON escapes of unprintable characters, which
+/// keep the value. Precondition: valid JSON.
 void defuse_json(std::string& json, std::size_t from);
 
-/// The text, or the beginning of a longer one with an ellipsis: a name of megabytes tells nobody
-/// more, and would stand in every report.
+/// The text, or the beginning of a longer one with an ellipsis: a name of megabytes is not useful,
+/// and would be in every report.
 inline std::string long_value(const std::string& text) {
   constexpr std::size_t kLongest = 1000;  // code points
   const std::size_t shown = bytes_of_code_points(text, kLongest);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Static Analysis Results Interchange Format 2.1.0, for code scanning services and editors. What is
-// only known at the end of a run (rules that were met, files, outcome) stands behind the results.
-// Each repeat of a finding is a result of its own, because services follow results from run to run.
+// Static Analysis Results Interchange Format 2.1.0, for code scanning services and editors. Data
+// that is only known at the end of a run (rules in use, files, outcome) comes after the results.
+// Each repeat of a finding is a separate result, because services track results from run to run.
 // https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/sarif-v2.1.0-errata01.html
 
 #include <string>
@@ -27,8 +27,8 @@ constexpr std::string_view kBase = "SRCROOT";
 
 bool is_binary(const FileReport& report) { return report.mime_type == "model/gltf-binary"; }
 
-// Lines of a GLB's JSON chunk are no lines of the file: there only bytes say where. Services show
-// nothing without a line, so the first one stands for the file.
+// Lines of a GLB's JSON chunk are not lines of the file: only the byte is written. Services show
+// nothing without a line, so the first line is used for the file.
 void write_region(json::Writer& writer, const FileReport& report, const Location& at) {
   writer.begin_object();
   if (is_binary(report)) {
@@ -44,7 +44,7 @@ void write_region(json::Writer& writer, const FileReport& report, const Location
   writer.end_object();
 }
 
-// Where a finding on the file as a whole is shown: services want a line.
+// The place of a finding on the whole file: services require a line.
 Location start_of_file() {
   Location at;
   at.line = at.end_line = at.utf16_column = at.utf16_end_column = 1;
@@ -73,8 +73,8 @@ void write_pointer(json::Writer& writer, std::string_view pointer) {
   writer.end_array();
 }
 
-// GitHub compares `primaryLocationLineHash` alone. What its upload action computes instead is the
-// same for all findings of one line, and a whole asset may stand on one.
+// GitHub compares only `primaryLocationLineHash`. The value that its upload action computes
+// otherwise is the same for all findings of one line, and a whole asset may be on one line.
 void write_fingerprint(json::Writer& writer, const Identity& identity) {
   writer.key("partialFingerprints");
   writer.begin_object();
@@ -295,7 +295,7 @@ class SarifWriter final : public ReportWriter {
     defuse_json(artifacts_, from);
   }
 
-  // What is said about the run itself.
+  // Notifications about the run itself.
   void notify(Severity severity, std::string_view text, const FileUri* uri) {
     notifications_ += notifications_.empty() ? "\n" : ",\n";
     json::Writer writer(notifications_);
@@ -338,7 +338,7 @@ class SarifWriter final : public ReportWriter {
   std::string artifacts_, notifications_;
   SarifResults results_;
   std::uint64_t files_ = 0;
-  std::uint64_t notes_ = 0;  ///< findings that were not asked for
+  std::uint64_t notes_ = 0;  ///< findings that were not requested
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ constexpr std::string_view kSpecification =
     "https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html";
 constexpr std::string_view kBinary = "base64:";
 
-// A line of `fence` longer than any in the text: the text cannot end its own block.
+// With a fence longer than any in the text, so that the text cannot end the block.
 std::string code_block(std::string_view text) {
   if (text.substr(0, kBinary.size()) == kBinary) return "(a binary file)\n";
   std::string fence = "```";
@@ -30,7 +30,7 @@ std::string help_markdown(const RuleDescription& rule) {
   return text;
 }
 
-// The page of the rule where the build knows of one, else the section of the specification.
+// The page of the rule if the build has its address, else the section of the specification.
 std::string help_uri(const RuleDescription& rule) {
   constexpr std::string_view kDocs = GLTFX_DOCS_URL;
   if (!kDocs.empty()) return fmt::format("{}/schema/rules/{}.md", kDocs, rule.code);
@@ -55,7 +55,7 @@ void write_text(json::Writer& writer, std::string_view name, std::string_view te
   writer.end_object();
 }
 
-// Of "[text](target)" no link is left.
+// Escapes "[text](target)" so that it is not a link.
 std::string literal(std::string_view text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {

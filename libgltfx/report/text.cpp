@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For people: a block a finding, as compilers print it, or a block for each rule with its first
-// places, or which rules and which files have most findings; and a summary at the end.
+// For people: a block per finding, as compilers print it, or a block per rule with its first
+// places, or the rules and files with most findings; and a summary at the end.
 #include <gltfx/report.hpp>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ std::uint64_t count_of(const Counts& counts, Severity severity) {
   return severity == Severity::info ? counts.infos : counts.hints;
 }
 
-// "1 error, 3 warnings", from `first` to `last`, without those of which there are none.
+// "1 error, 3 warnings", from `first` to `last`, without zero counts.
 std::string tally(const Counts& counts, Severity first, Severity last, const Style& style) {
   std::string text;
   for (const Severity severity : kSeverities) {
@@ -45,7 +45,7 @@ std::string tally(const Counts& counts, Severity first, Severity last, const Sty
   return text;
 }
 
-// "4 infos and hints", of which the listing has none.
+// "4 infos and hints", which are not listed.
 std::string unlisted_note(const RunSummary& summary, const FormatOptions& options) {
   const auto below = static_cast<Severity>(static_cast<int>(options.min_severity) + 1);
   const std::string text = tally(summary.counts, below, Severity::hint, Style(false));
@@ -54,12 +54,12 @@ std::string unlisted_note(const RunSummary& summary, const FormatOptions& option
                      severity_name(summary.counts.hints > 0 ? Severity::hint : Severity::info));
 }
 
-// "error[NODE_LOOP]", as each finding and each group of them begins.
+// "error[NODE_LOOP]", the start of each finding and each group.
 std::string rule_label(const Style& style, Severity severity, std::string_view code) {
   return style.paint(ink_of(severity), fmt::format("{}[{}]", severity_name(severity), safe(code)));
 }
 
-// What the rule says in a line; empty when it is not among `rules`.
+// The summary of the rule; empty when it is not in `rules`.
 std::string_view rule_summary(std::span<const RuleDescription> rules, std::string_view code) {
   const RuleDescription* rule = find_rule_in(rules, code);
   return rule == nullptr ? std::string_view() : rule->summary;

@@ -73,7 +73,7 @@ std::string unchanged_note(std::uint64_t unchanged) {
 }
 
 std::string fixable_note(const RunSummary& summary, std::string_view profile) {
-  // A path that a shell would read as something else is left to the reader.
+  // For a path that a shell would interpret, PATH is printed.
   const std::string& path = summary.fixable_path;
   const bool plain = !path.empty() && path.front() != '-' &&
                      path.find_first_not_of(

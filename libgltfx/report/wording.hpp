@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Sentences that the formats for people have in common, and colours by what they mean.
+/// Phrases that the formats for people share, and colours by meaning.
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
@@ -17,7 +17,7 @@ enum class Ink : std::uint8_t { error, warning, info, hint, strong, frame, help,
 
 inline Ink ink_of(Severity severity) { return static_cast<Ink>(severity); }
 
-/// Wraps words in ANSI escapes, or leaves them alone.
+/// Wraps words in ANSI escapes, or returns them unchanged.
 class Style {
  public:
   explicit Style(bool color) : color_(color) {}
@@ -39,12 +39,12 @@ class Style {
 /// "1 error", "3 errors".
 std::string counted(std::uint64_t count, std::string_view noun);
 
-/// "leaf.gltf:12:25"; in a GLB the line is one of the JSON chunk, so the byte in the file is added.
-/// Neutralised.
+/// "leaf.gltf:12:25"; in a GLB the line is that of the JSON chunk, so the byte in the file is
+/// added. Neutralised.
 std::string file_place(const FileReport& report, const Diagnostic& diagnostic);
 
-/// " at /nodes/5/mesh ('Leaf')": where in the document, or nothing for a finding on the file.
-/// Neutralised, and cut where a pointer or a name is unreasonably long.
+/// " at /nodes/5/mesh ('Leaf')": place in the document, or an empty text for a finding on the file.
+/// Neutralised, and cut if a pointer or a name is very long.
 std::string document_place(const Diagnostic& diagnostic);
 
 /// "repeated 41 more times, last at /nodes/44", or nothing when there are no repeats.
@@ -68,7 +68,7 @@ std::string fixable_note(const RunSummary& summary, std::string_view profile);
 
 /// "4 files not verified (Git-LFS pointers)".
 std::string unverified_note(std::uint64_t unverified);
-/// How many of the images that were to be decoded were; empty where none was to be.
+/// Numbers of images that were decoded and needed; empty if none was needed.
 std::string pixels_note(const RunSummary& summary, std::string_view pixel_level);
 
 }  // namespace gltfx::report

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One factory a format; make_report_writer chooses.
+/// One factory per format; make_report_writer chooses.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -14,7 +14,7 @@ std::unique_ptr<ReportWriter> make_grouped_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_statistics_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_json_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_json_lines_writer(const FormatOptions& options);
-/// Holds the text of the first file back until a second one or the end shows what it is part of.
+/// Keeps the text of the first file until a second file or the end decides the structure.
 std::unique_ptr<ReportWriter> make_khronos_writer();
 std::unique_ptr<ReportWriter> make_github_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_sarif_writer(const FormatOptions& options);
