@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a change appends to the root arrays of a document. Indices are known at once, bytes and
-/// their places only when all is placed (`change/place.hpp`).
+/// Elements that a change appends to the root arrays of a document. Indices are known at once,
+/// bytes and their places only after placement (`change/place.hpp`).
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace gltfx::change {
 
-/// Keeps no reference to the document it was made for.
+/// Keeps no reference to the document.
 class Additions {
  public:
   struct Image {
-    std::shared_ptr<const std::string> png;  ///< the file; may be set until it is placed
+    std::shared_ptr<const std::string> png;  ///< the file; may be set until placement
     /// URI of a file whose folder and name a new file gets; empty: there is none.
     std::string beside = {};
-    /// An element of the root's images that it takes the place of; none: it is a new one.
+    /// Index of the image that it replaces; none: a new image.
     std::optional<std::uint64_t> place = std::nullopt;
   };
   struct Accessor {
@@ -32,8 +32,8 @@ class Additions {
   Additions() = default;
   explicit Additions(const json::Document& document);
 
-  /// Give the index in the root array of that name. The bytes of an accessor lie in a buffer view
-  /// of their own; `array` is none of images, accessors, bufferViews and buffers.
+  /// Give the index in the root array of that name. The bytes of an accessor get a separate buffer
+  /// view; `array` is not images, accessors, bufferViews or buffers.
   std::uint64_t add_image(Image image);
   std::uint64_t add_accessor(Accessor accessor);
   std::uint64_t add_element(const std::string& array, std::string json);
@@ -43,7 +43,7 @@ class Additions {
   const std::vector<Image>& images() const { return images_; }
   const std::vector<Accessor>& accessors() const { return accessors_; }
   const std::map<std::string, std::vector<std::string>>& elements() const { return elements_; }
-  /// Elements that a root array had before.
+  /// Number of elements that a root array had before.
   std::uint64_t old_count(const std::string& array) const;
 
  private:

@@ -12,7 +12,7 @@ using container::Bytes;
 using container::Container;
 using model::OpenedAsset;
 
-// Whether two JSON texts are the same but for blanks at the end, as a GLB has them.
+// Whether two JSON texts are equal except for trailing blanks, as in a GLB.
 bool same_but_for_padding(std::string_view one, std::string_view other) {
   const auto content = [](std::string_view json) {
     return json.substr(0, json.find_last_not_of(' ') + 1);
@@ -20,7 +20,7 @@ bool same_but_for_padding(std::string_view one, std::string_view other) {
   return content(one) == content(other);
 }
 
-// With the new text where only that is new, else as it is read again.
+// The container with the new text if only that changed, else read again.
 Result<Container> changed_container(const OpenedAsset& before, const Change& change,
                                     const SharedText& text) {
   const Container& old = before.container();

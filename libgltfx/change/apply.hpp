@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The draft of an asset: what a change makes of it, before anything is written.
+/// The draft of an asset: the result of a change before anything is written.
 #pragma once
 
 #include "base/result.hpp"
@@ -9,15 +9,15 @@
 
 namespace gltfx::change {
 
-/// The text that the edits make, where they were made already.
+/// The result of the edits, if they have been applied already.
 struct NewText {
   SharedText text = nullptr;
-  json::Parsed parsed = {};  ///< of it; without nodes: it is parsed on demand
+  json::Parsed parsed = {};  ///< parsed text; without nodes: it is parsed on demand
 };
 
-/// The asset that a change makes, with replaced and new files where it looks for them. Of a GLB
-/// only a changed BIN chunk is copied. An Error when it has no JSON, or a GLB cannot be written
-/// anew or would be too long. Precondition: all of the change is placed.
+/// The changed asset, whose resolver gives replaced and new files. Only a changed BIN chunk of a
+/// GLB is copied. An Error when it has no JSON, or a GLB cannot be rewritten or would be too long.
+/// Precondition: the change has been placed.
 Result<model::OpenedAsset> apply(const model::OpenedAsset& before, const Change& change,
                                  NewText now = {});
 

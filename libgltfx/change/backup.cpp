@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Why the copy that --backup made cannot take the place of the asset, or nothing. Links are
-// followed to the asset, not to the copy.
+// Moves the copy of --backup to the asset; the reason on failure. Links are followed to the asset,
+// not to the copy.
 std::optional<std::string> restore_file(const std::string& path) {
   std::error_code error;
   const fs::path copy = backup_of(path);
@@ -33,7 +33,7 @@ std::optional<std::string> restore_file(const std::string& path) {
   return std::nullopt;
 }
 
-// Files that the asset refers to, of which there are copies, too. Only those below its folder.
+// Files below its folder that the asset refers to and that have copies.
 std::set<std::string> files_with_copies(const std::string& path) {
   std::set<std::string> files;
   const auto container =
@@ -48,7 +48,7 @@ std::set<std::string> files_with_copies(const std::string& path) {
     std::uint64_t size = 0;
     const std::string copy = backup_of(file);
     if (resolver.stat(copy, size) != container::ResolveError::none) continue;
-    // A link that leads elsewhere: what it leads to was never changed.
+    // A link that leads elsewhere: its target was never changed.
     if (resolver.stat(file, size) == container::ResolveError::outside_root) continue;
     files.insert((folder / file).native());
   }
@@ -59,7 +59,7 @@ std::set<std::string> files_with_copies(const std::string& path) {
 
 std::string backup_of(const std::string& path) { return path + ".bak"; }
 
-// The asset comes last: until then it is the one that the new files go with.
+// The asset comes last: until then it matches the new files.
 std::optional<std::string> restore(const std::string& path) {
   for (const std::string& file : files_with_copies(backup_of(path))) {
     if (auto why = restore_file(file)) return why;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The old bytes of what was replaced in place, kept beside it on request.
+/// Backups of files that were replaced in place.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,11 @@
 
 namespace gltfx::change {
 
-/// Where the old bytes of the file at `path` are kept.
+/// The path of the backup of the file at `path`.
 std::string backup_of(const std::string& path);
 
-/// Moves the old bytes of an asset to their place, after those of the files that it refers to and
-/// that lie below its folder. Nothing when all is done, else why not; a printable half sentence.
+/// Restores the backups of the files that an asset refers to below its folder, then that of the
+/// asset. Nothing on success, else the reason as a printable half sentence.
 std::optional<std::string> restore(const std::string& path);
 
 }  // namespace gltfx::change

@@ -15,12 +15,12 @@ class BinCutter {
             std::uint64_t references, json::Editor& editor)
       : document_(document), gone_views_(gone_views), references_(references), editor_(editor) {}
 
-  // Whole words of what only views that go lie in, with the bytes that filled them up.
+  // Whole words that only removed views use, with their padding.
   std::vector<ByteRange> run(std::uint64_t bin_size) {
     const auto views = views_of_bin();
     if (!views) return {};
     const std::vector<std::uint64_t> next = next_begins(*views);
-    std::uint64_t kept = 0;  // end of all views so far that stay, and of what was cut
+    std::uint64_t kept = 0;  // end of all kept views and cuts so far
     for (std::size_t i = 0; i < views->size(); ++i) {
       const View& view = (*views)[i];
       std::uint64_t end = view.bytes.end;
@@ -59,7 +59,7 @@ class BinCutter {
     return buffers;
   }
 
-  // Nothing where something beside plain buffer views refers to the buffer.
+  // Nothing if anything but plain buffer views refers to the buffer.
   std::optional<std::vector<View>> views_of_bin() const {
     const json::NodeId list_of_views = list("bufferViews");
     if (list_of_views == json::kNoNode) return std::nullopt;
@@ -84,7 +84,7 @@ class BinCutter {
     return views;
   }
 
-  // Where the next view that stays begins, by view.
+  // Start of the next kept view, by view.
   static std::vector<std::uint64_t> next_begins(const std::vector<View>& views) {
     std::vector<std::uint64_t> begins(views.size());
     std::uint64_t next = UINT64_MAX;
@@ -95,7 +95,7 @@ class BinCutter {
     return begins;
   }
 
-  // A buffer keeps at least a byte: else nothing is cut.
+  // A buffer keeps at least a byte: otherwise nothing is cut.
   void shorten_buffer() {
     const json::NodeId buffer = buffers_of_document().front();
     const std::uint64_t old = number(buffer, "byteLength").value_or(0);

@@ -39,7 +39,7 @@ Trouble changed_meanwhile(const AssetWrite& asset) {
 
 using Pieces = std::vector<container::Bytes>;
 
-// What was proven is what lies on the disk now.
+// Checks that the bytes on the disk are those that were proven.
 Trouble compare(const FileDraft& draft, const Pieces& pieces) {
   const container::Loaded file = container::load_file(container::adopt_regular(draft.reader()));
   std::size_t at = 0;
@@ -53,8 +53,8 @@ Trouble compare(const FileDraft& draft, const Pieces& pieces) {
   return Error{"the file on the disk is not the one that was validated"};
 }
 
-// The draft holds the new bytes, and these can take their place: made of what was read, and with
-// the attributes of what they replace.
+// Fills the draft with the new bytes, which must come from the bytes that were read, and gives it
+// the attributes of the replaced file.
 Failure fill(FileDraft& draft, const AssetWrite& asset) {
   const auto pieces =
       asset.now != nullptr ? rewrite(*asset.now) : Pieces{asset.old.container().bytes};
@@ -74,7 +74,7 @@ Trouble write_new_files(const AssetWrite& asset, const fs::path& folder) {
   return std::nullopt;
 }
 
-/// A file whose place a draft is to take.
+/// A file that a draft will replace.
 struct Target {
   Target(std::string file, const FileState& state, container::Bytes bytes)
       : path(std::move(file)), before(std::move(bytes)), draft(path, state) {}
@@ -102,11 +102,11 @@ struct Target {
   bool is_old = true;  ///< not replaced yet
 };
 
-/// All that is replaced where it lies. Drafts of all are there before the first takes its place.
+/// Files that are replaced in place. All drafts exist before the first is published.
 class InPlace {
  public:
   ~InPlace() {
-    // The copy of what was not replaced would be in the way of the next run.
+    // A leftover copy of a file that was not replaced would block the next run.
     for (const auto* targets : {&files_, &assets_}) {
       for (const Target& target : *targets) {
         std::error_code ignored;
@@ -115,7 +115,7 @@ class InPlace {
     }
   }
 
-  // What is in the way, if anything.
+  // The obstacle, if any.
   Failure prepare(const AssetWrite& asset) {
     const fs::path folder = target_folder(asset.old.name(), {});
     Target& target =
@@ -158,7 +158,7 @@ class InPlace {
 
 using Failures = std::vector<Failure>;
 
-// What is in the way of one is in the way of all: they may share what is to be replaced.
+// An obstacle of one fails all: they may share replaced files.
 void fail_all(const std::vector<const AssetWrite*>& assets, Failures& failures,
               std::size_t position, Failure failure) {
   for (std::size_t i = 0; i < assets.size(); ++i) {
@@ -188,7 +188,7 @@ Failures write_in_place(const std::vector<const AssetWrite*>& assets) {
   return failures;
 }
 
-/// An asset that goes to another place than its own.
+/// An asset that is written to another place.
 class Elsewhere {
  public:
   explicit Elsewhere(const AssetWrite& asset)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The last step of each verb that changes assets: new bytes take the place of old ones.
+/// The last step of each verb that changes assets: new bytes replace old ones.
 #pragma once
 
 #include <gltfx/edited_file.hpp>
@@ -22,10 +22,10 @@ namespace gltfx::change {
 /// The folder that the asset at `path` is written to.
 std::filesystem::path target_folder(const std::string& path, const std::string& output);
 
-/// Whether the asset at `path` is what is replaced, also where it is named as output.
+/// Whether the asset at `path` is replaced, also if it is named as output.
 bool is_in_place(const EditOptions& options, const std::string& path);
 
-/// Why new bytes were not written. `refused`: they cannot be a file.
+/// Why new bytes were not written. `refused`: they cannot become a file.
 struct WriteFailure {
   bool refused = false;
   std::string error;
@@ -35,23 +35,23 @@ struct WriteFailure {
 struct AssetWrite {
   const model::OpenedAsset& old;
   const FileState& state;      ///< of the old file, from before it was read
-  const EditOptions& options;  ///< where it goes
-  /// Of the draft, which was proven; null: the file is copied as it is.
+  const EditOptions& options;  ///< its destination
+  /// The proven draft; null: the file is copied unchanged.
   const container::Container* now = nullptr;
   std::vector<NewFile> files = {};          ///< that it refers to
   std::vector<ReplacedFile> replaced = {};  ///< that it refers to, with other bytes than before
-  std::set<std::string> referred = {};      ///< paths that the old asset may not refer to
+  std::set<std::string> referred = {};      ///< further paths of the draft
 };
 
 /// Writes assets to their destinations, files before the assets that refer to them: a run that ends
-/// between two files leaves old assets with new files. What is to be replaced in place is replaced
-/// once, whatever refers to it, and only when all of it can be; `replaced` is the same then for all
-/// that refer to a file. A file is not replaced in the folder of an old asset unless the asset is,
-/// which refers to it, too. By position: nothing when all is durable, else why it is not; then the
-/// old bytes are there still.
+/// between two files leaves old assets with new files. A file that is replaced in place is replaced
+/// once, even if several assets refer to it, and only when all files can be; `replaced` is then the
+/// same for all of these assets. A file in the folder of an old asset is not replaced unless the
+/// asset is, because the asset refers to it, too. By position: nothing when all is durable, else
+/// the reason; the old bytes then still exist.
 std::vector<std::optional<WriteFailure>> commit(const std::vector<AssetWrite>& assets);
 
-/// Writes a file of an asset that was made from nothing, whatever is there; makes its folder.
+/// Writes a file of an asset that was made from nothing, over any existing file; makes its folder.
 std::optional<Error> write_new_asset_file(const std::filesystem::path& target,
                                           std::string_view bytes);
 

@@ -28,7 +28,7 @@ std::optional<Error> copy(const std::string& path, const container::Resolver& re
                     quoted(path, 200))};
   }
   const container::Resolved resolved = resolver.open(path);
-  // What is no file leads nowhere from the old asset either.
+  // A path that is not a file is a broken reference in the old asset, too.
   if (resolved.error == container::ResolveError::not_found ||
       resolved.error == container::ResolveError::not_regular) {
     return std::nullopt;
@@ -87,7 +87,7 @@ std::map<json::NodeId, std::string> referred_files(const json::Document& documen
       continue;
     }
     if (node.kind == json::Kind::key && node.next == uri && document.is_string(id + 1)) {
-      // Some readers take a backslash for a slash: what they find goes with the asset.
+      // Some readers treat a backslash as a slash: the files that they find are copied, too.
       std::string text = document.string(id + 1);
       std::replace(text.begin(), text.end(), '\\', '/');
       container::Uri reference = container::classify_uri(text);

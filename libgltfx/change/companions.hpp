@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files that an asset refers to, where the asset is written to another folder.
+/// Files that an asset refers to, for writing it to another folder.
 #pragma once
 
 #include <filesystem>
@@ -14,27 +14,27 @@
 
 namespace gltfx::change {
 
-/// The files that a document refers to, relative to its folder, as container::Uri::path has them:
-/// members called "uri", wherever extensions put them, with backslashes turned into slashes. Extras
-/// are left out.
+/// The files that a document refers to, relative to its folder, in the form of
+/// container::Uri::path: members called "uri", also in extensions, with backslashes turned into
+/// slashes. Extras are left out.
 std::set<std::string> referred_paths(const json::Document& document);
 
 /// The same by the value that names them.
 std::map<json::NodeId, std::string> referred_files(const json::Document& document);
 
-/// Makes a folder and those above it, as far as they are not there.
+/// Makes a folder and its missing parents.
 std::optional<Error> make_folder(const std::filesystem::path& folder);
 
-/// Whether a regular file is there and holds these bytes.
+/// Whether the file exists, is regular and has these bytes.
 bool has_bytes(const std::filesystem::path& file, const container::Bytes& bytes);
 
-/// Creates a file, whole and durable, unless it is there with the same bytes, which another run may
-/// be writing now. One with other bytes is not overwritten.
+/// Creates a file, whole and durable, unless it exists with the same bytes, which another run may
+/// be writing now. A file with other bytes is not overwritten.
 std::optional<Error> put_file(const std::filesystem::path& target, const container::Bytes& bytes);
 
-/// Copies files below `folder`, under the names by which a document refers to them. One that is
-/// there with the same bytes stays; one with other bytes is not overwritten. References to files
-/// that do not exist are passed over: they lead nowhere before and after.
+/// Copies files below `folder`, under the names by which a document refers to them. An existing
+/// file with the same bytes stays; one with other bytes is not overwritten. References to missing
+/// files are skipped: they are broken before and after.
 std::optional<Error> copy_companions(const std::set<std::string>& paths,
                                      const container::Resolver& resolver,
                                      const std::filesystem::path& folder);

@@ -80,7 +80,7 @@ class DeletionPlanner {
     for (auto& [list, positions] : shifts_) std::sort(positions.begin(), positions.end());
   }
 
-  // Where the element at that index of a list is now.
+  // The new index of the element of a list.
   std::uint64_t shifted(json::NodeId list, std::uint64_t index) const {
     const auto found = shifts_.find(list);
     if (found == shifts_.end()) return index;
@@ -94,7 +94,7 @@ class DeletionPlanner {
     return first != nodes_.end() && *first < document().next(value);
   }
 
-  // Why what refers to something may not be what the graph says, or nothing.
+  // Why the graph may not have all references, or nothing.
   Reason find_doubt() const {
     for (const json::NodeId object : graph_.unknown_extensions()) {
       if (!removals_.is_gone(object)) return unknown(tree_.name(object));
@@ -146,7 +146,7 @@ class DeletionPlanner {
     deletion_.renumbered = edits.size();
   }
 
-  // The first buffer of a GLB is its BIN chunk where it has no URI (glTF 2.0 section 4.4.3.3).
+  // The first buffer of a GLB is its BIN chunk if it has no URI (glTF 2.0 section 4.4.3.3).
   Reason settle_bin() {
     if (container_ == nullptr || !container_->bin) return std::nullopt;
     const json::NodeId buffers = tree_.member(document().root(), "buffers");
@@ -186,7 +186,7 @@ class DeletionPlanner {
                                        container_->bin->length, editor_);
   }
 
-  // Names of extensions that are gone. An unknown one that stays may have a say in anything.
+  // Removes names of extensions without objects. A remaining unknown extension may affect anything.
   Reason remove_names() {
     std::vector<json::NodeId> values;
     for (const Removed& removed : removed_) {

@@ -24,7 +24,7 @@ Lines lines_of(std::string_view text) {
   return lines;
 }
 
-/// Lines of the old text, [begin, end), and what comes in their place.
+/// Lines of the old text, [begin, end), and their replacement.
 struct Block {
   std::size_t begin;
   std::size_t end;
@@ -78,7 +78,7 @@ class Differ {
     return blocks;
   }
 
-  // Without lines at either end that are the same before and after.
+  // Removes lines at either end that are the same before and after.
   Block trimmed(std::size_t begin, std::size_t end, std::span<const json::Edit> edits) const {
     const auto from = static_cast<std::uint32_t>(starts_[begin]);
     std::vector<json::Edit> moved(edits.begin(), edits.end());
@@ -141,7 +141,7 @@ class Differ {
   std::string out_;
 };
 
-// A byte of a name in a string of C, as git writes it; empty when it stands for itself.
+// The escape of a byte of a name in a C string, as git writes it; empty when it needs none.
 std::string escaped(char c) {
   constexpr std::string_view kBytes = "\a\b\t\n\v\f\r\"\\";
   constexpr std::string_view kLetters = "abtnvfr\"\\";
@@ -151,7 +151,7 @@ std::string escaped(char c) {
   return byte >= 0x20 && byte < 0x7F ? std::string() : fmt::format("\\{:03o}", byte);
 }
 
-// A tab ends a name with blanks, which would otherwise be taken for what follows a name.
+// A tab ends a name with blanks; otherwise the rest would not be read as a part of the name.
 std::string header_name(std::string_view side, std::string_view name) {
   std::string text(side);
   bool quoted = false;

@@ -10,9 +10,9 @@
 
 namespace gltfx::change {
 
-/// What `edits` (as for json::apply_edits()) do to `text`, with three lines of context, as patch
-/// and git read it. `name` is the file's, quoted as git does where it has to be; `mark` stands
-/// before every line. Empty when there are no edits.
+/// The effect of `edits` (as for json::apply_edits()) on `text`, with three lines of context, for
+/// patch and git. `name` is that of the file, quoted as in git if needed; `mark` comes before every
+/// line. Empty when there are no edits.
 std::string unified_diff(std::string_view text, std::span<const json::Edit> edits,
                          std::string_view name, std::string_view mark = {});
 

@@ -25,7 +25,7 @@ using Trouble = std::optional<Error>;
 
 std::uint64_t aligned(std::uint64_t size) { return (size + 3) / 4 * 4; }
 
-// A URI with another name behind its last '/': the old stem, a mark, and an ending.
+// A URI with a new name after its last '/': the old stem, a mark, and an ending.
 std::string renamed(std::string_view uri, std::string_view mark, std::string_view ending) {
   const std::size_t name = uri.rfind('/') == std::string_view::npos ? 0 : uri.rfind('/') + 1;
   const std::size_t dot = uri.find_last_of('.');
@@ -82,14 +82,14 @@ class Placement {
 
   static Error no_name() { return {"all names for a new file are taken"}; }
 
-  // Gives the index.
+  // Returns the index.
   std::uint64_t append(const std::string& array, std::string json) {
     arrays_[array].push_back(std::move(json));
     return change_.additions.old_count(array) + arrays_[array].size() - 1;
   }
 
-  // Bytes of the BIN chunk that buffer 0 is, or a new buffer 0 may be; nothing: it is something
-  // else, or this is no GLB.
+  // Finds the bytes of the BIN chunk if it is buffer 0, or can be a new buffer 0; nothing: buffer 0
+  // is not the BIN chunk, or this is not a GLB.
   void find_bin() {
     if (container().format != container::Format::glb) return;
     const std::uint64_t length = container().bin ? container().bin->length : 0;
@@ -102,7 +102,7 @@ class Placement {
     }
   }
 
-  // Gives the offset in the BIN chunk.
+  // Returns the offset in the BIN chunk.
   std::uint64_t append_bytes(std::string_view bytes) {
     std::string& bin = change_.bin.more;
     const std::uint64_t offset = aligned(*bin_begin_ + bin.size());
@@ -137,7 +137,8 @@ class Placement {
     return true;
   }
 
-  // That of a new file, or a data URI where there is none to stand beside; empty: there is no name.
+  // The URI of a new file, or a data URI if there is no file beside which it can be; empty: there
+  // is no free name.
   std::string new_uri(const std::string& beside, std::string_view ending, std::string_view type,
                       const File& file) {
     const bool is_file = container().format == container::Format::gltf && !beside.empty();
@@ -184,7 +185,7 @@ class Placement {
     return bin_begin_ || add_buffer(std::make_shared<const std::string>(std::move(own)));
   }
 
-  // Beside the first buffer that is a file.
+  // Adds a buffer beside the first buffer that is a file.
   bool add_buffer(const File& file) {
     std::string beside;
     for (std::uint64_t i = 0; i < elements_.count(RootArray::buffers) && beside.empty(); ++i) {
@@ -281,7 +282,7 @@ class Placement {
   const model::AssetBytes bytes_;
   const IsFree& is_free_;
   json::Editor editor_;
-  std::optional<std::uint64_t> bin_begin_;  ///< where new bytes of the BIN chunk begin
+  std::optional<std::uint64_t> bin_begin_;  ///< start of new bytes of the BIN chunk
   std::map<std::string, std::vector<std::string>> arrays_;
 };
 

@@ -17,12 +17,12 @@ void add(std::vector<std::string>& names, std::string name) {
   if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
 }
 
-// Whether a value is extras that say something.
+// Whether a value is extras with content.
 bool holds_something(const json::Document& document, json::NodeId value) {
   return !document.is_object(value) || document.object_size(value) > 0;
 }
 
-// Extras, and extensions that nobody knows, in the values of an object's own members.
+// Collects extras, and unknown extensions, in the values of an object's own members.
 void look_below(const json::Document& document, const schema::Set& set, json::NodeId value,
                 std::vector<std::string>& found) {
   const json::KeyId extras = document.key_id(kExtras);

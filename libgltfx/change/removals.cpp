@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kExtensionsMember = "extensions";
 
-// The names of a shape that says nothing but that members must be there.
+// The names of a shape that only requires members.
 std::vector<std::string_view> required_names(const schema::Set& set, schema::ShapeId id) {
   std::vector<std::string_view> names;
   const schema::TypeId type = id == schema::kNone ? schema::kNone : set.shape(id).type;
@@ -45,7 +45,7 @@ std::optional<std::string> Removals::remove(std::span<const Place> places) {
   return std::nullopt;
 }
 
-// Why an element must stay where it is.
+// Why the position of an element must not change.
 std::optional<std::string> Removals::find_position_obstacle(Place place) const {
   const json::NodeId array = container(place);
   const Tree& tree = graph_.tree();
@@ -60,7 +60,7 @@ std::optional<std::string> Removals::find_position_obstacle(Place place) const {
                      printable(graph_.set().shape(shape).by_position));
 }
 
-// Whether what holds the value has too little left without it.
+// Whether the container of the value has too little left without it.
 bool Removals::empties(Place place) const {
   const Tree& tree = graph_.tree();
   const json::NodeId holder = container(place);
@@ -82,7 +82,7 @@ bool Removals::lives(json::NodeId object, std::string_view member, json::NodeId 
   return value != json::kNoNode && value != without && !gone_[value];
 }
 
-// Whether one of several sets of members is there still, or was not there before either.
+// Whether one of several sets of members is still complete, or none was before.
 bool Removals::has_alternative(const schema::Shape& shape, json::NodeId object,
                                json::NodeId without) const {
   bool before = false;
@@ -101,7 +101,7 @@ bool Removals::has_alternative(const schema::Shape& shape, json::NodeId object,
   return !before;
 }
 
-// Whether an object cannot be without the member.
+// Whether an object needs the member.
 bool Removals::falls(json::NodeId object, const Step& step) const {
   const schema::TypeId type = graph_.type(object);
   if (type == schema::kNone) return false;
@@ -148,7 +148,7 @@ std::optional<std::string> Removals::settle(Step step) {
   return std::nullopt;
 }
 
-// Members that must not be there without this one.
+// Removes members that depend on this one.
 void Removals::drop_dependents(json::NodeId object, Place place) {
   const schema::TypeId type = graph_.type(object);
   if (type == schema::kNone) return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which values go when some are to go: with them what cannot stand without them, and on request
-/// what refers to them.
+/// Finds all values to remove for some removed values: those that need them, and on request those
+/// that refer to them.
 #pragma once
 
 #include <cstdint>
@@ -20,33 +20,33 @@ using graph::Graph;
 using graph::Place;
 using graph::Tree;
 
-/// What stands against a removal, because it needs the value or refers to it.
+/// A value that prevents a removal, because it needs the removed value or refers to it.
 struct Obstacle {
   Place at;      ///< the reference, or the object that must have the member
-  Place target;  ///< what was to go
+  Place target;  ///< the value to remove
   bool owner = false;
 };
 
-/// A value that goes, with all that is in it.
+/// A value that is removed, with all that it contains.
 struct Removed {
   Place place;
-  Place cause;  ///< what went before it; a null node: it was asked for
+  Place cause;  ///< removed value that caused it; a null node: requested
 };
 
 class Removals {
  public:
-  /// `cascade`: what stands against a removal goes, too.
+  /// `cascade`: values that prevent a removal are removed, too.
   Removals(const Graph& graph, bool cascade)
       : graph_(graph), cascade_(cascade), gone_(graph.tree().document().node_count(), false) {}
 
-  /// Takes values out; why one must stay, or nothing.
+  /// Removes values. Returns why one must stay, or nothing.
   std::optional<std::string> remove(std::span<const Place> places);
 
   bool is_gone(Place place) const;
   bool is_gone(json::NodeId value) const { return gone_[value]; }
-  /// What went as a whole, and lies in nothing else that went.
+  /// Removed values that are not inside other removed values.
   std::vector<Removed> outermost() const;
-  /// Without cascade: what stands against it. Empty when nothing does.
+  /// Without cascade: values that prevent the removal.
   std::vector<Obstacle> obstacles() const;
 
  private:

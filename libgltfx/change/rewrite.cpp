@@ -22,13 +22,13 @@ void append_little_endian(std::string& out, std::uint64_t value) {
   }
 }
 
-// The blanks that filled the old chunk up; new ones are counted anew.
+// Removes the padding of the old chunk; the new chunk gets its own.
 std::string_view without_padding(std::string_view json) {
   for (std::size_t i = 1; i < kAlignment && json.ends_with(' '); ++i) json.remove_suffix(1);
   return json;
 }
 
-// The chunks are found all the same: wrong lengths are counted anew, the rest is kept.
+// Errors with which the chunks can still be found: wrong lengths are corrected, the rest is kept.
 constexpr std::array<Code, 10> kHarmless{
     Code::GLB_CHUNK_LENGTH_UNALIGNED, Code::GLB_CHUNK_TOO_BIG,    Code::GLB_CHUNK_TYPE_NUMBER,
     Code::GLB_DUPLICATE_CHUNK,        Code::GLB_EMPTY_BIN_CHUNK,  Code::GLB_EXTRA_DATA,
@@ -78,7 +78,7 @@ Pieces changed(const Bytes& bin, const BinChange& change) {
   return data;
 }
 
-/// What follows the JSON chunk: the BIN chunk's data, and all before and behind that chunk.
+/// What follows the JSON chunk: the BIN chunk's data, and everything before and after that chunk.
 struct Rest {
   Bytes before, bin, behind;
 };
@@ -115,7 +115,7 @@ Result<Pieces> rewrite_glb(const container::Container& container, std::string_vi
   json = without_padding(json);
   const bool has_new = !change.empty() && !change.drop;
   const std::uint64_t added = has_new ? kChunkHeader + std::uint64_t{padded(bin_size)} : 0;
-  // What lies behind the last chunk is none of the asset and not counted.
+  // Bytes after the last chunk are not part of the asset and not counted.
   const std::size_t end = container.chunks.back().offset + container.chunks.back().length;
   const std::size_t uncounted = container.bytes.size() - end;
   const std::uint64_t total = kHeader + kChunkHeader + std::uint64_t{padded(json.size())} +

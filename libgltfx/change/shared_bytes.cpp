@@ -121,7 +121,7 @@ MergedFile merge_changes(std::string_view before, const std::vector<FileUser>& u
     const Ranges unwanted = users[i].wanted.data() == before.data()
                                 ? changed
                                 : differences(users[i].wanted, merged.content);
-    // What nobody changes is not in the way of one who only looks on.
+    // Bytes that no user changes do not conflict with a user that only reads.
     add_ranges(against[i], ranges_read(users[i].reads, ranges_touching(unwanted, changed)));
     if (!against[i].empty()) merged.conflicts.push_back({i, std::move(against[i])});
   }
