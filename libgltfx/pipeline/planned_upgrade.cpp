@@ -23,10 +23,10 @@
 #include "graph/extras.hpp"
 #include "graph/orphans.hpp"
 #include "pipeline/edit_asset.hpp"
-#include "upgrade/ambiguity.hpp"
-#include "upgrade/asset_pictures.hpp"
-#include "upgrade/plan.hpp"
-#include "upgrade/render.hpp"
+#include "steps/upgrade/ambiguity.hpp"
+#include "steps/upgrade/asset_pictures.hpp"
+#include "steps/upgrade/plan.hpp"
+#include "steps/upgrade/render.hpp"
 
 namespace gltfx {
 namespace {

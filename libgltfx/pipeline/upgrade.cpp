@@ -22,8 +22,8 @@
 #include "pipeline/picture_check.hpp"
 #include "pipeline/planned_upgrade.hpp"
 #include "schema/compile.hpp"
-#include "upgrade/ambiguity.hpp"
-#include "upgrade/plan.hpp"
+#include "steps/upgrade/ambiguity.hpp"
+#include "steps/upgrade/plan.hpp"
 
 namespace gltfx {
 namespace {

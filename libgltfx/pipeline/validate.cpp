@@ -37,7 +37,7 @@
 #include "rules/validator.hpp"
 #include "schema/compile.hpp"
 #include "schema/set.hpp"
-#include "upgrade/plan.hpp"
+#include "steps/upgrade/plan.hpp"
 
 namespace gltfx {
 namespace {

@@ -12,8 +12,8 @@
 #include "schema/check.hpp"
 #include "schema/compile.hpp"
 #include "schema_print.hpp"
-#include "upgrade/choice.hpp"
-#include "upgrade/plan.hpp"
+#include "steps/upgrade/choice.hpp"
+#include "steps/upgrade/plan.hpp"
 
 namespace {
 

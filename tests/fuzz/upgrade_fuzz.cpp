@@ -11,8 +11,8 @@
 #include "change/diff.hpp"
 #include "json/parse.hpp"
 #include "schema/compile.hpp"
-#include "upgrade/choice.hpp"
-#include "upgrade/plan.hpp"
+#include "steps/upgrade/choice.hpp"
+#include "steps/upgrade/plan.hpp"
 
 namespace {
 

@@ -19,7 +19,7 @@
 #include "container/temp_folder.hpp"
 #include "json/parse.hpp"
 #include "pipeline/scene_asset.hpp"
-#include "upgrade/vertex_colors.hpp"
+#include "steps/upgrade/vertex_colors.hpp"
 
 namespace gltfx::test {
 

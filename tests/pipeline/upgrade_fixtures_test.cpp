@@ -5,7 +5,7 @@
 
 #include "legacy_asset.hpp"
 #include "schema/compile.hpp"
-#include "upgrade/choice.hpp"
+#include "steps/upgrade/choice.hpp"
 
 namespace gltfx::test {
 namespace {

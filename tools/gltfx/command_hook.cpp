@@ -16,7 +16,7 @@
 #include "report/wording.hpp"
 #include "schema/compile.hpp"
 #include "staged_assets.hpp"
-#include "upgrade/plan.hpp"
+#include "steps/upgrade/plan.hpp"
 
 namespace gltfx::tool {
 namespace {

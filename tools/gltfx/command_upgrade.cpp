@@ -19,7 +19,7 @@
 #include "read_input.hpp"
 #include "schema/compile.hpp"
 #include "schema_words.hpp"
-#include "upgrade/choice.hpp"
+#include "steps/upgrade/choice.hpp"
 #include "upgrade_print.hpp"
 
 namespace gltfx::tool {

@@ -10,7 +10,7 @@
 
 #include "schema/compile.hpp"
 #include "schema_words.hpp"
-#include "upgrade/choice.hpp"
+#include "steps/upgrade/choice.hpp"
 
 namespace gltfx::tool {
 namespace {

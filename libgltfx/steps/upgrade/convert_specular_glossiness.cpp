@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+// Glossiness is one less roughness, times its factor: a sum, which no factor of metallic-roughness
+// states. So the factor goes into a new image, and the factor of roughness stays 1.
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "steps/upgrade/conversion.hpp"
+#include "steps/upgrade/texture_source.hpp"
+
+namespace gltfx::upgrade {
+namespace {
+
+constexpr const char* kTexture = "specularGlossinessTexture";
+constexpr const char* kRoughness = "pbrMetallicRoughness/roughnessFactor";
+constexpr const char* kRoughnessTexture = "pbrMetallicRoughness/metallicRoughnessTexture";
+
+// 1 - 0.9 is 0.1, whatever the last bit of a double says.
+std::string complement_json(double share) {
+  std::string text = fmt::format("{:.15f}", 1 - share);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+class SpecularGlossiness : public Conversion {
+ public:
+  Problem judge(const ConversionContext& bench) override {
+    if (bench.context.options.ior != 0) note_ior(bench);
+    if (bench.is_own_pointed_at("glossinessFactor")) {
+      return "its glossinessFactor is animated, but roughness depends on it";
+    }
+    const auto glossiness = factor_of(bench);
+    if (!glossiness) return "its glossinessFactor is invalid; see 'gltfx validate'";
+    factor_ = *glossiness;
+    double constant = factor_;
+    if (factor_ > 0 && bench.member(kTexture) != json::kNoNode) {
+      if (Problem problem = judge_texture(bench, constant)) return problem;
+    }
+    if (Problem problem = put(bench, kRoughness, job_ ? "1" : complement_json(constant))) {
+      return problem;
+    }
+    return put(bench, kRoughnessTexture, {});
+  }
+
+  void apply(const ConversionContext& bench) override {
+    bench.drop("glossinessFactor");
+    if (!job_) return;
+    const std::uint64_t texture = bench.context.add_texture(*job_, sampler_);
+    bench.placements.put(kRoughnessTexture, texture_info(bench, texture));
+  }
+
+ private:
+  // The factor, 1 when there is none; nothing when it is no share.
+  static std::optional<double> factor_of(const ConversionContext& bench) {
+    const json::Document& document = bench.context.document;
+    const json::NodeId factor = bench.member("glossinessFactor");
+    if (factor == json::kNoNode) return 1;
+    if (!document.is_number(factor)) return std::nullopt;
+    const double value = document.number(factor).value;
+    return value >= 0 && value <= 1 ? std::optional(value) : std::nullopt;
+  }
+
+  // Glossiness stands in A. Where it is the same everywhere, `constant` is that times the factor;
+  // otherwise the texture of roughness is one less it, in G, and nowhere metallic.
+  Problem judge_texture(const ConversionContext& bench, double& constant) {
+    const json::Document& document = bench.context.document;
+    const json::NodeId index = document.find(bench.member(kTexture), "index");
+    const std::uint64_t texture = document.unsigned_integer(index).value_or(0);
+    TextureSource source;
+    source.problem = "the pixels of its image are not available";
+    if (bench.context.pictures != nullptr) {
+      source = texture_source(bench.context.asset, texture, *bench.context.pictures);
+    }
+    if (!source.problem.empty()) {
+      bench.action.fate = UpgradeFate::needs_image;
+      bench.action.notes.push_back(
+          fmt::format("texture {} has glossiness in A, but {}", texture, source.problem));
+      return std::nullopt;
+    }
+    if (!source.note.empty()) {
+      bench.action.notes.push_back(
+          fmt::format("texture {} is read from its fallback ({})", texture, source.note));
+    }
+    const Picture& picture = bench.context.pictures->picture(source.image);
+    const codec::ChannelStatistics alpha = picture.statistics(3);
+    if (alpha.constant()) {
+      constant *= static_cast<double>(alpha.least) / static_cast<double>(picture.image.full());
+      return std::nullopt;
+    }
+    if (bench.is_own_pointed_at(kTexture)) {
+      return fmt::format("the transform of its {} is animated, but two textures replace it",
+                         kTexture);
+    }
+    bench.action.notes.push_back(fmt::format(
+        "texture {} has glossiness in A; a new image is created for roughness", texture));
+    sampler_ = source.sampler;
+    job_ = ImageJob{{ChannelSource::constant(1), ChannelSource::of(source.image, 3, -factor_, 1),
+                     ChannelSource::constant(0), ChannelSource::constant(1)}};
+    return std::nullopt;
+  }
+
+  // That of the old texture with another index.
+  static std::string texture_info(const ConversionContext& bench, std::uint64_t texture) {
+    const json::Document& document = bench.context.document;
+    const json::NodeId info = bench.member(kTexture);
+    const Span whole = document.span(info);
+    const Span index = document.span(document.find(info, "index"));
+    std::string text(document.raw(info));
+    return text.replace(index.begin - whole.begin, index.end - index.begin,
+                        std::to_string(texture));
+  }
+
+  static void note_ior(const ConversionContext& bench) {
+    bench.placements.put("extensions/KHR_materials_ior/ior",
+                         fmt::format("{}", bench.context.options.ior));
+    bench.action.lossy = true;
+    bench.action.notes.push_back(
+        fmt::format("with an ior of {0} it reflects slightly less light than before; 0 is exact",
+                    bench.context.options.ior));
+  }
+
+  static Problem put(const ConversionContext& bench, std::string_view path, std::string json) {
+    if (bench.is_pointed_at(path)) {
+      return fmt::format("an animation targets {}, which has no effect before the upgrade", path);
+    }
+    return bench.placements.put(path, std::move(json));
+  }
+
+  double factor_ = 1;
+  std::optional<ImageJob> job_;
+  std::optional<std::uint64_t> sampler_;
+};
+
+}  // namespace
+
+std::unique_ptr<Conversion> make_specular_glossiness() {
+  return std::make_unique<SpecularGlossiness>();
+}
+
+}  // namespace gltfx::upgrade

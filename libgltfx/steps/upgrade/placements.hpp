@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Members that an upgrade puts into the object that carries the legacy extension.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "steps/upgrade/context.hpp"
+
+namespace gltfx::upgrade {
+
+class Placements {
+ public:
+  /// Keeps references to both.
+  Placements(Context& context, const Carrier& carrier) : context_(context), carrier_(carrier) {}
+
+  /// Plans that the member at `path` ("extensions/KHR_x/y") has that JSON text, or, when it is
+  /// empty, that it has its default because it is not there. Says why that cannot be.
+  std::optional<std::string> put(std::string_view path, std::string json);
+  bool empty() const { return members_.empty(); }
+  /// Names of members of the document that get another value or go.
+  const std::vector<std::string>& overwritten() const { return overwritten_; }
+  /// Their values, in the same order.
+  const std::vector<json::NodeId>& taken_out() const { return taken_out_; }
+  /// Extensions that the carrier gets.
+  std::vector<std::string> extensions() const;
+  /// Puts the changes into the context's editor.
+  void apply() const;
+
+ private:
+  using Members = std::map<std::string, std::string>;  ///< JSON text by name
+  std::optional<std::string> check(const std::vector<std::string>& path);
+  void apply_to(json::NodeId object, const Members& members) const;
+  void append(const std::vector<std::string>& path, const Members& members) const;
+
+  Context& context_;
+  const Carrier& carrier_;
+  std::map<std::vector<std::string>, Members> members_;  ///< by the path of their object
+  std::vector<std::string> overwritten_;
+  std::vector<json::NodeId> taken_out_;
+};
+
+}  // namespace gltfx::upgrade
