@@ -17,10 +17,10 @@ using testing::IsEmpty;
 
 // What a file may include: headers of its own module, and of modules on layers below.
 const std::map<std::string, int, std::less<>> kLayers{
-    {"base", 0},   {"json", 1},   {"codec", 1},    {"image", 2},   {"container", 2},
-    {"schema", 2}, {"report", 2}, {"target", 2},   {"model", 3},   {"graph", 3},
-    {"shader", 1}, {"render", 2}, {"preview", 3},  {"change", 4},  {"inspect", 4},
-    {"rules", 5},  {"steps", 5},  {"pipeline", 6}, {"interop", 6}, {"tools", 7},
+    {"base", 0},     {"json", 1},    {"codec", 1},   {"image", 2}, {"container", 2}, {"schema", 2},
+    {"report", 2},   {"target", 2},  {"model", 3},   {"graph", 3}, {"shader", 1},    {"render", 2},
+    {"preview", 3},  {"change", 4},  {"inspect", 4}, {"rules", 5}, {"steps", 5},     {"prove", 6},
+    {"pipeline", 7}, {"interop", 7}, {"tools", 8},
 };
 
 // The module a public header belongs to.
