@@ -15,23 +15,27 @@ namespace {
 
 using Pairs = std::vector<std::pair<NodeId, NodeId>>;
 
-std::unordered_map<KeyId, NodeId> members_by_key(const Document& document, NodeId object) {
-  std::unordered_map<KeyId, NodeId> members;
-  for (const auto member : document.members(object)) members[member.key_id] = member.value;
-  return members;
-}
-
 // All half surrogates are read as U+FFFD, so such texts can differ although they read alike.
 bool is_certain(std::string_view unescaped) {
   constexpr std::string_view kReplacement = "\uFFFD";
   return unescaped.find(kReplacement) == unescaped.npos;
 }
 
-bool same_string(const Document& document, NodeId one, NodeId other) {
-  if (document.raw(one) == document.raw(other)) return true;
-  const std::string content = document.string(one);
-  return content == document.string(other) && is_certain(content);
-}
+/// Two documents, which may be one.
+struct Sides {
+  const Document& ours;
+  const Document& theirs;
+
+  bool same_string(NodeId one, NodeId other) const {
+    if (ours.raw(one) == theirs.raw(other)) return true;
+    const std::string content = ours.string(one);
+    return content == theirs.string(other) && is_certain(content);
+  }
+  // What is left to compare is added to `pairs`.
+  bool same_members(NodeId one, NodeId other, Pairs& pairs) const;
+  bool same_elements(NodeId one, NodeId other, Pairs& pairs) const;
+  bool same_numbers(NodeId one, NodeId other) const;
+};
 
 // Up to 15 digits, no two numbers have the same nearest double.
 bool is_told_apart(const Number& number, std::string_view text) {
@@ -44,65 +48,81 @@ bool is_told_apart(const Number& number, std::string_view text) {
          std::count_if(digits.begin(), digits.end(), is_digit) <= kDigits;
 }
 
-bool same_number(const Document& document, const Number& one, const Number& other) {
-  const std::string_view text = document.text();
-  if (one.span.in(text) == other.span.in(text)) return true;
-  return one.value == other.value && std::signbit(one.value) == std::signbit(other.value) &&
-         is_told_apart(one, text) && is_told_apart(other, text);
+// By their keys in `names`; a key that it does not have has kNoKey, as only one member can have
+// where all are found.
+std::unordered_map<KeyId, NodeId> members_by_key(const Document& document, NodeId object,
+                                                 const Document& names) {
+  const bool own = &document == &names;
+  std::unordered_map<KeyId, NodeId> members;
+  for (const auto member : document.members(object)) {
+    members[own ? member.key_id : names.key_id(document.key(member.key_id))] = member.value;
+  }
+  return members;
 }
 
-// What is left to compare is added to `pairs`.
-bool same_members(const Document& document, NodeId one, NodeId other, Pairs& pairs) {
-  const auto ours = members_by_key(document, one);
-  const auto theirs = members_by_key(document, other);
-  if (ours.size() != theirs.size()) return false;
-  for (const auto& [key, value] : ours) {
-    const auto found = theirs.find(key);
-    if (found == theirs.end() || !is_certain(document.key(key))) return false;
+bool Sides::same_members(NodeId one, NodeId other, Pairs& pairs) const {
+  const auto here = members_by_key(ours, one, ours);
+  const auto there = members_by_key(theirs, other, ours);
+  if (here.size() != there.size()) return false;
+  for (const auto& [key, value] : here) {
+    const auto found = there.find(key);
+    if (found == there.end() || !is_certain(ours.key(key))) return false;
     pairs.emplace_back(value, found->second);
   }
   return true;
 }
 
-bool same_elements(const Document& document, NodeId one, NodeId other, Pairs& pairs) {
-  if (document.array_size(one) != document.array_size(other)) return false;
-  const auto theirs = document.elements(other);
-  auto next = theirs.begin();
-  for (const NodeId element : document.elements(one)) {
+bool Sides::same_elements(NodeId one, NodeId other, Pairs& pairs) const {
+  if (ours.array_size(one) != theirs.array_size(other)) return false;
+  const auto there = theirs.elements(other);
+  auto next = there.begin();
+  for (const NodeId element : ours.elements(one)) {
     pairs.emplace_back(element, *next);
     ++next;
   }
   return true;
 }
 
-bool same_numbers(const Document& document, NodeId one, NodeId other) {
-  NumberCursor ours(document, one);
-  NumberCursor theirs(document, other);
-  for (; ours.valid() && theirs.valid(); ours.advance(), theirs.advance()) {
-    if (!same_number(document, ours.number(), theirs.number())) return false;
+bool Sides::same_numbers(NodeId one, NodeId other) const {
+  NumberCursor here(ours, one);
+  NumberCursor there(theirs, other);
+  for (; here.valid() && there.valid(); here.advance(), there.advance()) {
+    if (!same_number(ours.text(), here.number(), theirs.text(), there.number())) return false;
   }
-  return !ours.valid() && !theirs.valid();
+  return !here.valid() && !there.valid();
 }
 
 }  // namespace
 
+bool same_number(std::string_view our_text, const Number& one, std::string_view their_text,
+                 const Number& other) {
+  if (one.span.in(our_text) == other.span.in(their_text)) return true;
+  return one.value == other.value && std::signbit(one.value) == std::signbit(other.value) &&
+         is_told_apart(one, our_text) && is_told_apart(other, their_text);
+}
+
 bool equal(const Document& document, NodeId one, NodeId other) {
+  return equal(document, one, document, other);
+}
+
+bool equal(const Document& ours, NodeId one, const Document& theirs, NodeId other) {
+  const Sides sides{ours, theirs};
   Pairs pairs{{one, other}};
   while (!pairs.empty()) {
-    const auto [ours, theirs] = pairs.back();
+    const auto [here, there] = pairs.back();
     pairs.pop_back();
-    if (document.kind(ours) != document.kind(theirs)) return false;
+    if (ours.kind(here) != theirs.kind(there)) return false;
     bool same = true;
-    if (document.is_object(ours)) {
-      same = same_members(document, ours, theirs, pairs);
-    } else if (document.kind(ours) == Kind::number_array) {
-      same = same_numbers(document, ours, theirs);
-    } else if (document.is_array(ours)) {
-      same = same_elements(document, ours, theirs, pairs);
-    } else if (document.is_number(ours)) {
-      same = same_number(document, document.number(ours), document.number(theirs));
-    } else if (document.is_string(ours) || document.kind(ours) == Kind::key) {
-      same = same_string(document, ours, theirs);
+    if (ours.is_object(here)) {
+      same = sides.same_members(here, there, pairs);
+    } else if (ours.kind(here) == Kind::number_array) {
+      same = sides.same_numbers(here, there);
+    } else if (ours.is_array(here)) {
+      same = sides.same_elements(here, there, pairs);
+    } else if (ours.is_number(here)) {
+      same = same_number(ours.text(), ours.number(here), theirs.text(), theirs.number(there));
+    } else if (ours.is_string(here) || ours.kind(here) == Kind::key) {
+      same = sides.same_string(here, there);
     }
     if (!same) return false;
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether two values of one document are equal.
+/// Whether two values are equal.
 #pragma once
+
+#include <string_view>
 
 #include "json/document.hpp"
 
@@ -12,5 +14,11 @@ namespace gltfx::json {
 /// or keys, of
 /// `document`.
 bool equal(const Document& document, NodeId one, NodeId other);
+/// The same for a value of another document, `theirs`.
+bool equal(const Document& ours, NodeId one, const Document& theirs, NodeId other);
+
+/// Whether two numbers have the same value and sign, each of the text that it stands in.
+bool same_number(std::string_view our_text, const Number& one, std::string_view their_text,
+                 const Number& other);
 
 }  // namespace gltfx::json

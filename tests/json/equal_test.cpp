@@ -10,13 +10,19 @@
 namespace gltfx::json {
 namespace {
 
+// In one document, and in two.
 bool same(const std::string& one, const std::string& other) {
   const Parsed parsed = parse("[" + one + ", " + other + ", null]");
   const Document& document = parsed.document;
   auto element = document.elements(document.root()).begin();
   const NodeId first = *element;
   ++element;
-  return equal(document, first, *element);
+  const bool here = equal(document, first, *element);
+  const Parsed second = parse("[null, " + other + "]");
+  auto there = second.document.elements(second.document.root()).begin();
+  ++there;
+  EXPECT_EQ(equal(document, first, second.document, *there), here) << one << " and " << other;
+  return here;
 }
 
 TEST(Equal, ComparesWhatIsMeantAndNotHowItIsWritten) {
@@ -37,6 +43,7 @@ TEST(Equal, FindsEveryDifference) {
   EXPECT_FALSE(same(R"("a")", R"("b")"));
   EXPECT_FALSE(same(R"({"a": 1})", R"({"b": 1})"));
   EXPECT_FALSE(same(R"({"a": 1})", R"({"a": 1, "b": 1})"));
+  EXPECT_FALSE(same(R"({"a": 1, "b": 1})", R"({"a": 1, "x": 1, "y": 1})"));
   EXPECT_FALSE(same(R"({"a": {"b": [{"c": 1}]}})", R"({"a": {"b": [{"c": 2}]}})"));
 }
 
