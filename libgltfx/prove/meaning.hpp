@@ -25,8 +25,10 @@ enum class VertexOrder : std::uint8_t {
 };
 
 enum class AnimationComparison : std::uint8_t {
-  keys,   ///< the same keyframes
-  curves  ///< the same values at all keyframes of `before` and at four moments between two of them
+  keys,  ///< the same keyframes
+  /// The same values at all keyframes of `before` and at four moments between two of them, apart
+  /// from rounding (2^-22 of the values at both), and the same first and last moment.
+  curves,
 };
 
 enum class ImageComparison : std::uint8_t {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Whether channels of animations move alike, whatever their keyframes.
+#pragma once
+
+#include "prove/differences.hpp"
+#include "prove/object_walk.hpp"
+#include "prove/side.hpp"
+
+namespace gltfx::prove {
+
+/// `pair`: objects of channels. See AnimationComparison::curves.
+void compare_curves(const Side& before, const Side& after, const Pair& pair, double tolerance,
+                    Differences& found);
+
+}  // namespace gltfx::prove

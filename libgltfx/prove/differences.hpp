@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Collects what the parts of a comparison find.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "prove/meaning.hpp"
+
+namespace gltfx::prove {
+
+/// Keeps as many differences as are to be listed, and counts the others.
+class Differences {
+ public:
+  explicit Differences(std::size_t most) : most_(most) {}
+
+  void add(std::string pointer, std::string what, double amount = 0);
+  /// Notes how far apart two values of a quantity are; the first of the greatest counts.
+  void measure(std::string_view quantity, double distance, const std::string& pointer);
+  /// Something of `before` could not be read.
+  void leave_out(std::string pointer, std::string_view why);
+
+  Meaning take();
+
+ private:
+  std::size_t most_;
+  Meaning meaning_;
+  std::map<std::string, Measured, std::less<>> measured_;
+};
+
+}  // namespace gltfx::prove

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// References: what they lead to is compared, and not their numbers.
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "json/equal.hpp"
+#include "model/texture.hpp"
+#include "prove/column.hpp"
+#include "prove/object_walk.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+using model::RootArray;
+
+std::optional<json::NodeId> shown_image(const Side& side, json::NodeId texture,
+                                        std::unordered_set<json::NodeId>& reached) {
+  const auto& images = side.asset().elements(RootArray::images);
+  const std::vector<std::uint32_t> indices = model::read_texture(side.asset(), texture).images;
+  for (const std::uint32_t index : indices) reached.insert(images[index]);
+  return indices.empty() ? std::nullopt : std::optional(images[indices.front()]);
+}
+
+}  // namespace
+
+void ObjectWalk::compare_links(const Place& place, const Link& ours, const Link* theirs) {
+  if (theirs == nullptr || (ours.pointer == nullptr) != (theirs->pointer == nullptr)) {
+    return differ(place, "is no such reference any more");
+  }
+  if (ours.pointer != nullptr) return compare_pointers(place, ours, *theirs);
+  if (theirs->target == json::kNoNode) return differ(place, "leads nowhere");
+  follow(place, {ours.target, theirs->target});
+}
+
+void ObjectWalk::compare_pointers(const Place& place, const Link& ours, const Link& theirs) {
+  const graph::PointerText& here = *ours.pointer;
+  const graph::PointerText& there = *theirs.pointer;
+  bool same = here.steps.size() == there.steps.size();
+  for (std::size_t i = 0; same && i < here.steps.size(); ++i) {
+    const bool both = i < here.way.size() && i < there.way.size();
+    const json::NodeId list = both ? before_.tree().parent(here.way[i]) : json::kNoNode;
+    if (both && before_.is_table(list)) {
+      follow(place, {here.way[i], there.way[i]});
+    } else {
+      same = here.steps[i] == there.steps[i];
+    }
+  }
+  if (!same) differ(place, "points elsewhere");
+}
+
+void ObjectWalk::follow(const Place& place, const Pair& pair) {
+  known_.reached_here.insert(pair.ours);
+  known_.reached_there.insert(pair.theirs);
+  const schema::TypeId type = before_.type(pair.ours);
+  if (type != after_.type(pair.theirs)) return differ(place, "leads to another kind of object");
+  if (type == types_.node) {
+    if (!nodes_.matches(pair.ours, pair.theirs)) differ(place, "leads to another node");
+    return;
+  }
+  const json::NodeId partner_there =
+      known_.partners_here.try_emplace(pair.ours, pair.theirs).first->second;
+  const json::NodeId partner_here =
+      known_.partners_there.try_emplace(pair.theirs, pair.ours).first->second;
+  const bool is_pointed =
+      known_.pointed_here.contains(pair.ours) || known_.pointed_there.contains(pair.theirs);
+  if (is_pointed && (partner_there != pair.theirs || partner_here != pair.ours)) {
+    return differ(place, "leads to another object, which a JSON pointer tells apart");
+  }
+  if (!known_.contents.join(pair)) return;
+  if (type == types_.accessor) {
+    compare_accessors(place, pair);
+    if (known_.accessor_members.join(pair)) open_.push_back(pair);
+  } else if (type == types_.buffer_view) {
+    compare_views(place, pair);
+  } else if (type != types_.buffer) {
+    if (type == types_.image) payloads_.images.push_back(pair);
+    open_.push_back(pair);
+  }
+}
+
+void ObjectWalk::compare_accessors(const Place& place, const Pair& pair) {
+  const auto ours = Column::open(before_, before_.index(pair.ours));
+  if (!ours) return found_.leave_out(before_.pointer(pair.ours), "cannot be read");
+  const auto theirs = Column::open(after_, after_.index(pair.theirs));
+  if (!theirs) return differ(place, "leads to an accessor that cannot be read any more");
+  if (ours->count() != theirs->count() || ours->components() != theirs->components()) {
+    return differ(place, fmt::format("leads to {} elements of {} components in place of {} of {}",
+                                     theirs->count(), theirs->components(), ours->count(),
+                                     ours->components()));
+  }
+  const Farthest far = farthest(Metric::component, *ours, *theirs);
+  if (far.distance == 0) return;
+  differ(place, fmt::format("leads to an element {} that is {:.6g} away", far.at, far.distance),
+         far.distance);
+}
+
+void ObjectWalk::compare_views(const Place& place, const Pair& pair) {
+  const auto bytes = [](const Side& side, json::NodeId node) {
+    const model::BufferView& view = side.views().buffer_views[side.index(node)];
+    return side.resources().part(side.document(), view, 0, view.byte_length.value_or(0));
+  };
+  const auto ours = bytes(before_, pair.ours);
+  if (!ours) return found_.leave_out(before_.pointer(pair.ours), "cannot be read");
+  const auto theirs = bytes(after_, pair.theirs);
+  if (!theirs) return differ(place, "leads to bytes that cannot be read any more");
+  if (!container::same_bytes(*ours, *theirs)) differ(place, "leads to other bytes");
+}
+
+// The picture that a reader of all formats shows.
+void ObjectWalk::compare_textures(const Pair& pair) {
+  const auto ours = shown_image(before_, pair.ours, known_.reached_here);
+  const auto theirs = shown_image(after_, pair.theirs, known_.reached_there);
+  if (!ours) return;
+  if (!theirs) return differ({pair.ours}, "has no image any more");
+  follow({pair.ours}, {*ours, *theirs});
+}
+
+// Names and the like of accessors whose elements are compared with the primitive.
+void ObjectWalk::compare_accessor_members(const Pair& pair) {
+  const auto join = [&](const std::optional<std::uint32_t>& here,
+                        const std::optional<std::uint32_t>& there) {
+    if (!here || !there) return;
+    const Pair accessors{before_.asset().elements(RootArray::accessors)[*here],
+                         after_.asset().elements(RootArray::accessors)[*there]};
+    if (known_.accessor_members.join(accessors)) open_.push_back(accessors);
+  };
+  const auto join_lists = [&](const std::vector<model::Attribute>& here,
+                              const std::vector<model::Attribute>& there) {
+    std::map<std::string_view, const model::Attribute*> by_name;
+    for (const model::Attribute& attribute : there) by_name[attribute.name] = &attribute;
+    for (const model::Attribute& attribute : here) {
+      const auto other = by_name.find(attribute.name);
+      if (other != by_name.end()) join(attribute.accessor, other->second->accessor);
+    }
+  };
+  const model::Primitive ours = model::read_primitive(before_.asset(), pair.ours);
+  const model::Primitive theirs = model::read_primitive(after_.asset(), pair.theirs);
+  join(ours.indices, theirs.indices);
+  join_lists(ours.attributes, theirs.attributes);
+  for (std::size_t i = 0; i < std::min(ours.targets.size(), theirs.targets.size()); ++i) {
+    join_lists(model::read_attributes(before_.asset(), ours.targets[i]),
+               model::read_attributes(after_.asset(), theirs.targets[i]));
+  }
+}
+
+std::vector<json::NodeId> ObjectWalk::unused(
+    const Side& side, json::NodeId array, const std::unordered_set<json::NodeId>& reached) const {
+  std::vector<json::NodeId> elements;
+  if (side.document().kind(array) != json::Kind::array) return elements;
+  for (const json::NodeId element : side.document().elements(array)) {
+    const schema::TypeId type = side.type(element);
+    const bool apart = type == types_.node || type == types_.accessor || type == types_.buffer ||
+                       type == types_.buffer_view;
+    if (!apart && !reached.contains(element)) elements.push_back(element);
+  }
+  return elements;
+}
+
+// In the order of their lists, since nothing else tells which is which.
+void ObjectWalk::compare_unused() {
+  std::map<std::string_view, Pair> arrays;
+  for (const schema::TargetArray& array : before_.graph().checked().targets) {
+    if (before_.is_table(array.node)) arrays[array.pointer].ours = array.node;
+  }
+  for (const schema::TargetArray& array : after_.graph().checked().targets) {
+    if (after_.is_table(array.node)) arrays[array.pointer].theirs = array.node;
+  }
+  for (const auto& [pointer, pair] : arrays) {
+    std::vector<json::NodeId> here, there;
+    if (pair.ours != json::kNoNode) here = unused(before_, pair.ours, known_.reached_here);
+    if (pair.theirs != json::kNoNode) there = unused(after_, pair.theirs, known_.reached_there);
+    if (here.size() != there.size()) {
+      found_.add(std::string(pointer),
+                 fmt::format("has {} elements that nothing refers to in place of {}", there.size(),
+                             here.size()));
+    }
+    for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) {
+      follow({here[i]}, {here[i], there[i]});
+    }
+    drain();
+  }
+}
+
+}  // namespace gltfx::prove

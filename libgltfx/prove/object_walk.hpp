@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Compares the objects of two assets by what they say and what they lead to.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <set>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+#include "prove/differences.hpp"
+#include "prove/node_pairs.hpp"
+#include "prove/side.hpp"
+#include "prove/storage.hpp"
+
+namespace gltfx::prove {
+
+/// A value of `before` and one of `after`.
+struct Pair {
+  json::NodeId ours = json::kNoNode;
+  json::NodeId theirs = json::kNoNode;
+};
+
+/// Values that are to be equal, as classes: what is in one class need not be compared again, so
+/// that there are no more comparisons than values (J. Hopcroft and R. Karp, A Linear Algorithm for
+/// Testing Equivalence of Finite Automata, 1971).
+class EqualValues {
+ public:
+  /// Whether they were in two classes. Now they are in one.
+  bool join(const Pair& pair);
+
+ private:
+  std::uint64_t find(std::uint64_t value);
+  std::unordered_map<std::uint64_t, std::uint64_t> above_;
+};
+
+/// What is left to compare once all objects are.
+struct Payloads {
+  std::vector<Pair> primitives;
+  std::vector<Pair> images;
+  std::vector<Pair> channels;  ///< AnimationComparison::curves
+};
+
+/// One walk over both assets. Iterative. Refers to all it is made of.
+class ObjectWalk {
+ public:
+  ObjectWalk(const Side& before, const Side& after, const NodePairs& nodes,
+             const MeaningRequest& request, Differences& found);
+
+  Payloads run();
+
+ private:
+  using Names = std::set<std::string, std::less<>>;
+  using Members = std::vector<std::pair<std::string_view, json::NodeId>>;
+  /// A reference of `before`.
+  struct Place {
+    json::NodeId value = json::kNoNode;
+    std::optional<std::uint64_t> element = std::nullopt;
+  };
+
+  void drain();
+  void compare(const Pair& pair);
+  void compare_arrays(const Pair& pair);
+  void compare_numbers(const Pair& pair);
+  void compare_objects(const Pair& pair);
+  void compare_members(const Pair& pair, const Members& ours, const Members& theirs);
+  Members members(const Side& side, json::NodeId object) const;
+  bool is_compared(const Side& side, json::NodeId object, std::string_view name,
+                   json::NodeId value) const;
+  bool is_mere_storage(const Side& side, std::string_view name, json::NodeId value) const;
+  bool may_move(json::NodeId node) const;
+
+  /// Precondition: `ours` leads somewhere.
+  void compare_links(const Place& place, const Link& ours, const Link* theirs);
+  void compare_pointers(const Place& place, const Link& ours, const Link& theirs);
+  void follow(const Place& place, const Pair& pair);
+  void compare_accessors(const Place& place, const Pair& pair);
+  void compare_views(const Place& place, const Pair& pair);
+  void compare_textures(const Pair& pair);
+  void compare_accessor_members(const Pair& pair);
+  void compare_declared(std::string_view list);
+  void compare_unused();
+  std::vector<json::NodeId> unused(const Side& side, json::NodeId array,
+                                   const std::unordered_set<json::NodeId>& reached) const;
+
+  void differ(const Place& place, std::string what, double amount = 0);
+
+  const Side& before_;
+  const Side& after_;
+  const NodePairs& nodes_;
+  const MeaningRequest& request_;
+  Differences& found_;
+  const Types types_;
+  const Names storage_;
+  std::deque<Pair> open_;
+  Payloads payloads_;
+  /// What is known of values so far.
+  struct {
+    EqualValues contents, accessor_members;
+    std::unordered_set<json::NodeId> reached_here, reached_there;
+    /// Values that pointers lead to keep who they are, as nodes do: first partners.
+    std::unordered_set<json::NodeId> pointed_here, pointed_there;
+    std::unordered_map<json::NodeId, json::NodeId> partners_here, partners_there;
+    std::unordered_set<json::NodeId> moved;  ///< nodes that animations move
+  } known_;
+};
+
+}  // namespace gltfx::prove

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// One of the two assets that are compared, with all that is asked of it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_set>
+#include <vector>
+
+#include "graph/graph.hpp"
+#include "model/draco.hpp"
+#include "model/geometry.hpp"
+#include "model/opened_asset.hpp"
+#include "model/pose.hpp"
+#include "model/resource_data.hpp"
+#include "prove/storage.hpp"
+#include "schema/set.hpp"
+
+namespace gltfx::prove {
+
+/// A number or string that refers to a value, or is a JSON pointer.
+struct Link {
+  json::NodeId at = json::kNoNode;
+  std::uint64_t element = 0;                    ///< of a number_array
+  json::NodeId target = json::kNoNode;          ///< kNoNode: leads nowhere
+  const graph::PointerText* pointer = nullptr;  ///< null: an index
+};
+
+/// Opens what the asset refers to. Neither copied nor moved: its parts refer to each other. Not
+/// thread-safe.
+class Side {
+ public:
+  /// Precondition: the text has a root object.
+  Side(const model::OpenedAsset& opened, const schema::Set& set, unsigned jobs);
+  Side(const Side&) = delete;
+  Side& operator=(const Side&) = delete;
+
+  const json::Document& document() const { return opened_.document(); }
+  const model::Asset& asset() const { return asset_; }
+  const model::Views& views() const { return opened_.views(); }
+  const model::ResourceData& resources() const { return loaded_.data; }
+  const graph::Graph& graph() const { return graph_; }
+  const graph::Tree& tree() const { return graph_.tree(); }
+  const model::GeometrySource& source() const { return source_; }
+  /// By node, from its space to that of the scene.
+  const std::vector<model::Affine>& world() const { return pose_.world; }
+
+  /// The reference that stands there, or null.
+  const Link* link(json::NodeId value, std::uint64_t element = 0) const;
+  /// What the schemas call an object, wherever it is at home; kNone: they do not describe it.
+  schema::TypeId type(json::NodeId object) const;
+  /// Whether elements of an array are reached by references to them, so that their order says
+  /// nothing.
+  bool is_table(json::NodeId array) const { return tables_.count(array) != 0; }
+  std::string pointer(json::NodeId value) const { return tree().pointer(value); }
+  /// The position of an element of a root array.
+  std::uint32_t index(json::NodeId element) const { return tree().position(element); }
+
+ private:
+  const model::OpenedAsset& opened_;
+  const model::Asset asset_;
+  const graph::Graph graph_;
+  model::LoadedResources loaded_;
+  model::DracoMeshes draco_;
+  const model::GeometrySource source_;
+  model::Pose pose_;
+  std::vector<Link> links_;  ///< by place
+  std::unordered_set<json::NodeId> tables_;
+};
+
+}  // namespace gltfx::prove
