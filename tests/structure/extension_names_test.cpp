@@ -46,6 +46,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "defaults"},
     {"libgltfx/rules/payload/check.cpp",
      "what numbers of attributes mean: the vocabulary states their formats only"},
+    {"libgltfx/rules/core/material_needs.cpp",
+     "a tangent space is needed by a value, with or without a texture"},
     {"libgltfx/rules/targets/geometry_features.cpp", "unlit primitives do not ask for normals"},
     {"libgltfx/rules/targets/material_features.cpp",
      "transforms of slots and places of shaders as features of engines"},

@@ -10,8 +10,8 @@
 #include "base/text.hpp"
 #include "model/accessor.hpp"
 #include "rules/context.hpp"
+#include "rules/core/mend.hpp"
 #include "rules/finding.hpp"
-#include "rules/payload/mend.hpp"
 
 namespace gltfx::validate {
 namespace {

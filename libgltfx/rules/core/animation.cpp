@@ -15,10 +15,10 @@
 #include "model/skin.hpp"
 #include "rules/context.hpp"
 #include "rules/core/animation_output.hpp"
+#include "rules/core/mend.hpp"
 #include "rules/core/use.hpp"
 #include "rules/finding.hpp"
 #include "rules/khronos/animation_paths.hpp"
-#include "rules/payload/mend.hpp"
 
 namespace gltfx::validate {
 namespace {

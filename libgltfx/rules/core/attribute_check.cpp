@@ -5,9 +5,9 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "rules/context.hpp"
+#include "rules/core/mend.hpp"
 #include "rules/core/mesh_state.hpp"
 #include "rules/finding.hpp"
-#include "rules/payload/mend.hpp"
 
 namespace gltfx::validate {
 namespace {

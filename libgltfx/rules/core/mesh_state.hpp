@@ -10,9 +10,9 @@
 #include "model/mesh.hpp"
 #include "rules/context.hpp"
 #include "rules/core/attribute_formats.hpp"
+#include "rules/core/material_needs.hpp"
 #include "rules/core/use.hpp"
 #include "rules/extension_walk.hpp"
-#include "rules/extensions/material_needs.hpp"
 
 namespace gltfx::validate {
 

@@ -11,8 +11,8 @@
 #include "rules/context.hpp"
 #include "rules/core/mesh_state.hpp"
 #include "rules/extensions/materials_variants.hpp"
+#include "rules/extensions/structural_metadata.hpp"
 #include "rules/finding.hpp"
-#include "rules/payload/metadata/data_texture.hpp"
 
 namespace gltfx::validate {
 namespace {

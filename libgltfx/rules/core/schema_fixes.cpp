@@ -12,8 +12,8 @@
 #include "base/codes.hpp"
 #include "graph/extensions.hpp"
 #include "rules/context.hpp"
+#include "rules/core/mend.hpp"
 #include "rules/fix_deletion.hpp"
-#include "rules/payload/mend.hpp"
 
 namespace gltfx::validate {
 namespace {

@@ -16,8 +16,8 @@
 #include "base/text.hpp"
 #include "json/writer.hpp"
 #include "rules/context.hpp"
+#include "rules/core/mend.hpp"
 #include "rules/fix_users.hpp"
-#include "rules/payload/mend.hpp"
 #include "schema/home.hpp"
 #include "schema/meant.hpp"
 

@@ -18,7 +18,7 @@
 #include "model/fields.hpp"
 #include "rules/context.hpp"
 #include "rules/core/animated.hpp"
-#include "rules/extensions/material_needs.hpp"
+#include "rules/core/material_needs.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/texture_slots.hpp"
 

@@ -10,9 +10,9 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
+#include "rules/core/mend.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/kernels.hpp"
-#include "rules/payload/mend.hpp"
 
 namespace gltfx::validate {
 namespace {

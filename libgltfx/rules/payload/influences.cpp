@@ -10,10 +10,10 @@
 #include "base/codes.hpp"
 #include "model/mesh.hpp"
 #include "model/skin.hpp"
+#include "rules/core/mend.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/describe.hpp"
 #include "rules/payload/influence_check.hpp"
-#include "rules/payload/mend.hpp"
 #include "rules/payload/phases.hpp"
 
 namespace gltfx::validate {

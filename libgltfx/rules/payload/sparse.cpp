@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "rules/core/mend.hpp"
 #include "rules/finding.hpp"
-#include "rules/payload/mend.hpp"
 #include "rules/payload/phases.hpp"
 
 namespace gltfx::validate {

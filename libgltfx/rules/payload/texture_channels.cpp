@@ -10,8 +10,8 @@
 #include "base/codes.hpp"
 #include "model/fields.hpp"
 #include "rules/context.hpp"
+#include "rules/core/material_needs.hpp"
 #include "rules/core/use.hpp"
-#include "rules/extensions/material_needs.hpp"
 #include "rules/payload/texture_phase.hpp"
 
 namespace gltfx::validate {

@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
-#include "rules/extensions/material_needs.hpp"
+#include "rules/core/material_needs.hpp"
 #include "rules/finding.hpp"
 
 namespace gltfx::validate {

@@ -32,11 +32,6 @@ std::optional<std::uint64_t> texcoord_set(const json::Document& document, json::
 /// The n of all TEXCOORD_n of a primitive, sorted.
 std::vector<std::uint64_t> texcoord_sets(const Context& context, json::NodeId primitive);
 
-/// Calls `use` with the n of each TEXCOORD_n that feature ids of a primitive are read by. True: it
-/// has property textures, which may read any of them.
-bool visit_data_texcoords(const Context& context, json::NodeId primitive,
-                          const std::function<void(std::uint64_t)>& use);
-
 /// Reports at `place` and `path` that a primitive lacks TEXCOORD_n.
 void report_missing_texcoord(MetadataPhase& phase, std::uint64_t set, json::NodeId place,
                              const Path& path);

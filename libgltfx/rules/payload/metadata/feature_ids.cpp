@@ -341,24 +341,6 @@ class FeatureCheck {
 
 }  // namespace
 
-bool visit_data_texcoords(const Context& context, json::NodeId primitive,
-                          const std::function<void(std::uint64_t)>& use) {
-  const json::Document& document = context.document;
-  if (has_objects_of(context, kMetadataExtension)) {
-    const json::NodeId metadata = model::extension_object(document, primitive, kMetadataExtension);
-    if (document.find(metadata, "propertyTextures") != json::kNoNode) return true;
-  }
-  if (!has_objects_of(context, kMeshFeatures)) return false;
-  const json::NodeId features = model::extension_object(document, primitive, kMeshFeatures);
-  if (features == json::kNoNode) return false;
-  for (const json::NodeId set : object_list(document, features, "featureIds")) {
-    const json::NodeId texture = model::object_member(document, set, "texture");
-    if (texture == json::kNoNode) continue;
-    if (const auto number = texcoord_set(document, texture)) use(*number);
-  }
-  return false;
-}
-
 void check_feature_ids(MetadataPhase& phase) { FeatureCheck(phase).run(); }
 
 void check_metadata(DataPhase& data) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rules/payload/mend.hpp"
+#include "rules/core/mend.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "model/accessor_data.hpp"
+#include "rules/core/mend_elements.hpp"
 #include "rules/fix_users.hpp"
-#include "rules/payload/mend_elements.hpp"
 
 namespace gltfx::validate {
 namespace {

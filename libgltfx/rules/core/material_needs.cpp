@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rules/extensions/material_needs.hpp"
+#include "rules/core/material_needs.hpp"
 
 #include <charconv>
 

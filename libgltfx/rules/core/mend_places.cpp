@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "model/accessor_data.hpp"
+#include "rules/core/mend.hpp"
+#include "rules/core/mend_elements.hpp"
 #include "rules/fix_users.hpp"
-#include "rules/payload/mend.hpp"
-#include "rules/payload/mend_elements.hpp"
 
 namespace gltfx::validate {
 namespace {
