@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of a line "@@ -1,2 +3,4 @@" the 3 and the 4, which is 1 when it is left out.
+// The 3 and the 4 of a line "@@ -1,2 +3,4 @@"; the 4 is 1 when it is omitted.
 std::optional<LineRange> range_of(std::string_view header) {
   const std::size_t plus = header.find(" +");
   if (plus == std::string_view::npos) return std::nullopt;

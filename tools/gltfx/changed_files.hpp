@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What differs between a revision of git and the files as they lie in the folder. Only the
-/// repository of the working folder is asked: one that lies with an asset could bring programs of
-/// its own along.
+/// Differences between a revision of git and the files in the working tree. Only the repository of
+/// the working folder is used: one beside an asset could start programs of its own.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -22,10 +21,10 @@ class ChangedFiles {
   /// An Error when there is no repository or no such revision.
   static Result<ChangedFiles> since(const std::string& revision);
 
-  /// Lines of a file that changed. Nothing where all of it counts: it is new, binary, kept by Git
-  /// LFS, or not of this repository.
+  /// Changed lines of a file. Nothing if the whole file counts: it is new, binary, kept by Git LFS,
+  /// or not of this repository.
   std::optional<std::vector<LineRange>> lines(const std::string& path) const;
-  /// Whether a file that the asset refers to changed, so that anything may be wrong with it.
+  /// Whether a file that the asset refers to changed, so that all findings count.
   bool companions_changed(const FileReport& report) const;
 
  private:
@@ -41,8 +40,8 @@ class ChangedFiles {
   std::set<RepositoryName> changed_;  ///< of these
 };
 
-/// The lines of the new file that a unified diff without context names; a line that is gone marks
-/// its neighbours. Nothing when it is one of Git LFS pointers, whose lines are not those of the
+/// The lines of the new file that a unified diff without context names; a removed line marks its
+/// neighbours. Nothing when it is a diff of Git LFS pointers, whose lines are not those of the
 /// file.
 std::optional<std::vector<LineRange>> lines_of_diff(std::string_view diff);
 

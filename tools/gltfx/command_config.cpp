@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `gltfx config`: what holds for a path, and which line says so.
+// `gltfx config`: the settings for a path, and the lines that they come from.
 #include <algorithm>
 #include <string>
 #include <vector>

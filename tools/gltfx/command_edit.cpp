@@ -29,7 +29,7 @@ Result<DeleteOptions> options_of(const DeleteRequest& request) {
   return options;
 }
 
-/// A run of inputs that lose objects.
+/// A run of deletions.
 class DeleteCommand {
  public:
   DeleteCommand(const DeleteRequest& request, DeleteOptions options)
@@ -62,7 +62,7 @@ class DeleteCommand {
   bool writing() const { return options_.in_place || !options_.output.empty(); }
   void say(std::string_view text) { code_ = worse(code_, print(text)); }
 
-  // Standard output is the diff's alone, so that it can be applied.
+  // Standard output is only the diff, so that it can be applied.
   void finish(std::string_view summary) {
     if (!options_.diff) return say(summary);
     complain(summary.substr(0, summary.size() - 1));

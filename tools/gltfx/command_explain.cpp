@@ -20,7 +20,7 @@ std::string example_text(std::string_view example) {
   return fmt::format("    (a binary file of {} bytes)\n", example_bytes(example).size());
 }
 
-// What `gltfx validate` says about an example, as it would be printed.
+// The output of `gltfx validate` for an example.
 std::string verdict_on(const RuleDescription& rule, bool color) {
   FormatOptions format;
   format.color = color;

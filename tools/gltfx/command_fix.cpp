@@ -63,7 +63,7 @@ class FixRun {
   bool writing() const { return options_.in_place || !options_.output.empty(); }
   void say(std::string_view text) { code_ = worse(code_, print(text)); }
 
-  // Standard output is the diff's alone, so that it can be applied.
+  // Standard output is only the diff, so that it can be applied.
   void finish(std::string_view summary) {
     if (!options_.diff) return say(summary);
     complain(summary.substr(0, summary.size() - 1));

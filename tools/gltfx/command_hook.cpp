@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `gltfx hook VERB`: a verb over the assets that a commit touches, and whether the commit is
-/// whole.
+/// `gltfx hook VERB`: runs a verb on the assets of a commit, and checks that the commit is
+/// complete.
 #include <string>
 #include <utility>
 #include <variant>
@@ -95,7 +95,7 @@ class Hook {
     return check_half_staged(half_staged);
   }
 
-  // Whoever stages a part of a file chooses what else of it goes into the commit.
+  // A user who stages a part of a file decides which other parts belong to the commit.
   std::optional<Error> check_half_staged(const std::vector<RepositoryName>& assets) {
     const auto* upgrade = std::get_if<UpgradeRequest>(&request_.verb);
     if (assets.empty() || upgrade == nullptr) return std::nullopt;

@@ -25,7 +25,7 @@ namespace gltfx::tool {
 namespace {
 
 constexpr std::size_t kLongest = 40;       // code points of a name in a table
-constexpr std::size_t kLongestLine = 300;  // of a text in a line of its own
+constexpr std::size_t kLongestLine = 300;  // of a text on a separate line
 
 std::string cell(std::string_view text) { return report::safe_cut(text, kLongest); }
 
@@ -288,8 +288,8 @@ class Page {
   std::string text_;
 };
 
-// All that is known of one asset. `most`: rows of each table, those that take most bytes first; 0:
-// all, by index. Neutralised; ends in a line break.
+// All facts about one asset. `most`: rows of each table, the largest first; 0: all, by index.
+// Neutralised; ends in a line break.
 std::string inspect_text(const InspectReport& report, std::size_t most, const Style& style) {
   return Page(most, style).write(report);
 }

@@ -36,7 +36,7 @@ Answer usage_error(std::string_view verb, std::string_view problem) {
   return {{}, fmt::format("gltfx: {}\nSee '{} --help'.\n", problem, command), ExitCode::usage};
 }
 
-// Without allow_extra_args(false), a repeatable option would take all positionals behind its value.
+// Without allow_extra_args(false), a repeatable option would take all positionals after its value.
 void tell_cli(CLI::App& app, Option& row) {
   std::string names(row.short_name);
   if (!names.empty()) names += ',';
@@ -57,8 +57,8 @@ void tell_cli(CLI::App& app, Option& row) {
   }
 }
 
-// CLI11 gets positionals for the help only: it reads "[a].gltf" as a list of its own, so that they
-// are declared to take nothing and are picked from what is left over.
+// CLI11 gets positionals for the help only: it parses "[a].gltf" as a list, so they are declared
+// without values and taken from the remaining words.
 void tell_cli(CLI::App& app, Options& options) {
   const Option& arguments = options.arguments();
   if (!arguments.name.empty()) {
@@ -79,13 +79,13 @@ struct Verb {
   std::function<CommandLine()> request = {};
 };
 
-// All verbs, and the options of those that are among the words: to declare the options of all verbs
-// takes longer than the rest of a short run. Without words, each verb has its options.
+// All verbs, and the options of those in the words: declaring the options of all verbs takes longer
+// than the rest of a short run. Without words, each verb has its options.
 class Declaration {
  public:
   explicit Declaration(std::span<const char* const> words) : words_(words) {
     app_.allow_extras();
-    // With one verb at most, a path that is called like a verb stays a path.
+    // With at most one verb, a path with the name of a verb stays a path.
     app_.require_subcommand(0, 1);
     app_.get_formatter()->column_width(28);
     app_.footer([] { return help_footer(""); });
@@ -130,7 +130,7 @@ class Declaration {
   CLI::App app_{
       "Validates and fixes glTF 2.0 assets, upgrades legacy extensions and renders previews.",
       "gltfx"};
-  std::vector<std::string> after_mark_;  ///< what follows "--": never options
+  std::vector<std::string> after_mark_;  ///< words after "--": never options
   Options program_;
   std::deque<Verb> verbs_;
 };
@@ -169,7 +169,7 @@ void Declaration::verb(const char* name, const char* text, void (*declare)(Optio
   };
 }
 
-// For the help: read() takes the word away, so that the verb behind it has its own options.
+// For the help: read() removes the word, so that the verb after it has its own options.
 void Declaration::add_hook() {
   Verb& verb = verbs_.emplace_back();
   verb.name = "hook";
@@ -235,7 +235,8 @@ std::string Declaration::help() const {
 
 bool is_option(const std::string& word) { return word.size() > 1 && word.front() == '-'; }
 
-// Distributes what CLI11 put aside: positionals to their verb, the rest to a complaint (or empty).
+// Distributes the remaining words of CLI11: positionals to their verb, others to an error message.
+// Returns the message, or an empty text.
 std::string Declaration::take_positionals() {
   if (const auto left = app_.remaining(); !left.empty()) {
     return is_option(left.front()) ? unknown_option(app_, left.front())
@@ -313,8 +314,8 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
   } catch (const CLI::CallForHelp&) {
     return Answer{help(), {}, ExitCode::ok};
   } catch (const CLI::ParseError&) {
-    // Nothing that option_mistake() lets pass is known to come here; the words of CLI11 are not for
-    // users.
+    // No input that option_mistake() accepts is known to reach this; the messages of CLI11 are not
+    // for users.
     return usage_error(verb_among(words), "the arguments cannot be understood.");
   }
   const auto verbs = app_.get_subcommands();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The words of the command line, taken apart. The only door to CLI11, which is slow to compile.
+/// Parses the command line. The only interface to CLI11, which is slow to compile.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace gltfx::tool {
 
-/// What is said instead of running a verb: help, versions, or what was wrong with the command.
+/// Output instead of a run of a verb: help, versions, or an error in the command.
 struct Answer {
   std::string output;  ///< for standard output
   std::string error;   ///< for standard error

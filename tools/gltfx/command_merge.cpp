@@ -39,7 +39,7 @@ class ReportFile {
 
   const report::RunHead& head() const { return head_; }
   const std::string& path() const { return path_; }
-  /// The report on the next file; nothing behind the last one.
+  /// The report on the next file; nothing after the last one.
   const std::optional<FileReport>& next() const { return next_; }
   std::optional<FileReport> take() { return std::exchange(next_, std::nullopt); }
   std::optional<Error> advance() {
@@ -64,7 +64,7 @@ class ReportFile {
     ++line_;
     const auto text = lines_.next();
     if (!text) return wrong(text.error().message);
-    // A last line without a line break was cut as well.
+    // A last line without a line break is truncated as well.
     if (!*text) {
       return wrong("the report ends before its last line: the run was cut off; run it again");
     }
@@ -93,7 +93,7 @@ Result<std::vector<ReportFile>> open_all(const std::vector<std::string>& paths) 
 // Why reports do not belong together, or nothing: parts that are missing, other options.
 std::optional<Error> check_parts(const std::vector<ReportFile>& files) {
   const report::RunHead& first = files.front().head();
-  // Of more parts than there are files one is missing in any case.
+  // If there are more parts than files, a part is missing.
   std::vector<bool> there(std::min<std::uint64_t>(first.shard.count, files.size() + 1));
   for (const ReportFile& file : files) {
     const report::RunHead& head = file.head();
@@ -156,7 +156,7 @@ class Merge {
     return first;
   }
 
-  // A shard that was run twice says everything twice.
+  // A shard that was run twice has every report twice.
   void take(FileReport report) {
     if (last_ && last_->first == report.position && last_->second == report.path) return;
     last_.emplace(report.position, report.path);

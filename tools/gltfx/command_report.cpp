@@ -23,7 +23,7 @@
 namespace gltfx::tool {
 namespace {
 
-constexpr std::uint64_t kManyAssets = 200;  // whose pictures are drafts unless told
+constexpr std::uint64_t kManyAssets = 200;  // above which pictures are drafts by default
 
 PageOptions page_options(const PageRequest& request) {
   const ValidateRequest& validate = request.validate;
@@ -39,7 +39,7 @@ PageOptions page_options(const PageRequest& request) {
   return options;
 }
 
-/// A run of inputs onto one page.
+/// A run of inputs for one page.
 class ReportRun {
  public:
   ReportRun(const PageRequest& request, ValidateOptions options, KnownFindings known)
@@ -91,7 +91,7 @@ class ReportRun {
   }
 
  private:
-  // The pictures of all parts are alike.
+  // The pictures of all parts have the same quality.
   std::uint64_t files_of_all_shards() const {
     NamedPaths all = request_.validate.paths;
     if (all.shard.count == 1) return files_;
@@ -154,7 +154,7 @@ class ReportRun {
   ProgressLine progress_;
   RunSummary summary_;
   std::string text_;
-  std::uint64_t files_ = 0;  ///< in all, where somebody watches
+  std::uint64_t files_ = 0;  ///< in total, if progress is shown
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the command line and gltfx.toml take, as plain data: manual pages and completions are made
-/// from it.
+/// Options of the command line and keys of gltfx.toml as plain data: manual pages and completions
+/// are made from it.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace gltfx::tool {
 
-/// Words to choose from. Long sets have a name, under which scripts keep them once.
+/// Words to choose from. Long sets have a name, under which scripts store them once.
 struct WordSet {
   std::string name = {};  ///< "codes"; may be empty
   std::vector<std::string> words = {};
@@ -20,9 +20,9 @@ struct WordSet {
 /// What completion offers for one option, or for the positional arguments of a verb.
 struct Values {
   WordSet words = {};
-  bool commas = false;       ///< several words with commas between
-  WordSet behind = {};       ///< what may follow a word and "="
-  bool file_behind = false;  ///< a file may do so
+  bool commas = false;       ///< several words separated by commas
+  WordSet behind = {};       ///< words allowed after a word and "="
+  bool file_behind = false;  ///< a file is allowed there
   bool files = false, folders = false;
   std::vector<std::string> endings = {};  ///< of files, without the dot; empty: all
 
@@ -38,19 +38,19 @@ enum class ConfigForm : std::uint8_t {
   codes,     ///< ["UNUSED_OBJECT"]
   names,     ///< ["three@0.187"]
   patterns,  ///< ["old/", "*.draft.gltf"]
-  files,     ///< ["ACME_leaf.schema.json"]: those of a list of paths that are no folders
+  files,     ///< ["ACME_leaf.schema.json"]: those of a list of paths that are not folders
   folders,   ///< ["schemas"]: those of the same list that are folders
   levels,    ///< a table: UNUSED_OBJECT = "info"
 };
 
-/// The key of gltfx.toml that stands for an option.
+/// The key of gltfx.toml for an option.
 struct ConfigKey {
   std::string_view name = {};  ///< with its table: "budgets.triangles"; empty: there is none
   ConfigForm form = ConfigForm::word;
   int place = 0;                    ///< keys are listed in this order
   std::string_view otherwise = {};  ///< the default
   bool by_path = false;             ///< allowed in [[overrides]]
-  bool adds_up = false;             ///< values of several places hold together, not the last alone
+  bool adds_up = false;  ///< values of several places add up; otherwise the last one counts
 };
 
 /// One option. Texts are literals.
@@ -59,8 +59,8 @@ struct OptionEntry {
   std::string_view name;           ///< "--format"
   std::string_view type;           ///< of its value: "NAME[=FILE]"; empty: it takes none
   std::string_view text;           ///< no full stop
-  bool repeatable = false;         ///< each use adds to those before
-  std::function<Values()> values;  ///< null: nothing can be offered, as for numbers
+  bool repeatable = false;         ///< each use adds to the previous ones
+  std::function<Values()> values;  ///< null: no completion, as for numbers
   ConfigKey key;
 
   bool takes_value() const { return !type.empty(); }
@@ -70,7 +70,7 @@ struct OptionEntry {
 struct CommandEntry {
   std::string name;  ///< of the verb; empty: the program itself
   std::string text;
-  OptionEntry positional;  ///< "PATH" and what it stands for; no name: the verb takes options alone
+  OptionEntry positional;  ///< "PATH" and its meaning; no name: the verb takes options only
   std::vector<OptionEntry> options;
 };
 

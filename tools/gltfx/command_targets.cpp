@@ -17,7 +17,7 @@
 namespace gltfx::tool {
 namespace {
 
-// What one version does with a feature in one way, or an empty text.
+// The outcome of a feature in one version, or an empty text.
 std::string_view outcome(const TargetChoice& choice, const std::string& feature,
                          std::vector<TargetRange> TargetFeature::*way) {
   const auto found = choice.target->features.find(feature);
@@ -26,7 +26,7 @@ std::string_view outcome(const TargetChoice& choice, const std::string& feature,
   return range == nullptr ? std::string_view() : target_outcome_name(range->outcome);
 }
 
-// "read", or "ignored, refused" where it makes a difference that an extension is required.
+// "read", or "ignored, refused" if the outcome of a required extension differs.
 std::string cell(const TargetChoice& choice, const std::string& feature) {
   const std::string_view used = outcome(choice, feature, &TargetFeature::used);
   const std::string_view required = outcome(choice, feature, &TargetFeature::required);
@@ -36,7 +36,7 @@ std::string cell(const TargetChoice& choice, const std::string& feature) {
 
 using Row = std::vector<std::string>;
 
-// The heads first. Features that none of the versions was measured with are left out.
+// The heading row first. Features that none of the versions was measured with are left out.
 std::vector<Row> table_of(const std::vector<TargetChoice>& choices) {
   std::vector<Row> rows{{"feature"}};
   for (const TargetChoice& choice : choices) rows.front().push_back(choice.label());
@@ -98,7 +98,7 @@ std::string signs_of(const std::string& cell) {
   return signs;
 }
 
-// Many engines are numbers, and their outcomes signs.
+// With many engines, columns are numbers and outcomes are signs.
 std::string folded(std::vector<Row> rows, const std::vector<TargetChoice>& choices) {
   std::vector<Row> legend;
   for (std::size_t i = 0; i < choices.size(); ++i) {
@@ -184,7 +184,7 @@ void write_target(json::Writer& writer, const Target& target) {
   writer.end_object();
 }
 
-// All versions of each target that is named.
+// All versions of each named target.
 std::string targets_json(const std::vector<TargetChoice>& choices) {
   std::string text;
   json::Writer writer(text, true);

@@ -25,7 +25,7 @@
 namespace gltfx::tool {
 namespace {
 
-// An Error about the first name that is none of those known.
+// An Error about the first unknown name.
 std::optional<Error> unknown_name(std::string_view option, const std::vector<std::string>& wanted,
                                   const std::vector<std::string>& known) {
   for (const std::string& name : wanted) {
@@ -84,13 +84,13 @@ class UpgradeRun {
   bool writing() const { return options_.in_place || !options_.output.empty(); }
   void say(std::string_view text) { code_ = worse(code_, print(text)); }
 
-  // Standard output is the diff's alone, so that it can be applied.
+  // Standard output is only the diff, so that it can be applied.
   void finish(std::string_view summary) {
     if (!options_.diff) return say(summary);
     complain(summary.substr(0, summary.size() - 1));
   }
 
-  // What the plan says and a diff cannot hold.
+  // Notes of the plan that a diff cannot hold.
   static void note_beside_diff(const UpgradeReport& report) {
     const std::string path = printable(report.path);
     for (const std::string& file : report.new_files) {

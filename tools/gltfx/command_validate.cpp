@@ -51,13 +51,13 @@ class Run {
 
   const ValidateRequest& request_;
   OptionsByPath options_;
-  std::deque<ValidateOptions> limited_;  ///< to lines that changed
+  std::deque<ValidateOptions> limited_;  ///< to changed lines
   KnownFindings known_;
   std::optional<ChangedFiles> changed_;
   ReportTargets targets_;
   RunSummary summary_;
   ProgressLine progress_;
-  std::uint64_t files_ = 0;  ///< in all, where somebody watches
+  std::uint64_t files_ = 0;  ///< in total, if progress is shown
 };
 
 void Run::take(FileReport report) {
@@ -73,7 +73,7 @@ FileReport check_stdin(const ValidateOptions& options) {
   return validate_bytes(*std::move(bytes), "-", options);
 }
 
-// The options for lines that changed, where not all of the file counts.
+// The options for changed lines, unless the whole file counts.
 const ValidateOptions& Run::limited(const ValidateOptions& options, const std::string& path) {
   auto lines = changed_ ? changed_->lines(path) : std::nullopt;
   if (!lines) return options;
@@ -82,14 +82,14 @@ const ValidateOptions& Run::limited(const ValidateOptions& options, const std::s
   return own;
 }
 
-// Other data, such as a new image, may make wrong what was written long ago.
+// Changed data, such as a new image, can cause findings on unchanged lines.
 void Run::look_again(FileReport& report) {
   if (!changed_ || !changed_->companions_changed(report)) return;
   if (changed_->lines(report.path)) report = validate_file(report.path, options_.of(report.path));
 }
 
 void Run::check_files(const std::vector<Input>& files) {
-  // Many files keep all threads busy by themselves.
+  // Several files keep all threads busy.
   options_.set_jobs(files.size() == 1 ? request_.common.jobs : 1);
   limited_.clear();
   std::vector<ValidateInput> inputs;
@@ -104,7 +104,7 @@ void Run::check_files(const std::vector<Input>& files) {
   });
 }
 
-// Standard input is read where it stands among the paths; what lies between runs in parallel.
+// Standard input is read at its position among the paths; the files between run in parallel.
 void Run::check(InputWalk& walk) {
   std::vector<Input> batch;
   const auto run_batch = [&] {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One function a verb: does what was asked, writes to standard output and the targets, complains
-/// on standard error, and says what to exit with.
-/// What the program ends with. One table for all verbs; `--help` prints it.
+/// One function per verb: it runs the request, writes to standard output and the targets, reports
+/// problems on standard error, and returns the exit code. One table has the exit codes of all
+/// verbs; `--help` prints it.
 #pragma once
 
 #include <array>
@@ -12,8 +12,7 @@
 
 namespace gltfx::tool {
 
-/// When several apply the one of higher rank() stands: a run that failed says nothing about
-/// findings.
+/// If several apply, the one of higher rank() is used: a failed run says nothing about findings.
 enum class ExitCode : std::uint8_t {
   ok = 0,
   findings = 1,
@@ -36,7 +35,7 @@ inline constexpr std::array<ExitCodeEntry, 5> kExitCodes{{
     {ExitCode::internal, "internal error, or the output cannot be written"},
 }};
 
-/// How bad it is: of several codes of one run the highest rank wins.
+/// Severity of a code: the code with the highest rank in a run is used.
 constexpr int rank(ExitCode code) {
   switch (code) {
     case ExitCode::ok:
@@ -53,12 +52,12 @@ constexpr int rank(ExitCode code) {
   return 4;
 }
 
-/// The code that stands when both apply.
+/// The code to use when both apply.
 constexpr ExitCode worse(ExitCode a, ExitCode b) { return rank(a) < rank(b) ? b : a; }
 
 ExitCode run(const ValidateRequest& request);
 ExitCode run(const MergeRequest& request);
-/// That of pages. Precondition: there is a MergeRequest::page.
+/// The same for pages. Precondition: there is a MergeRequest::page.
 ExitCode merge_pages(const MergeRequest& request);
 ExitCode run(const FixRequest& request);
 ExitCode run(const UpgradeRequest& request);

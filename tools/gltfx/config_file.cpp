@@ -9,11 +9,11 @@
 
 #include <fmt/format.h>
 
-// Errors come back as values, and nothing is printed.
+// Errors are returned as values, and nothing is printed.
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
-// Some of its assertions fail on mistakes that it finds and reports itself behind them. In a
-// release build they are promises to the compiler, so that anything might happen.
+// Some assertions of toml++ fail on mistakes that it reports itself afterwards. In a release build
+// they are assumptions of the compiler, so the behaviour would be undefined.
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_assert(true)
 #include <toml++/toml.h>
@@ -35,7 +35,7 @@ constexpr int kDeepest = 16;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kEnd = std::string_view::npos;
 
-// Behind the string that begins at `at`; kEnd where it does not end as it must.
+// The position after the string that begins at `at`; kEnd if it is not terminated correctly.
 std::size_t behind_string(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const std::string three(3, quote);
@@ -44,7 +44,7 @@ std::size_t behind_string(std::string_view text, std::size_t at) {
     if (quote == '"' && text[at] == '\\') {
       ++at;
     } else if (long_one && text.substr(at, 3) == three) {
-      // One or two more are the end of what it says.
+      // One or two more quotes belong to the content.
       at += 3;
       for (int more = 0; more < 2 && at < text.size() && text[at] == quote; ++more) ++at;
       return at;
@@ -62,9 +62,8 @@ std::uint32_t line_at(std::string_view text, std::size_t at) {
                  std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-// Brackets that are nested in more than 16 others, a key of more than 17 parts, or a character
-// beyond ASCII outside of strings and comments. Behind an error that every parser stops at it does
-// not look.
+// Finds brackets nested in more than 16 others, a key of more than 17 parts, or a non-ASCII
+// character outside of strings and comments. It stops at an error at which every parser stops.
 ConfigObstacle find_obstacle(std::string_view text) {
   int depth = 0, dots = 0;
   for (std::size_t at = text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
@@ -152,7 +151,7 @@ class Reader {
  private:
   using Values = std::vector<ConfigValue>;
 
-  // Each mistake is compared with all words that it could be: enough is enough.
+  // Each mistake is compared with all words, so their number is limited.
   bool is_full() const { return mistakes_.size() >= kMostMistakes; }
 
   static std::uint32_t line_of(const toml::key& key) { return key.source().begin.line; }
@@ -241,7 +240,7 @@ class Reader {
     return true;
   }
 
-  // Takes what the command line would take, and complains in its words.
+  // Accepts the same values as the command line, with the same error messages.
   void keep(const ConfigKey& key, std::string word, const toml::node& node, Values& values) {
     const bool list = key.form == ConfigForm::codes || key.form == ConfigForm::levels;
     if (is_full()) return;
@@ -263,7 +262,7 @@ class Reader {
     }
   }
 
-  // That of the options of validation: other verbs read their words when they run.
+  // The mistake in an option of validation: other verbs read their words when they run.
   std::optional<Error> mistake_in(const ConfigKey& key, const std::string& word) {
     for (const Option& row : checks_.rows()) {
       if (row.key.name == key.name) return row.read(row.name, {word});
@@ -310,11 +309,11 @@ class Reader {
   const std::string& name_;
   ConfigFile file_;
   std::multimap<std::uint32_t, std::string> mistakes_;
-  std::set<bool> unknown_keys_;  ///< whether there are some: outside of overrides, and in them
+  std::set<bool> unknown_keys_;  ///< where they occur: outside of overrides, in them
   std::vector<KeyedOption> keyed_ = keyed_options();
   ValidateRequest scratch_;
   Options checks_;
-  std::set<std::pair<std::string_view, std::string>> right_;  ///< values that were read before
+  std::set<std::pair<std::string_view, std::string>> right_;  ///< values that were accepted before
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// gltfx.toml as it was written, each value with its line.
+/// The contents of gltfx.toml, each value with its line.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace gltfx::tool {
 
-/// One value, as the command line would take it: "strict", "2048", "UNUSED_OBJECT=info".
+/// One value in the form of the command line: "strict", "2048", "UNUSED_OBJECT=info".
 struct ConfigValue {
   ConfigKey key;
   std::string word;
   std::uint32_t line = 0;
 };
 
-/// One [[overrides]]: what holds for some paths only.
+/// One [[overrides]]: values for some paths only.
 struct ConfigOverride {
   std::vector<std::string> paths;  ///< patterns
   std::uint32_t line = 0;
@@ -31,8 +31,8 @@ struct ConfigFile {
   std::vector<ConfigOverride> overrides;
 };
 
-/// Reads the text of a configuration. Every value is one that the command line would take. The
-/// Error has a line for each mistake: "NAME:3: what is wrong".
+/// Reads the text of a configuration. Every value is valid on the command line. The Error has a
+/// line for each mistake: "NAME:3: mistake".
 Result<ConfigFile> parse_config(std::string_view text, const std::string& name);
 
 }  // namespace gltfx::tool

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four flat keys need no YAML library: one that reads anchors, tags and documents of any depth is
-// much to trust for that.
+// Four flat keys need no YAML library: a parser of anchors, tags and documents of any depth is a
+// large attack surface.
 #include "config_import.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
 }
 
-// A '#' begins a comment at the start of a line or behind a blank.
+// A '#' begins a comment at the start of a line or after a blank.
 std::string_view without_comment(std::string_view line) {
   for (std::size_t at = line.find('#'); at != std::string_view::npos; at = line.find('#', at + 1)) {
     if (at == 0 || line[at - 1] == ' ' || line[at - 1] == '\t') return line.substr(0, at);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The configuration of the Khronos validator as one of ours.
+/// Converts a configuration of the Khronos validator to gltfx.toml.
 #pragma once
 
 #include <string>
@@ -15,9 +15,9 @@ struct ImportedConfig {
   std::vector<std::string> notes;  ///< what was left out, and why
 };
 
-/// Reads the YAML that the Khronos validator takes: `max-issues` (a number), `ignore` and `only`
-/// (lists of codes), `override` (codes with 0 to 3). Lists and maps stand on lines of their own or
-/// in brackets; anything else of YAML is an Error that names its line. `name` is that of the file.
+/// Reads the YAML of the Khronos validator: `max-issues` (a number), `ignore` and `only` (lists of
+/// codes), `override` (codes with 0 to 3). Lists and maps are on separate lines or in brackets; any
+/// other YAML is an Error that names its line. `name` is that of the file.
 Result<ImportedConfig> khronos_config_as_toml(std::string_view text, const std::string& name);
 
 }  // namespace gltfx::tool

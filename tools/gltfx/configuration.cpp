@@ -47,7 +47,7 @@ void put_first(Words& words, Words before) {
   words = std::move(before);
 }
 
-// Who asks for a code on the command line gets it, whatever a file leaves out.
+// A code that the command line selects is enabled even if a file ignores it.
 void drop_selected(Words& ignored, const Words& select) {
   const auto asked = parse_codes("--select", select);
   if (!asked) return;
@@ -113,7 +113,7 @@ std::string Configuration::path_from_file(const std::string& path) const {
   return (fs::path(folder_) / path).lexically_normal().lexically_proximate(here).native();
 }
 
-// A pattern with a folder in it holds from the folder of the file; a name holds anywhere.
+// A pattern with a folder applies from the folder of the file; a name applies anywhere.
 bool holds_anywhere(std::string_view pattern) {
   const std::size_t slash = pattern.find('/');
   return slash == std::string_view::npos || slash + 1 == pattern.size();

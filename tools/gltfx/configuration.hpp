@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which configuration holds, and for which path what.
+/// The configuration that applies, and its values by path.
 ///
-/// It is looked for from the working folder upwards, or named: never in the folder of an asset,
-/// which could switch off its own checks. What the command line says stands before what a file
-/// says, and a later override before an earlier one.
+/// It is searched from the working folder upwards, or named: never in the folder of an asset, which
+/// could disable its own checks. The command line overrides a file, and a later override an earlier
+/// one.
 #pragma once
 
 #include <cstddef>
@@ -21,31 +21,31 @@ namespace gltfx::tool {
 
 inline constexpr const char* kConfigName = "gltfx.toml";
 
-/// A value that holds, and why.
+/// A value that applies, and why.
 struct Holding {
   const ConfigValue* value = nullptr;
-  const ConfigOverride* because = nullptr;  ///< null: it holds for all paths
+  const ConfigOverride* because = nullptr;  ///< null: it applies to all paths
 };
 
 class Configuration {
  public:
-  /// The one that the words name, else the nearest; an empty one when there is none. The Error says
-  /// what is wrong with the file.
+  /// The named configuration, else the nearest; an empty one when there is none. The Error
+  /// describes the mistakes in the file.
   static Result<Configuration> load(const ConfigChoice& choice);
 
-  /// From the working folder; empty: there is none.
+  /// The path from the working folder; empty: there is none.
   const std::string& file() const { return shown_; }
   bool has_overrides() const { return !content_.overrides.empty(); }
 
-  /// Positions of the overrides that hold for a path of the working folder.
+  /// Positions of the overrides that apply to a path of the working folder.
   std::vector<std::size_t> overrides_for(const std::string& path) const;
-  /// What holds for a key where these overrides do: the last one alone for keys that take one
-  /// value, and for lists that replace each other all of the last place that has one.
+  /// The values of a key with these overrides: only the last one for keys with one value, and for
+  /// lists that replace each other all values of the last place.
   std::vector<Holding> holding(const ConfigKey& key,
                                const std::vector<std::size_t>& overrides) const;
 
-  /// Adds what the file says to the words of options: all of it where keys add up, else where the
-  /// command line says nothing.
+  /// Adds values of the file to the words of options: all values of keys that add up, others only
+  /// without an option on the command line.
   void fill(Options& options, const std::vector<std::size_t>& overrides) const;
 
  private:
@@ -58,17 +58,17 @@ class Configuration {
   ConfigFile content_;
 };
 
-/// What validation is asked for, path by path.
+/// Options of a validation by path.
 class PathOptions {
  public:
-  /// `options`: what the command line says.
+  /// `options`: those of the command line.
   PathOptions(const Options& options, Configuration configuration);
 
   /// Two paths with equal results have the same options.
   std::vector<std::size_t> kind_of(const std::string& path) const {
     return configuration_.overrides_for(path);
   }
-  /// Changes what differs by path.
+  /// Changes the options that differ by path.
   void apply(const std::vector<std::size_t>& kind, ValidateOptions& options) const;
 
  private:
@@ -76,11 +76,11 @@ class PathOptions {
   Configuration configuration_;
 };
 
-/// What --config and --isolated say.
+/// The values of --config and --isolated.
 ConfigChoice config_choice(const Options& options);
 
-/// Fills the words of a verb from the configuration that holds, if it has keys. The Error says what
-/// is wrong with the file.
+/// Fills the words of a verb from the configuration, if the verb has keys. The Error describes the
+/// mistakes in the file.
 std::optional<Error> configure(Options& options);
 
 }  // namespace gltfx::tool

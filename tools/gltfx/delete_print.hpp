@@ -11,7 +11,7 @@
 
 namespace gltfx::tool {
 
-/// What the files of a run came to.
+/// Totals of a run.
 struct DeleteSummary {
   std::uint64_t files = 0;       ///< that were read
   std::uint64_t unreadable = 0;  ///< that were not
@@ -21,15 +21,15 @@ struct DeleteSummary {
   void add(const DeleteReport& report);
 };
 
-/// What becomes of one file, or nothing. Ends in a line break.
+/// The outcome for one file, or an empty text. Ends in a line break.
 std::string delete_text(const DeleteReport& report, const Style& style);
 
-/// One line on the whole run; `writing`: whether anything was to be written.
+/// One line on the whole run; `writing`: whether the run writes files.
 std::string delete_summary_text(const DeleteSummary& summary, bool writing);
 
 /// One file; `first`: none was written before it.
 std::string delete_json(const DeleteReport& report, bool first);
-/// What stands behind the last one, with the numbers of the run.
+/// The end of the output, with the totals of the run.
 std::string delete_json_end(const DeleteSummary& summary);
 
 }  // namespace gltfx::tool

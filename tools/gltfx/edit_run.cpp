@@ -28,7 +28,7 @@ bool goes_into_file(int fd) {
 
 }  // namespace
 
-// A patch has tabs and carriage returns as they are; only a terminal obeys the latter.
+// A patch keeps tabs and carriage returns; only a terminal interprets the latter.
 std::string diff_text(std::string_view diff, bool raw) {
   if (raw || goes_into_file(STDOUT_FILENO)) return std::string(diff);
   const bool terminal = ::isatty(STDOUT_FILENO) != 0;

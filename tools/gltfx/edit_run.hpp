@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the verbs that change assets do alike.
+/// Code shared by the verbs that change assets.
 #pragma once
 
 #include <gltfx/edited_file.hpp>
@@ -12,14 +12,14 @@
 
 namespace gltfx::tool {
 
-/// A diff as standard output gets it: into a file as it is, otherwise without characters that drive
-/// a terminal, hide or reorder text. `raw`: with them. Says so where some are left out.
+/// A diff for standard output: unchanged for a file, otherwise without characters that control a
+/// terminal, hide or reorder text. `raw`: with them. Prints a note if some are escaped.
 std::string diff_text(std::string_view diff, bool raw);
 
-/// Puts the copies that --backup kept back in their places. `root`: as in EditOptions.
+/// Restores the copies that --backup kept. `root`: as in EditOptions.
 ExitCode restore_all(const EditRequest& request, const std::string& root);
 
-/// What a file that was not dealt with comes to. Precondition: there is a problem.
+/// The exit code for a problem. Precondition: there is a problem.
 ExitCode exit_code_of(EditProblem problem);
 
 }  // namespace gltfx::tool

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What people write has some dozens of lines; each costs time for each file.
+// Real files have some dozens of lines; each costs time for each file.
 constexpr std::size_t kMostPatterns = 2000;
 constexpr std::size_t kLongestPattern = 400;
 constexpr std::ptrdiff_t kMostStars = 16;
@@ -94,7 +94,7 @@ void IgnoreFiles::leave() {
   if (in_repository_ && !files_.empty()) files_.pop_back();
 }
 
-// The last pattern that fits decides, in the file that is nearest and has one.
+// The last matching pattern in the nearest file with a match decides.
 bool IgnoreFiles::ignores(std::string_view path, bool is_folder) const {
   for (auto file = files_.rbegin(); file != files_.rend(); ++file) {
     const std::string relative = file->before + std::string(path.substr(file->skip));
@@ -158,7 +158,7 @@ bool FolderWalk::is_excluded(std::string_view path, std::string_view place) cons
 
 bool FolderWalk::is_left_out(const std::string& path, bool is_folder) {
   const auto place = std::string_view(path).substr(std::min(root_length_, path.size()));
-  // A pattern that ends in '/' fits what lies below: the folder need not be entered.
+  // A pattern that ends in '/' matches everything below: the folder need not be entered.
   if (is_excluded(path, place) ||
       (is_folder && is_excluded(path + "/x", std::string(place) + "/x")))
     return true;

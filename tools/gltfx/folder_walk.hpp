@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The assets below a folder that the user named, without what .gitignore files leave out.
+/// The assets below a named folder, except those that .gitignore files exclude.
 #pragma once
 
 #include <gltfx/searched_folders.hpp>
@@ -18,16 +18,16 @@ namespace gltfx::tool {
 
 /// The .gitignore files along a walk through folders, read as gitignore(5) describes them. The
 /// user's own lists (core.excludesFile, .git/info/exclude) are not read, and git is not run: the
-/// settings of a repository that nobody vouches for could make it start programs.
+/// settings of an untrusted repository could make it start programs.
 class IgnoreFiles {
  public:
-  /// The walk begins in `folder`. Files above it count as far as the top of its repository; outside
-  /// of repositories there are none.
+  /// The walk begins in `folder`. Files in parent folders up to the top of its repository count;
+  /// outside of repositories there are none.
   void begin(const std::string& folder);
-  /// The walk goes into a folder, or back out of it; `folder` ends in '/'.
+  /// Enters a folder, or leaves it; `folder` ends in '/'.
   void enter(const std::string& folder);
   void leave();
-  /// `path` lies directly in the folder that was entered last.
+  /// `path` is directly in the folder that was entered last.
   bool ignores(std::string_view path, bool is_folder) const;
 
  private:
@@ -35,11 +35,11 @@ class IgnoreFiles {
     std::string text;
     bool keep = false;          ///< begins with '!'
     bool folders_only = false;  ///< ends in '/'
-    bool anchored = false;      ///< fits paths from the folder of its file only
+    bool anchored = false;      ///< matches paths from the folder of its file only
   };
   struct File {
-    std::string before;    ///< what paths of the walk lack: from the file's folder to its start
-    std::size_t skip = 0;  ///< bytes of a walked path that lie above the file's folder
+    std::string before;    ///< path from the file's folder to the start of the walk
+    std::size_t skip = 0;  ///< bytes of a walked path above the file's folder
     std::vector<Pattern> patterns;
   };
 
@@ -57,9 +57,9 @@ struct FoundFile {
 };
 
 /// Walks one folder after the other for assets, in the order of the bytes of their paths. Folders
-/// that are symbolic links are entered only when named, `.git` never. Leaves out what .gitignore
-/// files name, or NamedPaths::exclude. Holds the names of the folders that it is in, so that memory
-/// does not grow with the number of files.
+/// that are symbolic links are entered only when named, `.git` never. Skips matches of .gitignore
+/// files and of NamedPaths::exclude. Keeps only the names of the open folders, so that memory does
+/// not grow with the number of files.
 class FolderWalk {
  public:
   /// `named` outlives the walk.
@@ -68,23 +68,24 @@ class FolderWalk {
   /// Begins with a folder. False when it cannot be listed. Precondition: at_end().
   bool enter(const std::string& folder);
   bool at_end() const { return open_.empty(); }
-  /// The next one, or nothing: then the walk is at its end, or has to be asked again.
+  /// The next asset, or nothing: then the walk is at its end, or must be called again.
   std::optional<FoundFile> next();
-  /// `folder`, as paths of what is found begin, is searched by other means.
+  /// Records that `folder`, the beginning of found paths, is searched by other means.
   void note_search(const std::string& folder) { searched_->insert(folder); }
-  /// What was searched so far. Grows.
+  /// The folders searched so far. Grows.
   std::shared_ptr<const SearchedFolders> searched() const { return searched_; }
   /// Whether NamedPaths::exclude names a file or folder.
   bool is_excluded(std::string_view path, std::string_view place) const;
-  /// Assets that .gitignore files name, those in folders that they name left out.
+  /// Number of assets that .gitignore files exclude, without those in excluded folders.
   std::uint64_t ignored() const { return ignored_; }
 
  private:
-  // What is left to visit of one folder: names that end in NUL, those of folders with '/' before.
+  // The remaining entries of one folder: names that end in NUL, those of folders with '/' before
+  // it.
   struct Listing {
     std::string path;  ///< ends in '/'
     std::string names;
-    std::vector<std::uint32_t> order;  ///< where names begin; the last one is next
+    std::vector<std::uint32_t> order;  ///< starts of names; the last one is next
   };
 
   bool list(const std::string& folder);

@@ -24,7 +24,7 @@ Error failure(int error) {
   return {"git cannot be started: " + std::error_code(error, std::generic_category()).message()};
 }
 
-/// Our ends of git's standard input and output.
+/// The ends of git's standard input and output.
 struct Pipes {
   UniqueFd to, from;         // ours
   UniqueFd its_in, its_out;  // git's
@@ -37,7 +37,7 @@ Pipes open_pipes() {
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return pipes;
   pipes.its_in = UniqueFd(ends[0]);
   pipes.to = UniqueFd(ends[1]);
-  // A writer that waits for its reader, which waits for its own reader, would wait for ever.
+  // A writer that waits for git while git waits for a reader would wait forever.
   ::fcntl(pipes.to.get(), F_SETFL, O_NONBLOCK);
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) return pipes;
   pipes.from = UniqueFd(ends[0]);
@@ -68,7 +68,7 @@ pid_t spawn(std::vector<std::string> words, const Pipes& pipes) {
   return error == 0 ? id : -error;
 }
 
-// Writes what the pipe takes; closes it when all is written or nobody reads.
+// Writes as much as the pipe accepts; closes it when all is written or git has closed its end.
 void feed(UniqueFd& to, std::string_view& input) {
   const ssize_t written = ::write(to.get(), input.data(), input.size());
   if (written > 0) input.remove_prefix(static_cast<std::size_t>(written));

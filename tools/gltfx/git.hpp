@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The program git, asked without a shell.
+/// Runs the program git without a shell.
 #pragma once
 
 #include <functional>
@@ -17,17 +17,18 @@ struct GitOutcome {
   std::string out;
 };
 
-/// Git in one folder. What it says on standard error goes where ours does.
+/// Git in one folder. Its standard error is that of this program.
 class Git {
  public:
   explicit Git(std::string folder) : folder_(std::move(folder)) {}
   const std::string& folder() const { return folder_; }
 
   /// Runs `git <arguments>` with `input` as its standard input. Words from a repository or an asset
-  /// belong into the input, or behind "--". An Error when git cannot be started.
+  /// belong in the input, or after "--". An Error when git cannot be started.
   Result<GitOutcome> run(const std::vector<std::string>& arguments,
                          std::string_view input = {}) const;
-  /// The same for much output: handed over piece by piece, not kept. Gives the exit code.
+  /// The same for large output, which is passed on piece by piece and not kept. Returns the exit
+  /// code.
   Result<int> stream(const std::vector<std::string>& arguments, std::string_view input,
                      const std::function<void(std::string_view)>& consume) const;
 

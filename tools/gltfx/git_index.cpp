@@ -33,7 +33,7 @@ std::string joined_by_zeros(const std::set<RepositoryName>& names) {
   return text;
 }
 
-/// Takes the output of `git cat-file --batch` apart as it comes: a line "<object> blob <size>", the
+/// Parses the output of `git cat-file --batch` piece by piece: a line "<object> blob <size>", the
 /// bytes, a line break.
 class Blobs {
  public:
@@ -78,7 +78,7 @@ class Blobs {
     in_header_ = true;
   }
 
-  // Of a GLB the header and the first chunk.
+  // Keeps the header and the first chunk of a GLB.
   void want_json_only() {
     constexpr std::size_t kHeaders = 20;
     if (bytes_.size() < kHeaders || !bytes_.starts_with("glTF")) return;
@@ -117,7 +117,7 @@ Result<GitIndex> GitIndex::open() {
   if (top->code != 0 || top->out.size() < 2) {
     return Error{"the working directory is in no working tree of git"};
   }
-  top->out.pop_back();  // the line break; one in the name itself stays
+  top->out.pop_back();  // the line break; one in the name itself is kept
   GitIndex index(std::move(top->out));
   if (auto trouble = index.read_entries()) return *std::move(trouble);
   return index;
@@ -150,7 +150,8 @@ bool GitIndex::leads_elsewhere(const RepositoryName& name) const {
   for (std::size_t slash = name.find('/'); slash != std::string::npos;
        slash = name.find('/', slash + 1)) {
     const auto found = entries_.find(name.substr(0, slash));
-    if (found != entries_.end()) return true;  // a file that has files in it is either
+    if (found != entries_.end())
+      return true;  // a file with files below it is a link or a submodule
   }
   return false;
 }
@@ -192,8 +193,8 @@ Result<std::set<RepositoryName>> GitIndex::unstaged() const {
   return std::set<RepositoryName>(parts.begin(), parts.end());
 }
 
-// Names that begin with ':' would be magic here, hence the "./". It fails where a path is of no use
-// to it, such as one beyond a link: then nothing is ignored.
+// Names that begin with ':' would have a special meaning, hence the "./". It fails for invalid
+// paths, such as one beyond a link: then nothing is ignored.
 std::set<RepositoryName> GitIndex::ignored(const std::set<RepositoryName>& names) const {
   std::string input;
   for (const RepositoryName& name : names) input.append("./").append(name).append(1, '\0');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a commit is about to hold: the index of the repository around the working directory.
+/// The contents of the next commit: the index of the repository around the working directory.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace gltfx::tool {
 
-/// Paths below the top folder of the working tree, with '/', whatever bytes they have.
+/// Paths below the top folder of the working tree, with '/', of arbitrary bytes.
 using RepositoryName = std::string;
 
 struct IndexEntry {
@@ -22,7 +22,7 @@ struct IndexEntry {
   std::string object;  ///< in hexadecimal digits
 };
 
-/// Read once, then constant. The calls ask git again; an Error says that it failed.
+/// Read once, then constant. The calls run git; an Error says that it failed.
 class GitIndex {
  public:
   static Result<GitIndex> open();
@@ -31,7 +31,7 @@ class GitIndex {
   /// A regular file of that name.
   const IndexEntry* file(const RepositoryName& name) const;
   /// Whether the path leads into a submodule or through a symbolic link, where the index of this
-  /// repository does not say what is there.
+  /// repository has no entries.
   bool leads_elsewhere(const RepositoryName& name) const;
 
   /// The name of a path of the working directory; nothing for one outside the working tree.
@@ -39,16 +39,16 @@ class GitIndex {
   /// The path of a name, from the working directory.
   std::string path_of(const RepositoryName& name) const;
 
-  /// What differs between the last commit and the index: names with git's letter, 'A' for a new
-  /// one, 'D' for one that is gone. A rename is both.
+  /// Differences between the last commit and the index: names with git's letter, 'A' for a new
+  /// file, 'D' for a deleted one. A rename is both.
   Result<std::map<RepositoryName, char>> staged() const;
-  /// What differs between the index and the working tree.
+  /// Differences between the index and the working tree.
   Result<std::set<RepositoryName>> unstaged() const;
-  /// Those of the names that .gitignore leaves out.
+  /// Those of the names that .gitignore excludes.
   std::set<RepositoryName> ignored(const std::set<RepositoryName>& names) const;
   /// Those of the names that .gitattributes sends to Git LFS.
   Result<std::set<RepositoryName>> kept_by_lfs(const std::set<RepositoryName>& names) const;
-  /// Calls `visit` with each file's beginning: all of a text, the JSON of a GLB.
+  /// Calls `visit` with the start of each file: the whole of a text, the JSON of a GLB.
   std::optional<Error> read(
       const std::vector<RepositoryName>& names,
       const std::function<void(const RepositoryName&, std::string&&)>& visit) const;

@@ -10,10 +10,10 @@ namespace gltfx::tool {
 /// Examples, then the table of exit codes. `verb` is empty for the program itself.
 std::string help_footer(std::string_view verb);
 
-/// The examples alone, below a line "Examples:"; what stands before that is prose.
+/// Only the examples, below a line "Examples:"; the text before that is prose.
 std::string_view help_examples(std::string_view verb);
 
-/// "0  nothing found ..." one line a code, in the order of the numbers, indented by two spaces.
+/// "0 nothing found ..." one line per code, in the order of the numbers, indented by two spaces.
 std::string exit_code_table();
 
 }  // namespace gltfx::tool

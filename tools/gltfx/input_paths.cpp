@@ -14,7 +14,7 @@
 namespace gltfx::tool {
 namespace {
 
-// Of a walk that has found none.
+// The Error of a walk without assets.
 Error no_assets(const InputWalk& walk) {
   constexpr std::size_t kMostNames = 3;
   const std::vector<std::string>& all = walk.without_assets();

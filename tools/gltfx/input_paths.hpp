@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the user named, as the list of inputs to open.
+/// The inputs of a run, from the paths that the user named.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +17,19 @@ namespace gltfx::tool {
 /// Inputs in the order they are reported: that of the arguments, sorted within a folder or glob.
 struct Inputs {
   /// Each once; "-" is standard input. A path that does not exist stays in the list, so that
-  /// opening it says why it cannot be read.
+  /// opening it gives the reason.
   std::vector<std::string> paths;
-  /// By path: where it stands below the folder that was named, or its name when it was named
-  /// itself.
+  /// By path: its place below the named folder, or its name when it was named itself.
   std::vector<std::string> places;
-  /// The same of what other shards take: names must not clash with theirs.
+  /// The same for the inputs of other shards: names must not clash with theirs.
   std::vector<std::string> paths_of_others, places_of_others;
-  /// Folders among the arguments, and among what globs gave.
+  /// Folders among the arguments and the results of globs.
   std::vector<std::string> folders;
   std::shared_ptr<const SearchedFolders> searched;  ///< as InputWalk has it
-  bool several = false;  ///< what was named may be more than one file: a folder, a glob, two files
+  bool several = false;  ///< there may be more than one file: a folder, a glob, two files
 };
 
-/// All that an InputWalk gives; the Error of nothing_found(). Notes go to standard error unless
+/// All inputs of an InputWalk, or the Error of nothing_found(). Notes go to standard error unless
 /// `quiet`.
 Result<Inputs> expand_paths(const NamedPaths& named, bool quiet);
 
@@ -42,16 +41,16 @@ void say_notes(const InputWalk& walk);
 /// asset.
 std::optional<Error> nothing_found(const NamedPaths& named);
 
-/// What `--files-from` names; "-" is standard input, nothing an empty list.
+/// The list that `--files-from` names; "-" is standard input, an empty name an empty list.
 Result<std::string> read_list(const std::string& file);
 
-/// Goes through the inputs before anything is done with them, where one of the outputs is there
-/// already or `count` asks for it: an Error when an output would take the place of an input, else
-/// the number of inputs (0 when nobody asked). Empty outputs are none.
+/// Visits the inputs before the run if an output exists already or `count` is true: an Error when
+/// an output would replace an input, else the number of inputs (0 without a visit). Empty outputs
+/// are skipped.
 Result<std::uint64_t> look_ahead(const NamedPaths& named, std::vector<std::string> outputs,
                                  bool count);
 
-/// Why `root` cannot be what --root names, or nothing; empty is no root at all.
+/// Why `root` cannot be what --root names, or nothing; empty: no root.
 std::optional<Error> check_root(const std::string& root);
 
 }  // namespace gltfx::tool

@@ -47,7 +47,7 @@ std::vector<fs::path> folders_below(std::vector<fs::path> folders) {
   return folders;
 }
 
-// What one step of the pattern finds below one folder.
+// The matches of one step of the pattern below one folder.
 std::vector<fs::path> step_into(const fs::path& folder, const std::string& step) {
   std::vector<fs::path> found;
   if (!is_glob(step)) {
@@ -61,7 +61,7 @@ std::vector<fs::path> step_into(const fs::path& folder, const std::string& step)
   return found;
 }
 
-// The folder that a pattern names before its first wildcard, as paths that match begin; it may be
+// The folder of a pattern before its first wildcard, with which matching paths begin; it may be
 // empty.
 std::string folder_of_glob(const std::string& pattern) {
   fs::path folder;
@@ -99,7 +99,7 @@ std::vector<std::string> expand_glob(const std::string& pattern) {
 
 namespace fs = std::filesystem;
 
-// Where a path from a list lies below the folder that things are written to.
+// The place of a path from a list below the output folder.
 std::string place_of_listed(const std::string& path) {
   const fs::path plain = fs::path(path).lexically_normal();
   const bool inside = plain.is_relative() && !plain.empty() && *plain.begin() != "..";
@@ -141,7 +141,7 @@ std::optional<Input> InputWalk::next_of_all() {
   return std::nullopt;
 }
 
-// An input, one with an empty path where there is nothing to hand out yet, or nothing at the end.
+// An input, one with an empty path if there is none yet, or nothing at the end.
 std::optional<Input> InputWalk::step() {
   if (!folder_.at_end()) {
     auto file = folder_.next();
@@ -196,8 +196,8 @@ std::optional<Input> InputWalk::enter(const std::string& path) {
   return Input();
 }
 
-// `key` decides who takes the file: its place below a folder that was named, wherever that folder
-// lies, else what was named.
+// `key` decides the shard of the file: its place below a named folder, independent of the place of
+// that folder, else the name given.
 std::optional<Input> InputWalk::take(std::string path, std::string place, const std::string& key) {
   const auto plain = [](const std::string& name) {
     return name == "-" ? name : fs::path(name).lexically_normal().native();

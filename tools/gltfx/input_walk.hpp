@@ -20,17 +20,17 @@ namespace gltfx::tool {
 
 struct Input {
   std::string path;            ///< "-" is standard input
-  std::string place;           ///< below the folder that was named; of one named itself its name
+  std::string place;           ///< below the named folder; of a file named itself, its name
   std::uint64_t position = 0;  ///< among the inputs of all shards
   bool ours = true;            ///< belongs to this run's shard
-  bool unmatched = false;      ///< a glob that nothing matches
+  bool unmatched = false;      ///< a glob without a match
 };
 
-/// Inputs that are handed to the threads together: many enough to keep them busy, few enough for
-/// little memory.
+/// Number of inputs that are given to the threads together: enough to keep them busy with little
+/// memory.
 inline constexpr std::size_t kBatch = 1024;
 
-/// Arguments, then the lines of a list, which are no patterns.
+/// Arguments, then the lines of a list, which are not patterns.
 class WordList {
  public:
   /// `named` outlives the list.
@@ -44,32 +44,33 @@ class WordList {
  private:
   const NamedPaths& named_;
   std::size_t word_ = 0;    ///< next of the arguments
-  std::size_t listed_ = 0;  ///< where the next line of the list begins
+  std::size_t listed_ = 0;  ///< start of the next line of the list
   char between_;            ///< lines of the list
 };
 
 /// Goes through words, lists and folders in the order of reports: that of the arguments, by bytes
 /// of the path within a folder or glob. A path that does not exist is an input as well: opening it
-/// says why. So is a glob that nothing matches, unless NamedPaths::allow_empty.
-/// NamedPaths::exclude leaves files out of folders and of what globs give.
+/// gives the reason. So is a glob without a match, unless NamedPaths::allow_empty.
+/// NamedPaths::exclude skips files in folders and in results of globs.
 class InputWalk {
  public:
   /// `named` outlives the walk.
   explicit InputWalk(const NamedPaths& named);
 
-  /// The next one that belongs to this run's shard, each once; nothing at the end.
+  /// The next input of this run's shard, each once; nothing at the end.
   std::optional<Input> next();
   /// The same with those of other shards.
   std::optional<Input> next_of_all();
 
-  /// Known at the end: folders among the arguments and what globs gave, whether more than one file
-  /// may be meant, and the folders and globs without any asset, as they were named.
+  /// Known at the end: folders among the arguments and the results of globs, whether there may be
+  /// more than one file, and the folders and globs without any asset, as named.
   const std::vector<std::string>& folders() const { return folders_; }
-  /// What was searched so far: folders among the arguments, and where globs begin to match. Grows.
+  /// The folders searched so far: those among the arguments, and those in which globs begin to
+  /// match. Grows.
   std::shared_ptr<const SearchedFolders> searched() const { return folder_.searched(); }
   bool several() const { return several_ || met_ > 1; }
   const std::vector<std::string>& without_assets() const { return without_assets_; }
-  /// Assets that .gitignore files name, those in folders that they name left out.
+  /// Number of assets that .gitignore files exclude, without those in excluded folders.
   std::uint64_t ignored() const { return folder_.ignored(); }
 
  private:

@@ -12,12 +12,12 @@
 
 namespace gltfx::tool {
 
-/// Findings that are known, and those to be known from now on. Not thread-safe.
+/// Known findings, and findings to record. Not thread-safe.
 class KnownFindings {
  public:
-  /// Empty names: nothing is read, nothing is recorded. A file that is not there yet knows nothing,
-  /// as long as one is recorded. `max_issues` is counted after known
-  /// findings were left out, so that they do not use up the limit.
+  /// Empty names: nothing is read, nothing is recorded. A missing file counts as empty if a
+  /// baseline is recorded. `max_issues` is counted after known findings were removed, so that they
+  /// do not use up the limit.
   static Result<KnownFindings> load(const std::string& file, const std::string& record_to,
                                     std::uint64_t max_issues);
 
@@ -25,12 +25,12 @@ class KnownFindings {
   bool active() const { return baseline_.has_value() || recording(); }
   bool recording() const { return !record_to_.empty(); }
 
-  /// Records the report's findings, then takes the known ones out and keeps to the limit.
+  /// Records the report's findings, then removes the known ones and applies the limit.
   void apply(FileReport& report);
 
-  /// Writes what was recorded; a sentence about what went wrong, or empty.
+  /// Writes the recorded findings. Returns a sentence about a failure, or an empty text.
   std::string write() const;
-  /// What was written where, as a note. Precondition: recording().
+  /// A note on what was written where. Precondition: recording().
   std::string note() const;
 
  private:

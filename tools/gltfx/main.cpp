@@ -26,19 +26,18 @@
 namespace gltfx::tool {
 namespace {
 
-// A closed standard stream would hand its number to the next file that is opened.
+// The descriptor of a closed standard stream would be reused by the next opened file.
 void keep_standard_streams() {
   int fd = ::open("/dev/null", O_RDWR);
   while (fd >= 0 && fd <= STDERR_FILENO) fd = ::dup(fd);
   if (fd > STDERR_FILENO) ::close(fd);
 }
 
-// glibc raises its limit with the largest array that is freed; later ones leave holes in the heap
-// then, which double the memory that a verb takes for a large asset. Its "fast bins" are merged
-// whenever something large is freed. And memory at the end of the heap, which is asked for again
-// soon, goes back to the system and comes with the next call. Both are a tenth of the time that a
-// verb takes for a large asset. Not for `bake`: it would take a seventh more memory and about the
-// same time.
+// glibc raises its mmap threshold with the largest freed array; later arrays then leave holes in
+// the heap, which double the memory of a verb for a large asset. Its "fast bins" are merged
+// whenever a large block is freed, and memory at the end of the heap is returned to the system
+// although it is needed again soon. Both take a tenth of the time of a verb for a large asset. Not
+// for `bake`: it would take a seventh more memory in about the same time.
 void tune_the_heap() {
 #ifdef __GLIBC__
   ::mallopt(M_MMAP_THRESHOLD, 4 << 20);
@@ -48,8 +47,8 @@ void tune_the_heap() {
 #endif
 }
 
-// A mapped file that is cut while it is read is a finding. Any other such error ends the program as
-// if there were no handler.
+// A mapped file that is truncated while it is read is a finding. Any other such error ends the
+// program as without a handler.
 void repair_or_die(int signal, siginfo_t* info, void*) {
   if (!repair_mapping(info->si_addr)) static_cast<void>(std::signal(signal, SIG_DFL));
 }
@@ -61,7 +60,7 @@ void guard_mappings() {
   ::sigaction(SIGBUS, &action, nullptr);
 }
 
-// Who ends the program shall not find half a file.
+// An interrupted program leaves no partly written file.
 void clean_up_and_die(int signal) {
   remove_temporaries();
   end_progress_line();
@@ -79,7 +78,7 @@ void clean_up_when_ended() {
 
 std::terminate_handler usual_end = nullptr;
 
-// Libraries that promise not to throw end the program where memory is missing.
+// Libraries with noexcept functions end the program if memory is missing.
 void explain_and_die() {
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
@@ -88,7 +87,7 @@ void explain_and_die() {
     static_cast<void>(write_all(STDERR_FILENO, "gltfx: there is not enough memory\n"));
     std::_Exit(static_cast<int>(ExitCode::internal));
   } catch (...) {
-    // Whatever it is, it ends as it would have.
+    // Any other error ends the program as usual.
   }
   usual_end();
 }
@@ -107,8 +106,7 @@ ExitCode run_command(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using gltfx::tool::ExitCode;
-  // A reader that goes away is seen where we write, so that files being written are still
-  // completed.
+  // A closed reader is detected when writing, so that files being written are still completed.
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   gltfx::tool::guard_mappings();
   gltfx::tool::clean_up_when_ended();

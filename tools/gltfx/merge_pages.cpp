@@ -46,7 +46,7 @@ class PageFile {
 
   const std::string& path() const { return path_; }
   const report::PageHead& head() const { return head_; }
-  /// The next asset; nothing behind the last one, where end() is known.
+  /// The next asset; nothing after the last one, when end() is known.
   const std::optional<report::PageLine>& next() const { return next_; }
   const report::PageEnd& end() const { return end_; }
 
@@ -154,7 +154,7 @@ PageOptions page_options_of(const report::PageHead& head) {
   return options;
 }
 
-// What went wrong with a part, or nothing; the sum of what the parts counted.
+// Returns the problem with a part, or nothing; sums the counts of the parts.
 Trouble write_page(std::vector<PageFile>& files, Output& output, RunSummary& sum) {
   std::string text;
   PageWriter(page_options_of(files.front().head())).begin(text);

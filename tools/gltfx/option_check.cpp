@@ -71,7 +71,7 @@ class OptionCheck {
     }
   }
 
-  // For what other programs would take "-o=a.png" is hard to guess: a file "=a.png" is not meant.
+  // Programs read "-o=a.png" differently, and a file "=a.png" is not intended.
   void refuse_equals(const OptionEntry& option, std::string_view value) {
     mistake_ =
         option.takes_value()

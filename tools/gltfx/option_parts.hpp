@@ -25,15 +25,15 @@ void add_fail_on(Options& options, std::optional<Severity>& level, const char* t
                  ConfigKey key = {});
 /// The key of --fail-on.
 ConfigKey fail_on_key();
-/// Which of the inputs a run takes, besides the positional ones.
+/// Options of the inputs of a run, besides the positional ones.
 void add_inputs(Options& options, NamedPaths& paths);
-/// Which assets of folders count; add_inputs() has it.
+/// Options of the search in folders; add_inputs() includes it.
 void add_search(Options& options, NamedPaths& paths);
-/// --root of the verbs that open what assets refer to.
+/// --root of the verbs that open files of assets.
 void add_root(Options& options, std::string& root);
 void add_cache(Options& options, CacheChoice& cache, const char* text);
 void add_schema_sources(Options& options, Words& files, Words& folders);
-/// What engines are named, and files about others.
+/// Options of engines, and files about further ones.
 void add_targets(Options& options, std::vector<TargetChoice>& targets);
 void add_target_files(Options& options);
 template <class Quality>
@@ -51,14 +51,14 @@ void add_configuration(Options& options);
 void add_decoders(Options& options, CommonOptions& common);
 /// --jobs and --color.
 void add_common(Options& options, CommonOptions& common);
-/// --color alone, of a verb without threads.
+/// --color only, for a verb without threads.
 void add_color(Options& options, CommonOptions& common);
 
-/// Which findings count, of the verbs that list or fix them.
+/// Options that select findings, for the verbs that list or fix them.
 void add_selection(Options& options, ValidateOptions& validation);
-/// How an asset is checked, and against what.
+/// Options of the checks.
 void add_checks(Options& options, ValidateOptions& validation);
-/// All that `gltfx validate` and `gltfx report` ask in the same words.
+/// All options that `gltfx validate` and `gltfx report` share.
 void declare_checks(Options& options, ValidateRequest& request);
 
 }  // namespace gltfx::tool

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The options of a verb, one row each: name, type, text, the member of the request that takes the
-/// value, its parser, what completion offers, and the key of gltfx.toml.
+/// value, its parser, its completion, and the key of gltfx.toml.
 #pragma once
 
 #include <cstdint>
@@ -23,9 +23,9 @@ namespace gltfx::tool {
 
 using Words = std::vector<std::string>;
 
-/// Where the words of an option go.
+/// The target of the words of an option.
 struct Binding {
-  /// Nothing when they are right. Null: the verb reads the words by name.
+  /// Nothing when they are valid. Null: the verb reads the words by name.
   std::function<std::optional<Error>(std::string_view option, const Words&)> read = nullptr;
   std::function<Values()> values = nullptr;
   bool repeatable = false;
@@ -51,7 +51,7 @@ class Options {
   /// `names`: "-f,--format"; `type`: of the value, empty for a flag; `text`: no full stop.
   void add(std::string_view names, std::string_view type, std::string_view text, Binding binding,
            ConfigKey key = {});
-  /// Of positional arguments.
+  /// The row of positional arguments.
   void positional(std::string_view name, std::string_view text, Binding binding);
   /// Rows that follow are keys without an option.
   void begin_file_only() { file_only_ = true; }
@@ -61,17 +61,17 @@ class Options {
   Option& arguments() { return arguments_; }
   const Option& arguments() const { return arguments_; }
 
-  /// Those of an option, or none.
+  /// The words of an option, or none.
   const Words& words(std::string_view name) const;
-  /// The last one of them, or empty.
+  /// The last word of an option, or empty.
   std::string_view word(std::string_view name) const;
   /// Whether the command line has the option.
   bool given(std::string_view name) const;
   bool has_keys() const;
 
-  /// Reads all words into their members. The first mistake, or nothing.
+  /// Reads all words into their members. Returns the first mistake, or nothing.
   std::optional<Error> read() const;
-  /// Reads those that may differ by path. Precondition: read() found no mistake in them.
+  /// Reads the words that may differ by path. Precondition: read() found no mistake in them.
   void read_by_path() const;
 
   bool hook = false;                           ///< the verb runs on the assets of a commit
@@ -86,7 +86,7 @@ class Options {
   bool file_only_ = false;
 };
 
-/// "--lfs: 'skp' is none of skip, error. Did you mean 'skip'?"
+/// "--lfs: 'skp' is not one of skip, error. Did you mean 'skip'?"
 Error unknown_word(std::string_view option, std::string_view text,
                    std::span<const std::string_view> names);
 
@@ -110,7 +110,7 @@ Result<T> choose(std::string_view option, std::string_view text, const Choices<T
   return unknown_word(option, text, names_of(choices));
 }
 
-/// What completion offers for them.
+/// The completion of these words.
 template <class T>
 std::function<Values()> values_of(const Choices<T>& choices) {
   return [names = names_of(choices)] {
@@ -118,7 +118,7 @@ std::function<Values()> values_of(const Choices<T>& choices) {
   };
 }
 
-// What a row does with its words. Each takes the member first.
+// Bindings of a row. Each takes the member first.
 
 /// The last word, by a function (option, word) that gives a Result.
 template <class T, class Parse>
@@ -144,9 +144,9 @@ Binding parsed_list(T& member, Parse parse, std::function<Values()> values = nul
           std::move(values), true};
 }
 
-/// The last word as it is.
+/// The last word, unchanged.
 Binding text(std::string& member, std::function<Values()> values = nullptr);
-/// All words as they are.
+/// All words, unchanged.
 Binding list(Words& member, std::function<Values()> values = nullptr);
 
 /// A flag that gives the member a value.
@@ -157,7 +157,7 @@ Binding set_to(T& member, std::type_identity_t<T> value) {
     return {};
   }};
 }
-/// A flag. gltfx.toml may say "false", too.
+/// A flag. gltfx.toml may also have "false".
 Binding flag(bool& member);
 
 /// One of some words.
@@ -172,7 +172,7 @@ Binding one_of(T& member, Choices<std::type_identity_t<T>> choices) {
       std::move(values));
 }
 
-/// Some of some words, each use one.
+/// Some of some words, one per use.
 template <class T>
 Binding each_of(std::vector<T>& member, Choices<std::type_identity_t<T>> choices) {
   auto values = values_of(choices);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What completion offers for values of options.
+/// Completion of values of options.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 namespace gltfx::tool {
 namespace values {
 
-// Sets that only the tables of gltfx give, made when they are asked for.
+// Sets from the tables of gltfx, made on demand.
 Values code_choice();
 Values code_list();
 Values code_levels();

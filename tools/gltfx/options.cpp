@@ -34,7 +34,7 @@ std::string upper_case(std::string_view text) {
   return upper;
 }
 
-// The parts of each text, of which "," has none.
+// The parts of each text; "," has none.
 Result<std::vector<std::string_view>> code_parts(std::string_view option,
                                                  const std::vector<std::string>& texts) {
   std::vector<std::string_view> all;

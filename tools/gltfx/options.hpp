@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the user asked for, verb by verb, as plain data. `command_line.hpp` fills it.
+/// The requests of the user, by verb, as plain data. `command_line.hpp` fills them.
 #pragma once
 
 #include <gltfx/bake.hpp>
@@ -32,7 +32,7 @@ struct CommonOptions {
   bool unsandboxed_decoders = false;
 };
 
-/// Which configuration file holds.
+/// The choice of the configuration file.
 struct ConfigChoice {
   std::string config;     ///< empty: the nearest gltfx.toml from the working folder upwards
   bool isolated = false;  ///< none
@@ -40,19 +40,19 @@ struct ConfigChoice {
 
 class PathOptions;
 
-/// What the user named: to be searched and expanded, or taken as it is.
+/// The named paths: to be searched and expanded, or used literally.
 struct NamedPaths {
   std::vector<std::string> words;
-  bool literal = false;  ///< names of files, whatever characters they have
-  /// More of them, files and folders, one a line, or each before a NUL if there is any.
+  bool literal = false;  ///< names of files, also with wildcards
+  /// More files and folders, one per line, or each followed by a NUL if there is any.
   std::string listed = {};
   Shard shard = {};  ///< the part of all inputs that this run takes
-  /// No asset at all is no mistake.
+  /// Having no asset is not a mistake.
   bool allow_empty = false;
-  /// Patterns of what is left out of folders and globs (fits_pattern), matched with paths as they
-  /// are written and with those below the folder that was named.
+  /// Patterns of files to skip in folders and globs (fits_pattern), matched with paths as given and
+  /// with those below the named folder.
   std::vector<std::string> exclude = {};
-  bool no_ignore = false;  ///< .gitignore files do not count
+  bool no_ignore = false;  ///< .gitignore files are ignored
 };
 
 /// One `--format NAME[=FILE]`. An empty path, like "-", is standard output.
@@ -61,16 +61,16 @@ struct FormatTarget {
   std::string path;
 };
 
-/// How the verbs that print tables do it.
+/// Formats of the verbs that print tables.
 enum class TableFormat : std::uint8_t { text, json };
 
-/// Where results of earlier runs are, and what seals them.
+/// The folder of results of earlier runs, and the key that seals them.
 struct CacheChoice {
-  std::string folder;    ///< empty: none are used
-  std::string key_file;  ///< empty: another key
+  std::string folder;    ///< empty: no cache
+  std::string key_file;  ///< empty: the key of the environment or the user
 };
 
-/// How reports are written and what they come to.
+/// Output and verdict of reports.
 struct ReportRequest {
   CommonOptions common;
   /// At least one, at most one of them to standard output.
@@ -80,14 +80,14 @@ struct ReportRequest {
   bool timings = false;                               ///< the same
   bool quiet = false;
   TextLayout layout = TextLayout::findings;
-  std::optional<Severity> min_severity;  ///< nothing: the terminal gets warnings, others all
+  std::optional<Severity> min_severity;  ///< nothing: warnings on a terminal, everything elsewhere
 };
 
 struct ValidateRequest : ReportRequest {
   NamedPaths paths;
-  /// All but `schemas`, which comes from the files below.
+  /// All except `schemas`, which comes from the files below.
   ValidateOptions validation;
-  std::shared_ptr<const PathOptions> by_path;  ///< null: `validation` holds for all paths
+  std::shared_ptr<const PathOptions> by_path;  ///< null: `validation` applies to all paths
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
   CacheChoice cache;
@@ -98,42 +98,42 @@ struct ValidateRequest : ReportRequest {
 
 /// A page about assets.
 struct PageRequest {
-  ValidateRequest validate;  ///< but for its targets
+  ValidateRequest validate;  ///< except its targets
   ThumbnailOptions thumbnails;
   std::string output;  ///< file; empty: standard output
   std::string title;   ///< empty: the paths
 };
 
-/// Reports of several runs, put together.
+/// Merging reports of several runs.
 struct MergeRequest : ReportRequest {
-  std::vector<std::string> files;  ///< what --format jsonl wrote, or pages where there is a `page`
-  std::string page;                ///< file to write; empty: the reports are no pages
+  std::vector<std::string> files;  ///< output of --format jsonl, or pages if `page` is set
+  std::string page;                ///< file to write; empty: the reports are not pages
   bool as_loud_as_runs = true;     ///< `fail_on` is that of the runs
 };
 
-/// What the verbs that change assets have in common.
+/// Options shared by the verbs that change assets.
 struct EditRequest {
   CommonOptions common;
   NamedPaths paths;
   TableFormat format = TableFormat::text;
-  bool restore = false;  ///< put back what --backup kept, and nothing else
-  bool check = false;    ///< say by the exit code whether something is to do
-  bool raw = false;      ///< diffs have all characters as they are
+  bool restore = false;  ///< restore the copies of --backup, and do nothing else
+  bool check = false;    ///< report by the exit code whether there is work to do
+  bool raw = false;      ///< diffs keep all characters
   bool quiet = false;
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
 };
 
 struct UpgradeRequest : EditRequest {
-  /// All but `schemas`, which comes from the files. `output` is what was named, a file or a folder.
+  /// All except `schemas`, which comes from the files. `output` is the named file or folder.
   UpgradeOptions upgrade;
 };
 
 struct FixRequest : EditRequest {
   FixOptions fix;  ///< likewise
-  /// The least severe fix that --check tells of; nothing: none.
+  /// The least severe fix that --check reports; nothing: none.
   std::optional<Severity> fail_on = Severity::hint;
-  ValidateOptions validation;  ///< of all paths without overrides: which findings are fixed
+  ValidateOptions validation;  ///< for all paths without overrides: selects the findings to fix
 };
 
 struct DeleteRequest : EditRequest {
@@ -143,8 +143,8 @@ struct DeleteRequest : EditRequest {
 struct BakeRequest {
   CommonOptions common;
   NamedPaths paths;
-  /// All but `schemas`, which comes from the files below, and `cache`. `output` is what was named,
-  /// a file or a folder.
+  /// All except `schemas`, which comes from the files below, and `cache`. `output` is the named
+  /// file or folder.
   BakeOptions bake;
   std::string format = "png";  ///< ending of files in a folder
   std::string sheet;           ///< file for all pictures, may be empty
@@ -158,7 +158,7 @@ struct BakeRequest {
 struct InspectRequest {
   CommonOptions common;
   NamedPaths paths;
-  /// All but `schemas`, which comes from the files below.
+  /// All except `schemas`, which comes from the files below.
   InspectOptions inspect;
   TableFormat format = TableFormat::text;
   std::size_t most = 10;  ///< rows of a table of text; 0: all
@@ -167,7 +167,7 @@ struct InspectRequest {
   std::vector<std::string> schema_folders;
 };
 
-/// A verb over the assets that a commit touches; its paths are names that changed besides.
+/// A verb on the assets of a commit; its paths are further changed names.
 struct HookRequest {
   std::variant<ValidateRequest, UpgradeRequest, FixRequest> verb;
 };
@@ -189,14 +189,14 @@ struct TargetsRequest {
   CommonOptions common;
   MatrixFormat format = MatrixFormat::text;
   std::vector<std::string> names;
-  std::vector<TargetChoice> choices;  ///< the matrix is of these versions
+  std::vector<TargetChoice> choices;  ///< versions in the matrix
 };
 
 struct SchemaRequest {
   CommonOptions common;
   TableFormat format = TableFormat::text;
   std::string name;                      ///< empty: the list
-  std::string new_name;                  ///< not empty: of an extension to write a schema for
+  std::string new_name;                  ///< not empty: the extension of a new schema
   std::vector<schema::Status> statuses;  ///< of the extensions to list; empty: all
   std::vector<std::string> check_files, test_files;
   std::vector<std::string> schema_files;
@@ -206,8 +206,8 @@ struct SchemaRequest {
 struct ConfigRequest {
   CommonOptions common;
   ConfigChoice choice;
-  std::string path;         ///< show what holds for it; empty: for all paths
-  std::string import_file;  ///< not empty: a configuration of the Khronos validator to be read
+  std::string path;         ///< path whose settings are shown; empty: all paths
+  std::string import_file;  ///< not empty: a configuration of the Khronos validator
 };
 
 using Request =
@@ -215,8 +215,8 @@ using Request =
                  BakeRequest, InspectRequest, PageRequest, HookRequest, ExplainRequest,
                  RulesRequest, TargetsRequest, SchemaRequest, ConfigRequest>;
 
-// Words of the command line into values. Each Error is a sentence that names the option, what was
-// given and what would do.
+// Parse words of the command line. Each Error is a sentence that names the option, the given value
+// and the allowed ones.
 
 /// A whole number of at least `minimum`.
 Result<std::uint64_t> parse_number(std::string_view option, std::string_view text,

@@ -56,7 +56,7 @@ void check_edit(Reading& reading, std::string_view verb) {
   require(!given("--backup") || given("--in-place"), "--backup goes with --in-place.");
 }
 
-// A fix that loses something is asked for by its name and by --unsafe.
+// A lossy fix needs its name and --unsafe.
 std::string find_unasked(const FixOptions& options) {
   for (const std::string& code : options.only) {
     const Fix kind = find_rule(code)->fix;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs that show something: of assets, rules, engines, schemas and the configuration.
+// The verbs that show assets, rules, engines, schemas and the configuration.
 #include <utility>
 
 #include "configuration.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The verbs that give reports: from assets, as a page, and from other reports.
+// The verbs that write reports: from assets, as a page, and from other reports.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -141,7 +141,7 @@ void read_validate(Reading& reading, ValidateRequest& request) {
                     quoted(request.write_baseline, 200), report_format_name(target.format)));
   }
   request.by_path = options.by_path;
-  // All findings are known then: numbers say enough.
+  // All findings are then known: counts are enough.
   const bool unasked = !options.given("--group-by") && !options.given("--min-severity");
   if (!request.write_baseline.empty() && unasked) request.layout = TextLayout::statistics;
 }

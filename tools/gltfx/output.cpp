@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 constexpr mode_t kOwnerOnly = 0600;
 constexpr mode_t kAnyNewFile = 0666;
 
-// The place a chain of links ends at, which may not exist yet.
+// The target of a chain of links, which may not exist yet.
 std::string resolved(const std::string& path) {
   std::error_code error;
   const fs::path real = fs::weakly_canonical(path, error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where text goes: standard output, or a file that appears only when it is complete.
+/// Output of text: standard output, or a file that appears only when it is complete.
 #pragma once
 
 #include <cstddef>
@@ -12,30 +12,30 @@
 
 namespace gltfx::tool {
 
-/// Bytes that are worth a write.
+/// Bytes to collect before a write.
 inline constexpr std::size_t kOutputBuffer = std::size_t{1} << 16U;
 
-/// Whether both name one file, as far as the words tell; empty is standard output.
+/// Whether both name one file, judged by the paths only; empty is standard output.
 bool same_place(const std::string& a, const std::string& b);
 
-/// One place to write to. Not thread-safe. Failures are kept and told by problem().
+/// One place to write to. Not thread-safe. problem() reports failures.
 class Output {
  public:
-  /// An empty path is standard output. Anything but a regular file (a pipe, /dev/stderr) is
-  /// written as it comes; a file is written beside its place and moved there by finish().
-  /// `folders`: those above it are made.
+  /// An empty path is standard output. Anything but a regular file (a pipe, /dev/stderr) is written
+  /// immediately; a file is written beside its path and moved there by finish(). `folders`: create
+  /// its parent folders.
   explicit Output(std::string path, bool folders = false);
   Output(Output&& other) noexcept = default;
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
   Output& operator=(Output&&) = delete;
 
-  /// A reader that went away (`| head -1`) is no failure: the rest is dropped.
+  /// A closed reader (`| head -1`) is not a failure: the rest is dropped.
   void write(std::string_view text);
-  /// Makes the file complete and durable. Without it, a file at the path stays as it was.
+  /// Makes the file complete and durable. Without it, a file at the path is not changed.
   void finish();
 
-  /// A sentence about what went wrong first, or empty.
+  /// A sentence about the first failure, or empty.
   const std::string& problem() const { return problem_; }
 
  private:
@@ -44,7 +44,7 @@ class Output {
   void fail(std::string_view action, int error);
 
   std::string path_;
-  std::unique_ptr<TemporaryFile> file_;  ///< null for what is written as it comes
+  std::unique_ptr<TemporaryFile> file_;  ///< null for immediate output
   UniqueFd opened_;
   std::string problem_;
   int fd_ = -1;

@@ -36,7 +36,7 @@ bool is_below(const fs::path& path, const fs::path& folder) {
   return end == folder.end() && rest != path.end();
 }
 
-/// What `--output` means for a run.
+/// The meaning of `--output` for a run.
 class Destination {
  public:
   Destination(const std::string& output, const Inputs& inputs)
@@ -65,7 +65,7 @@ class Destination {
         quoted(output_, 200));
   }
 
-  /// Whether an input is what an earlier run wrote.
+  /// Whether an input is an output of an earlier run.
   bool holds(const fs::path& real) const { return inside_search_ && is_below(real, real_); }
 
   Result<std::string> of(const std::string& path, const std::string& place) const {
@@ -90,8 +90,8 @@ class Destination {
   bool inside_search_ = false;
 };
 
-/// Where outputs lie below a folder: as their inputs do below the folder that was named. What would
-/// be equal gets more of the path of its input, as much as is needed.
+/// Places of outputs below a folder: those of their inputs below the named folder. Equal places get
+/// as much more of the path of their input as needed.
 class DistinctPlaces {
  public:
   explicit DistinctPlaces(const Inputs& inputs) : own_(inputs.paths.size()) {
@@ -101,13 +101,13 @@ class DistinctPlaces {
     }
   }
 
-  /// Of the inputs of this run, by position.
+  /// Places of the inputs of this run, by position.
   std::vector<std::string> take() && {
     std::vector<std::string> places;
     for (std::size_t i = 0; i < own_; ++i) places.push_back(std::move(all_[i].place));
     return places;
   }
-  /// Those of other shards.
+  /// Places of other shards.
   std::set<std::string> of_others() const {
     std::set<std::string> places;
     for (std::size_t i = own_; i < all_.size(); ++i) places.insert(all_[i].place);
@@ -158,7 +158,7 @@ Error same_output(const std::string& target) {
                   quoted(target, 200))};
 }
 
-// "a/b.glb" to "a/b.png"; with both an a/b.glb and an a/b.gltf the whole names stay.
+// "a/b.glb" to "a/b.png"; with both an a/b.glb and an a/b.gltf, the whole names are kept.
 std::vector<std::string> picture_names(const Inputs& inputs, const std::string& format) {
   DistinctPlaces distinct(inputs);
   const std::set<std::string> others = distinct.of_others();
@@ -176,8 +176,8 @@ std::vector<std::string> picture_names(const Inputs& inputs, const std::string& 
   return names;
 }
 
-// What an asset is drawn to: its picture, and one for each layer. Those of several sizes or of a
-// turntable all have such endings, so that none of them is called like that of another asset.
+// The outputs of an asset: its picture, and one for each layer. Those of several sizes or of a
+// turntable have similar endings, so that none has the name of a picture of another asset.
 std::vector<std::string> with_layers(const std::string& place, const BakeOptions& options) {
   std::vector<std::string> pictures{place};
   const fs::path picture(place);
@@ -194,7 +194,7 @@ bool is_folder(const Inputs& inputs, const std::string& output) {
   return inputs.several || output.ends_with('/') || fs::is_directory(output, error);
 }
 
-// An ending that is none of a picture, or another one than --format names.
+// Checks for an ending that is not one of a picture, or differs from --format.
 std::optional<Error> check_name(const char* option, const std::string& name,
                                 const std::string& format) {
   if (name.empty()) return std::nullopt;
@@ -216,7 +216,7 @@ Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::st
   }
   std::vector<EditInput> placed;
   std::set<fs::path> seen, targets;
-  std::set<fs::path> assets;  // but for those that an earlier run wrote
+  std::set<fs::path> assets;  // except those that an earlier run wrote
   if (placing) assets = real_paths(inputs.paths);
   std::erase_if(assets, [&](const fs::path& asset) { return destination.holds(asset); });
   DistinctPlaces distinct(inputs);

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Patterns that choose paths, as configurations have them.
+/// Patterns of paths in configurations.
 #pragma once
 
 #include <string_view>
 
 namespace gltfx::tool {
 
-/// Whether `pattern` fits `path` ('/' separated, without "." and ".."). '*', '?' and '[...]' stay
-/// within a name, "**" stands for any number of folders; a pattern that ends in '/' fits what lies
-/// below. One without another '/' fits a name at any depth.
+/// Whether `pattern` matches `path` ('/' separated, without "." and ".."). '*', '?' and '[...]'
+/// match within a name, "**" matches any number of folders; a pattern that ends in '/' matches
+/// everything below. A pattern without another '/' matches a name at any depth.
 bool fits_pattern(std::string_view pattern, std::string_view path);
 
 }  // namespace gltfx::tool

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How far a run is, on one line of a terminal.
+/// Progress of a run, on one line of a terminal.
 #pragma once
 
 #include <chrono>
@@ -8,8 +8,8 @@
 
 namespace gltfx::tool {
 
-/// Writes to standard error: one line that changes on a terminal, else a line every ten seconds
-/// where `lines` asks for them. Not thread-safe.
+/// Writes to standard error: one line that changes on a terminal, else a line every ten seconds if
+/// `lines` is set. Not thread-safe.
 class ProgressLine {
  public:
   explicit ProgressLine(bool wanted, bool lines = false);
@@ -19,11 +19,11 @@ class ProgressLine {
 
   /// Whether anything will be written, now or later.
   bool visible() const { return visible_; }
-  /// `part` from 0 to 1; the line changes some times a second.
+  /// `part` from 0 to 1; the line is updated a few times a second.
   void show(double part);
-  /// So many of `all` files are done.
+  /// `files` of `all` files are done.
   void show(std::uint64_t files, std::uint64_t all);
-  /// Before something else is written.
+  /// Call it before other output.
   void clear();
 
  private:
@@ -39,8 +39,8 @@ class ProgressLine {
   Clock::time_point begin_ = Clock::now(), last_ = begin_;
 };
 
-/// Leaves a line that is on the terminal as it is, so that what comes next begins on another one.
-/// For handlers of signals.
+/// Ends an open line on the terminal, so that further output begins on the next one. For signal
+/// handlers.
 void end_progress_line();
 
 }  // namespace gltfx::tool

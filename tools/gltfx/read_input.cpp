@@ -25,7 +25,7 @@ Error too_long(std::uint64_t most) {
   return {fmt::format("it has more than {} bytes, which is too much here", most)};
 }
 
-// Appends what one read gives; false at the end.
+// Appends the bytes of one read; false at the end.
 Result<bool> read_on(int fd, std::string& text) {
   const std::size_t before = text.size();
   text.resize(before + kChunk);
@@ -38,7 +38,7 @@ Result<bool> read_on(int fd, std::string& text) {
   return got > 0;
 }
 
-// In pieces: a string that grows is there twice whenever it moves.
+// In pieces: a growing string takes twice its memory whenever it moves.
 Result<std::string> read_all(int fd, std::uint64_t most) {
   constexpr std::size_t kPiece = 16 * kChunk;
   std::vector<std::string> pieces;

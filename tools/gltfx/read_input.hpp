@@ -16,13 +16,13 @@
 
 namespace gltfx::tool {
 
-/// Most bytes of an asset from standard input, which is held in memory.
+/// Maximum size of an asset from standard input, which is held in memory.
 inline constexpr std::uint64_t kLongestAsset = std::uint64_t{1} << 30U;
-/// Most bytes of a list of files or a baseline.
+/// Maximum size of a list of files or a baseline.
 inline constexpr std::uint64_t kLongestList = std::uint64_t{256} << 20U;
-/// Most bytes of a line of a report.
+/// Maximum size of a line of a report.
 inline constexpr std::uint64_t kLongestLine = std::uint64_t{64} << 20U;
-/// Most bytes of a configuration or a key.
+/// Maximum size of a configuration or a key.
 inline constexpr std::uint64_t kLongestConfig = std::uint64_t{1} << 20U;
 
 /// All bytes of standard input. An Error when there are more than `most`.
@@ -37,7 +37,7 @@ class LineReader {
  public:
   static Result<LineReader> open(const std::string& path);
 
-  /// The next line without its line break; nothing where no whole line is left. An Error when the
+  /// The next line without its line break; nothing if no complete line is left. An Error when the
   /// file cannot be read, or a line is longer than kLongestLine.
   Result<std::optional<std::string>> next();
 
@@ -46,11 +46,11 @@ class LineReader {
 
   UniqueFd fd_;
   std::string buffer_;
-  std::size_t begin_ = 0;  ///< of what was not handed out
+  std::size_t begin_ = 0;  ///< of the bytes that were not returned yet
 };
 
-/// What gltfx knows with the user's files added; null stands for the built-in set when there are
-/// none. The Error has a line for each mistake: file:line:column and what is wrong.
+/// The schemas with the user's files added; null means the built-in set when there are none. The
+/// Error has a line for each mistake: file:line:column and the mistake.
 Result<std::shared_ptr<const schema::Set>> load_schemas(const std::vector<std::string>& files,
                                                         const std::vector<std::string>& folders);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// From many words to one request.
+/// Reads the words of a verb into a request.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace gltfx::tool {
 
-/// Reads the words of a verb and keeps the first thing that is wrong.
+/// Reads the words of a verb and records the first mistake.
 class Reading {
  public:
   explicit Reading(const Options& options) : options_(options) {}
@@ -23,17 +23,17 @@ class Reading {
     if (!problem_.empty()) return;
     if (const auto mistake = options_.read()) problem_ = mistake->message;
   }
-  /// Inputs are named, in one way; standard input is either a list or an asset. With a hook the
-  /// commit names them.
+  /// Requires inputs, named in one way; standard input is either a list or an asset. With a hook,
+  /// the commit names them.
   void require_inputs(std::string_view verb);
-  /// Refuses "-" among the paths of a verb that needs files. `done`: what is done with those beside
-  /// the asset.
+  /// Refuses "-" among the paths of a verb that needs files. `done`: what the verb does with files
+  /// beside the asset.
   void require_files(std::string_view verb, std::string_view done = "found");
   /// --statistics, --cache-key.
   void require_companions();
 
   const Options& options() const { return options_; }
-  /// The first thing that is wrong, or empty.
+  /// The first mistake, or empty.
   const std::string& problem() const { return problem_; }
 
  private:

@@ -18,7 +18,7 @@ FormatOptions format_options(const ReportRequest& request, const ReportTargets::
                                       : request.common.color == ColorMode::always;
   options.quiet = request.quiet;
   options.layout = request.layout;
-  // People read the terminal: hundreds of infos would hide what matters.
+  // On a terminal, hundreds of infos would hide important findings.
   const bool listed_for_people = target.format == ReportFormat::text && target.path.empty() &&
                                  request.layout != TextLayout::statistics &&
                                  ::isatty(STDOUT_FILENO) == 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One report in several formats at once, each to its own place.
+/// One report in several formats at once, each with its own output.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -18,21 +18,21 @@ namespace gltfx::tool {
 /// Calls: begin, file for each report in order, finish. Not thread-safe.
 class ReportTargets {
  public:
-  /// `look`: what formats say of the run as a whole.
+  /// `look`: data of formats about the whole run.
   struct Look {
     std::string profile, pixel_level;
     Shard shard;
   };
   ReportTargets(const ReportRequest& request, const Look& look);
 
-  /// Called before somebody who watches sees something new.
+  /// Called before new output on a terminal.
   void before_output(std::function<void()> call) { before_output_ = std::move(call); }
 
   void begin();
   void file(const FileReport& report);
   void finish(const RunSummary& summary);
 
-  /// What went wrong with the places written to, one sentence a line; empty when all is well.
+  /// Failures of outputs, one sentence per line; empty when there is none.
   std::string problems() const;
 
  private:
@@ -40,7 +40,7 @@ class ReportTargets {
     Output output;
     std::unique_ptr<ReportWriter> writer;
     std::string pending;  ///< text not yet written
-    bool immediate;       ///< somebody watches
+    bool immediate;       ///< on a terminal
   };
   void flush(Target& target, std::size_t above);
 

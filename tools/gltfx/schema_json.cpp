@@ -59,7 +59,7 @@ void write_literal(Writer& writer, const schema::Literal& literal) {
   writer.string(literal.string);
 }
 
-// Limits of one value, under the names JSON Schema has for them.
+// Limits of one value, with the names of JSON Schema.
 void write_limits(Writer& writer, const Set& set, const Shape& shape) {
   write_limit(writer, "minimum", "exclusiveMinimum", shape.minimum, shape.exclusive_minimum);
   write_limit(writer, "maximum", "exclusiveMaximum", shape.maximum, shape.exclusive_maximum);

@@ -10,7 +10,8 @@
 
 namespace gltfx::tool {
 
-// The list of extensions and core types; of extensions of some statuses alone, unless it is empty.
+// The list of extensions and core types; of extensions with these statuses only, unless the list is
+// empty.
 std::string schema_list_text(const schema::Set& set, const std::vector<schema::Status>& statuses,
                              const Style& style);
 std::string schema_list_json(const schema::Set& set, const std::vector<schema::Status>& statuses);

@@ -69,7 +69,7 @@ constexpr std::string_view kStart = R"json({
 }
 )json";
 
-// A folder for assets on their way through an upgrade.
+// A temporary folder for upgrades of assets.
 class WorkFolder {
  public:
   WorkFolder() {
@@ -96,7 +96,7 @@ class SchemaTests {
   SchemaTests(const json::Document& document, std::shared_ptr<const schema::Set> schemas)
       : document_(document), schemas_(std::move(schemas)) {}
 
-  // What failed, a line each.
+  // The failures, a line each.
   std::vector<std::string> run() {
     const json::NodeId tests = document_.find(document_.find(document_.root(), "x-gltfx"), "tests");
     if (tests == json::kNoNode || !document_.is_object(tests)) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `gltfx schema --new`, `--check` and `--test`: for those who write schema files.
+/// `gltfx schema --new`, `--check` and `--test`, for authors of schema files.
 #pragma once
 
 #include <string>
@@ -16,8 +16,8 @@ std::string new_schema(std::string_view name);
 /// Whether the name has the form PREFIX_name.
 bool is_extension_name(std::string_view name);
 
-/// Checks the files of `request` and runs the tests that they carry where it asks so; prints a
-/// line for each file and each failure. `findings` when there are any.
+/// Checks the files of `request` and, on request, runs the tests in them; prints a line for each
+/// file and each failure. Returns `findings` when there are failures.
 ExitCode check_schemas(const SchemaRequest& request);
 
 }  // namespace gltfx::tool

@@ -15,7 +15,7 @@
 namespace gltfx::tool {
 namespace {
 
-// The embedded files are minified: a space behind each comma, as a person writes a list.
+// The embedded files are minified: adds a space after each comma.
 std::string spaced(std::string_view json) {
   std::string text;
   for (const char c : json) {

@@ -47,7 +47,7 @@ std::string plural(const std::string& noun) {
   return noun + "s";
 }
 
-// The object type behind a shape, looked for in what it is composed of too.
+// The object type of a shape, also searched in the shapes that it combines.
 std::string object_name(const Set& set, const Shape& shape) {
   if (shape.type != schema::kNone) return set.type(shape.type).name;
   for (const ShapeId part : shape.all_of) {
@@ -198,11 +198,11 @@ std::vector<schema::TypeId> types_of(const Set& set, schema::ExtensionId extensi
   for (schema::TypeId id = 0; id < set.types().size(); ++id) {
     const schema::ObjectType& type = set.type(id);
     const bool original = type.origin == id || type.origin == schema::kNone;
-    // What stands behind an `if` or `then` shares the name of the type it is about.
+    // The shape of an `if` or `then` has the name of the type that it is about.
     const bool named = set.find_type(type.name) == id;
     if (type.extension == extension && original && named) ids.push_back(id);
   }
-  // Objects that sit on core types come before the parts they are made of.
+  // Objects on core types come before their parts.
   std::stable_partition(ids.begin(), ids.end(), [&](schema::TypeId id) {
     return extension != schema::kNone &&
            set.type(id).name.ends_with("." + set.extensions()[extension].name);

@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Endings of what assets refer to. Any name may be referred to; but the whole index is not searched
-// because of a commit of source files.
+// Endings of files that assets refer to. Assets may refer to any name, but a commit of source files
+// should not cause a search of the whole index.
 constexpr std::array<std::string_view, 12> kCompanions{".bin",  ".png",  ".jpg", ".jpeg",
                                                        ".webp", ".ktx2", ".ktx", ".basis",
                                                        ".dds",  ".avif", ".tga", ".glbin"};
@@ -35,7 +35,7 @@ std::string_view folder_of(std::string_view name) {
   return name.substr(0, name.rfind('/') + 1);  // with its '/', or empty
 }
 
-// Whether one of the references is one of the names, or lies below it (a submodule).
+// Whether one of the references is one of the names, or below it (a submodule).
 bool leads_to(const std::set<RepositoryName>& references, const std::set<RepositoryName>& names) {
   return std::any_of(references.begin(), references.end(), [&](const RepositoryName& reference) {
     for (std::size_t end = reference.size(); end != std::string::npos && end > 0;
@@ -105,7 +105,7 @@ void StagedAssets::note(const RepositoryName& asset, std::string&& bytes) {
 
 namespace {
 
-/// Looks at every reference of the assets once.
+/// Visits every reference of the assets once.
 class Check {
  public:
   Check(const GitIndex& index, const StagedAssets& assets) : index_(index), assets_(assets) {}
@@ -151,7 +151,7 @@ class Check {
     }
   }
 
-  // Files beside a new one: those in its folder, and what else the asset refers to.
+  // Files beside a new one: those in its folder, and others that the asset refers to.
   std::set<RepositoryName> siblings_of(const RepositoryName& name, const RepositoryName& asset) {
     std::set<RepositoryName> siblings = assets_.references().at(asset);
     const std::string folder(folder_of(name));
@@ -188,7 +188,7 @@ class Check {
   const StagedAssets& assets_;
   CommitCheck check_;
   std::map<RepositoryName, RepositoryName> owners_;  ///< an asset that refers to the name
-  std::map<RepositoryName, RepositoryName> fresh_;   ///< the same, of names that are not committed
+  std::map<RepositoryName, RepositoryName> fresh_;   ///< the same, for names that are not committed
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which assets a commit touches, and whether it holds all that they refer to.
+/// The assets of a commit, and whether the commit has all files that they refer to.
 #pragma once
 
 #include <map>
@@ -18,15 +18,15 @@ class StagedAssets {
  public:
   explicit StagedAssets(const GitIndex& index) : index_(index) {}
 
-  /// Finds the assets among `names`, and in the index those that refer to others of them. All names
-  /// may be gone.
+  /// Finds the assets among `names`, and in the index those that refer to other names. All names
+  /// may be deleted files.
   std::optional<Error> find(const std::set<RepositoryName>& names);
-  /// Looks once more, into the working tree, at what the found ones refer to, but for those whose
+  /// Reads the references of the found assets again, from the working tree, except those whose
   /// index and file differ on purpose.
   void look_at_files(const std::set<RepositoryName>& but);
 
   const std::set<RepositoryName>& found() const { return found_; }
-  /// Of all that was looked at; names that lead out of the repository are left out.
+  /// The references found; names that lead out of the repository are left out.
   const References& references() const { return references_; }
 
  private:
@@ -38,20 +38,19 @@ class StagedAssets {
   References references_;
 };
 
-/// What stands against a commit.
+/// The problems of a commit.
 struct CommitCheck {
-  std::set<RepositoryName> to_stage;                 ///< they are there, and only have to be staged
+  std::set<RepositoryName> to_stage;                 ///< existing files that only have to be staged
   std::map<RepositoryName, RepositoryName> missing;  ///< with an asset that refers to them
   std::map<RepositoryName, RepositoryName> ignored;  ///< the same, left out by .gitignore
   std::map<RepositoryName, RepositoryName> not_lfs;  ///< with one beside it that Git LFS keeps
 };
 
-/// `staged` as GitIndex gives it.
+/// `staged`: from GitIndex.
 Result<CommitCheck> check_commit(const GitIndex& index, const StagedAssets& assets,
                                  const std::map<RepositoryName, char>& staged);
 
-/// A word of a shell's command line that stands for `text`, without anything that could drive a
-/// terminal.
+/// `text` quoted as a word of a shell command, without characters that could control a terminal.
 std::string shell_word(std::string_view text);
 
 }  // namespace gltfx::tool

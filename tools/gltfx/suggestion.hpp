@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Did-you-mean for words of the command line.
+/// Suggestions for words of the command line.
 #pragma once
 
 #include <span>

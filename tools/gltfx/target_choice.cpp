@@ -53,7 +53,7 @@ Targets with_builtin(const Targets& own) {
   return all;
 }
 
-// Of built-in targets, only what is named is read; all of them where a message must list them.
+// Only named built-in targets are read; all of them if a message must list them.
 Result<TargetChoice> choose(std::string_view word, Targets& known) {
   const std::string_view name = word.substr(0, word.find('@'));
   if (!has(known, name)) {

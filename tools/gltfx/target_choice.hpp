@@ -12,11 +12,11 @@
 namespace gltfx::tool {
 
 /// Comma lists of "NAME" or "NAME@VERSION", among the built-in targets and those of `files`, which
-/// take the place of built-in ones of the same name. The Error names the option.
+/// replace built-in ones of the same name. The Error names the option.
 Result<std::vector<TargetChoice>> read_targets(const std::vector<std::string>& words,
                                                const std::vector<std::string>& files);
 
-/// The names of all of them, sorted; files that cannot be read have none.
+/// The names of all targets, sorted; unreadable files are skipped.
 std::vector<std::string> target_names(const std::vector<std::string>& files);
 
 }  // namespace gltfx::tool

@@ -12,10 +12,11 @@
 
 namespace gltfx::tool {
 
-/// Whether text to standard output is coloured: as told, else on a terminal without NO_COLOR.
+/// Whether text on standard output is coloured: as the mode says, by default on a terminal without
+/// NO_COLOR.
 bool colors_on_stdout(ColorMode mode);
 
-/// Wraps words in ANSI styles, or leaves them alone.
+/// Wraps words in ANSI styles, or returns them unchanged.
 class Style {
  public:
   explicit Style(bool color) : color_(color) {}
@@ -45,13 +46,14 @@ std::string size_text(std::uint64_t bytes);
 /// Rows of cells in columns that are as wide as their widest cell.
 class TextTable {
  public:
-  /// `kinds`: a letter a column, 'l' for text and 'r' for numbers, which end at the right.
+  /// `kinds`: a letter per column, 'l' for text and 'r' for right-aligned numbers.
   TextTable(std::string kinds, std::vector<std::string> head)
       : kinds_(std::move(kinds)), head_(std::move(head)) {}
 
   /// As many cells as columns; printable.
   void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-  /// One line a row, indented, the head dim; columns that are empty in all rows are left out.
+  /// One line per row, indented, with a dim heading; columns that are empty in all rows are left
+  /// out.
   std::string text(std::size_t indent, const Style& style) const;
 
  private:

@@ -26,7 +26,7 @@ std::string outcome(const UpgradeAction& action, bool refused) {
   return fmt::format("to {}, {}", action.to, action.lossy ? "with loss" : fate);
 }
 
-// What is said of an action, without its place.
+// The text of an action, without its place.
 std::string action_text(const UpgradeAction& action, bool refused) {
   std::string text = fmt::format("    {}\n", outcome(action, refused));
   if (!action.generation.empty()) {
@@ -37,7 +37,7 @@ std::string action_text(const UpgradeAction& action, bool refused) {
   return text;
 }
 
-// Objects of one extension of which the same is said.
+// Objects of one extension with the same text.
 struct ActionGroup {
   const UpgradeAction* first;
   std::string text;

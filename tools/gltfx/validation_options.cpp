@@ -32,7 +32,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Whether git keeps files of a folder: then whoever proposes a change can bring their own.
+// Whether git tracks files of a folder: a proposed change could then add its own.
 bool is_tracked(const std::string& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) return false;
@@ -47,13 +47,13 @@ bool is_tracked(const std::string& folder) {
   return files && files->code == 0 && !files->out.empty();
 }
 
-// Without the line break that editors put behind the last line.
+// Removes the line break that editors put after the last line.
 std::string trimmed(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   return text;
 }
 
-// Whoever writes the key forges what it seals.
+// A user who can write the key can forge results.
 bool can_be_written_by_others(const std::string& file) {
   using std::filesystem::perms;
   std::error_code error;
@@ -108,7 +108,7 @@ Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   ValidateOptions options = request.validation;
   options.jobs = request.common.jobs;
   for (const FormatTarget& target : request.targets) {
-    // Lines hold what any format needs.
+    // Lines have the data of all formats.
     options.propose_fixes = options.propose_fixes || target.format == ReportFormat::sarif ||
                             target.format == ReportFormat::jsonl;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the verbs that validate have in common: options, and what a run ends with.
+/// Code shared by the verbs that validate: options and the exit code.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -22,28 +22,28 @@ namespace gltfx::tool {
 /// "default", "khronos", "strict".
 std::string_view profile_name(Profile profile);
 
-/// What an earlier run left in the folder; null without a folder. The key is that of the file, else
-/// of the variable GLTFX_CACHE_KEY, else the user's own. The Error is about `--cache`.
+/// The cache in the folder; null without a folder. The key is that of the file, else of the
+/// variable GLTFX_CACHE_KEY, else the user's own. The Error is about `--cache`.
 Result<std::shared_ptr<ResultCache>> open_cache(const CacheChoice& choice, bool quiet);
 
-/// With the user's schema files read. The Error says what is wrong with one of them, or the root.
+/// With the user's schema files read. The Error describes a mistake in one of them, or in the root.
 Result<ValidateOptions> validation_of(const ValidateRequest& request);
 
-/// A note where an option can do nothing.
+/// Prints a note if an option has no effect.
 void note_useless_options(const ValidateRequest& request);
 
-/// What a run ends with. `recording`: findings are to be known from now on, and no failure.
+/// The exit code of a run. `recording`: findings are recorded and not a failure.
 ExitCode verdict_on(const RunSummary& summary, const ReportRequest& request,
                     bool recording = false);
 
-/// Options of each path: one object for all paths of which the same is asked.
+/// Options of each path: one object for all paths with the same options.
 class OptionsByPath {
  public:
   OptionsByPath(ValidateOptions common, std::shared_ptr<const PathOptions> by_path)
       : common_(std::move(common)), by_path_(std::move(by_path)) {}
 
   const ValidateOptions& common() const { return common_; }
-  /// Stays where it is until the next set_jobs().
+  /// The reference is valid until the next set_jobs().
   const ValidateOptions& of(const std::string& path);
   void set_jobs(unsigned jobs);
   void set_searched(std::shared_ptr<const SearchedFolders> searched);

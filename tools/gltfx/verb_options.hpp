@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The options of each verb: their rows, and how their words become a request.
+/// The options of each verb: their rows, and functions that read their words into a request.
 #pragma once
 
 #include "option_rows.hpp"
@@ -22,7 +22,7 @@ void declare_targets(Options& options, TargetsRequest& request);
 void declare_schema(Options& options, SchemaRequest& request);
 void declare_config(Options& options, ConfigRequest& request);
 
-// What each verb does to read its words: checks before and after Reading::read().
+// Read the words of each verb: checks before and after Reading::read().
 void read_validate(Reading& reading, ValidateRequest& request);
 void read_fix(Reading& reading, FixRequest& request);
 void read_upgrade(Reading& reading, UpgradeRequest& request);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Versions of the program and of what it was built with.
+/// Versions of the program and of its libraries.
 #pragma once
 
 #include <string>
