@@ -13,7 +13,7 @@
 namespace gltfx::codec {
 namespace {
 
-// Planes of 16 bits, those of the decoder beside them, and the texels.
+// Planes of 16 bits, the planes of the decoder, and the texels.
 constexpr std::uint64_t kBytesPerTexel = 32;
 
 using Decoder = std::unique_ptr<avifDecoder, decltype(&avifDecoderDestroy)>;
@@ -26,9 +26,9 @@ DecodeError refusal(avifResult result) {
 Decoder make_decoder(std::span<const std::byte> bytes) {
   Decoder decoder(avifDecoderCreate(), avifDecoderDestroy);
   if (!decoder) throw std::bad_alloc();
-  decoder->maxThreads = 1;  // a worker can start none
+  decoder->maxThreads = 1;  // a worker cannot start threads
   decoder->ignoreExif = decoder->ignoreXMP = AVIF_TRUE;
-  decoder->strictFlags = AVIF_STRICT_DISABLED;  // as browsers: libgltfx/image has its own say
+  decoder->strictFlags = AVIF_STRICT_DISABLED;  // as in browsers: libgltfx/image has its own checks
   const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   if (avifDecoderSetIOMemory(decoder.get(), data, bytes.size()) != AVIF_RESULT_OK) {
     throw std::bad_alloc();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What all images of a BasisLZ file share: endpoints, selectors, and the codes of slices (KTX 2.0,
-/// "ETC1S Endpoint Codebooks" to "ETC1S Slice Huffman Tables").
+/// Data that all images of a BasisLZ file share: endpoints, selectors, and the codes of slices (KTX
+/// 2.0, "ETC1S Endpoint Codebooks" to "ETC1S Slice Huffman Tables").
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@
 
 namespace gltfx::codec {
 
-/// The colour of a block and how far its texels are from that.
+/// The colour of a block and the distance of its texels from that.
 struct Etc1sEndpoint {
   std::array<std::uint8_t, 3> color{};  ///< R, G and B, 5 bits each
   std::uint8_t modifiers = 0;           ///< number of a table, 0 to 7
 };
 
-/// Two bits a texel: a row a byte, from the top, the left texel lowest.
+/// Two bits per texel: a byte per row, from the top, the left texel lowest.
 using Etc1sSelector = std::array<std::uint8_t, 4>;
 
 struct Etc1sCodebooks {
@@ -33,7 +33,7 @@ struct Etc1sSliceCodes {
   std::uint32_t history_size = 0;  ///< of selectors
 };
 
-// Nothing for bytes that are no such thing. Memory is 4 bytes an entry.
+// Nothing for invalid bytes. Memory is 4 bytes per entry.
 
 std::optional<std::vector<Etc1sEndpoint>> read_endpoints(std::span<const std::byte> bytes,
                                                          std::uint16_t count);

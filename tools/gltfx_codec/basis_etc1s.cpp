@@ -44,7 +44,7 @@ void write_etc1s_colors(const Etc1sEndpoint& endpoint, const Etc1sSelector& sele
 
 void write_etc1s_channel(const Etc1sEndpoint& endpoint, const Etc1sSelector& selector,
                          std::size_t channel, const BlockTexels& to) {
-  // Readers take G of the three that are equal.
+  // The three channels are equal; readers take G.
   const Steps steps = steps_of(endpoint, 1);
   for_each_texel(selector, [&](std::size_t x, std::size_t y, std::size_t step) {
     to.at(x, y)[channel] = steps[step];

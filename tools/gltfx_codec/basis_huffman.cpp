@@ -9,7 +9,7 @@ namespace gltfx::codec {
 HuffmanTable::HuffmanTable(std::span<const std::uint8_t> lengths) {
   for (const std::uint8_t length : lengths) ++counts_[length];
   counts_[0] = 0;
-  std::array<std::size_t, kLongest + 2> first{};  // place of the first symbol of each length
+  std::array<std::size_t, kLongest + 2> first{};  // position of the first symbol of each length
   std::uint32_t room = 1;                         // codes of this length that are free
   for (unsigned length = 1; length <= kLongest; ++length) {
     room *= 2;
@@ -62,7 +62,8 @@ namespace {
 constexpr std::array<std::uint8_t, 21> kOrder{17, 18, 19, 20, 0,  8, 7,  9, 6,  10, 5,
                                               11, 4,  12, 3,  13, 2, 14, 1, 15, 16};
 
-// Symbols of the small table above the lengths themselves: runs of zeros, or of the length before.
+// Symbols of the small table above the lengths themselves: runs of zeros, or of the previous
+// length.
 struct Run {
   unsigned bits, least;
   bool zeros;

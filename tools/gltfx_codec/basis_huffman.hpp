@@ -14,14 +14,14 @@ namespace gltfx::codec {
 
 class HuffmanTable {
  public:
-  /// Knows no code.
+  /// A table without codes.
   HuffmanTable() = default;
   /// From the length of the code of each symbol in bits, 0 to 16; 0: the symbol has none.
   explicit HuffmanTable(std::span<const std::uint8_t> lengths);
 
   /// Whether no two symbols share a code.
   bool is_sound() const { return sound_; }
-  /// The next symbol. Bits that are no code fail the reader and give 0.
+  /// The next symbol. Bits that are not a code fail the reader and give 0.
   std::uint32_t decode(BitReader& bits) const;
 
  private:
@@ -40,7 +40,7 @@ class HuffmanTable {
 };
 
 /// Reads the lengths of codes, which are coded themselves. A table without symbols is empty:
-/// encoders write those of models that nothing uses. Invalid ones fail the reader.
+/// encoders write those for unused models. Invalid ones fail the reader.
 HuffmanTable read_huffman_table(BitReader& bits);
 
 }  // namespace gltfx::codec

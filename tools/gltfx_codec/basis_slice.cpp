@@ -6,7 +6,7 @@
 namespace gltfx::codec {
 namespace {
 
-// Where an endpoint comes from.
+// The source of an endpoint.
 enum Prediction : std::uint32_t { from_left = 0, from_above = 1, from_above_left = 2 };
 constexpr std::uint32_t kPredictionMask = 3;
 
@@ -15,7 +15,7 @@ constexpr std::uint64_t kLeastPredictionRepeats = 3;
 constexpr std::uint32_t kLongSelectorRun = 63;
 constexpr std::uint64_t kLeastSelectorRun = 3;
 
-// A number in chunks of so many bits, each with a bit more that says whether another one follows
+// A number in chunks of so many bits, each with one more bit that says whether another one follows
 // ("ETC1S VLC Decoding Procedure").
 std::uint64_t take_chunks(BitReader& bits, unsigned chunk) {
   std::uint64_t value = 0;
@@ -65,7 +65,7 @@ bool Etc1sSlice::next_row(std::span<Etc1sBlock> row) {
   return bits_.ok();
 }
 
-// Of two by two blocks, two bits each.
+// Predictions of two by two blocks, two bits each.
 std::uint32_t Etc1sSlice::next_predictions() {
   if (prediction_repeats_ > 0) {
     --prediction_repeats_;
@@ -115,8 +115,8 @@ std::uint16_t Etc1sSlice::read_endpoint(std::size_t x, std::uint32_t prediction,
   return static_cast<std::uint16_t>(index < count ? index : index - count);
 }
 
-// Symbols are entries of the codebook, then entries of the history, then a run of the first of the
-// history.
+// Symbols are entries of the codebook, then entries of the history, then a run of the first entry
+// of the history.
 std::uint16_t Etc1sSlice::read_selector() {
   if (selector_repeats_ > 0) {
     --selector_repeats_;

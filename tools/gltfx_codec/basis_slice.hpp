@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The blocks of one BasisLZ slice (KTX 2.0, "ETC1S Slice Decoding"). Only still images: blocks
-/// that an animation takes from the frame before are not known.
+/// that an animation takes from the previous frame are not supported.
 #pragma once
 
 #include <cstddef>
@@ -24,12 +24,13 @@ class SelectorHistory {
 
   std::size_t size() const { return values_.size(); }
   void add(std::uint16_t selector);
-  /// The selector at `index`, which is below size(), and moves halfway to the front.
+  /// The selector at `index`, which it moves halfway to the front. Precondition: `index` is below
+  /// size().
   std::uint16_t use(std::size_t index);
 
  private:
   std::vector<std::uint16_t> values_;
-  std::size_t next_;  ///< where one is added: in the second half
+  std::size_t next_;  ///< position for a new one: in the second half
 };
 
 /// Decodes a slice row by row. Keeps references to codes and codebooks.
@@ -38,7 +39,7 @@ class Etc1sSlice {
   Etc1sSlice(const Etc1sSliceCodes& codes, const Etc1sCodebooks& codebooks,
              std::span<const std::byte> bytes, std::size_t blocks_across);
 
-  /// Decodes the next row, from the top. False for good where the bytes are corrupt or end.
+  /// Decodes the next row, from the top. Permanently false when the bytes are corrupt or end.
   bool next_row(std::span<Etc1sBlock> row);
 
  private:
@@ -51,7 +52,7 @@ class Etc1sSlice {
   const Etc1sSliceCodes& codes_;
   const Etc1sCodebooks& codebooks_;
   BitReader bits_;
-  std::vector<Etc1sBlock> above_;           ///< the row before; empty before the first
+  std::vector<Etc1sBlock> above_;           ///< the previous row; empty before the first
   std::vector<std::uint8_t> for_odd_rows_;  ///< predictions of two blocks each
   bool odd_row_ = false;
   std::uint32_t predictions_ = 0;  ///< of four blocks, as read last

@@ -8,7 +8,7 @@
 
 namespace gltfx::codec {
 
-/// Past the end there are zeros; ok() is false for good once any was taken, or after fail().
+/// Gives zeros past the end; ok() is permanently false once any was taken, or after fail().
 class BitReader {
  public:
   explicit BitReader(std::span<const std::byte> bytes)

@@ -41,8 +41,8 @@ Component component_of(draco::DataType type) {
   }
 }
 
-// How far apart the values of an attribute are, by the integers that it was decoded from; 0 when it
-// was not quantised.
+// Distance of the values of an attribute, from the integers that it was decoded from; 0 when it was
+// not quantised.
 double quantization_step(const PointAttribute* portable) {
   const auto* transform = portable == nullptr ? nullptr : portable->GetAttributeTransformData();
   if (transform == nullptr) return 0;
@@ -54,7 +54,7 @@ double quantization_step(const PointAttribute* portable) {
   } else if (transform->transform_type() == draco::ATTRIBUTE_OCTAHEDRON_TRANSFORM) {
     draco::AttributeOctahedronTransform octahedron;
     if (!octahedron.InitFromAttribute(*portable)) return 0;
-    // The square is 2 wide; unfolding it onto the sphere stretches it by no more than that again.
+    // The square is 2 wide; mapping it to the sphere stretches it by at most the same factor.
     step = 4 / (std::exp2(octahedron.quantization_bits()) - 1);
   }
   return std::isfinite(step) ? std::abs(step) : 0;
@@ -85,7 +85,7 @@ bool write_values(const PointAttribute& attribute, std::size_t size, std::uint32
   return true;
 }
 
-// Draco's own entry point hides the decoder, which alone knows how values were quantised.
+// Draco's own entry point hides the decoder, which is the only source of the quantisation.
 std::unique_ptr<draco::MeshDecoder> decoder_for(const draco::DracoHeader& header) {
   if (header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING) {
     return std::make_unique<draco::MeshSequentialDecoder>();
@@ -96,10 +96,10 @@ std::unique_ptr<draco::MeshDecoder> decoder_for(const draco::DracoHeader& header
   return nullptr;
 }
 
-// The least memory that the sizes at the head of a bitstream ask for. The decoder makes room for
-// them before it looks whether so much can come.
+// The least memory for the sizes at the start of a bitstream. The decoder allocates it before it
+// checks whether the stream can have so much data.
 std::uint64_t promised_bytes(draco::DecoderBuffer& buffer, const draco::DracoHeader& header) {
-  constexpr int kVersion = 2;  // before, sizes were written in another way
+  constexpr int kVersion = 2;  // earlier versions stored sizes differently
   if (header.version_major < kVersion || (header.flags & METADATA_FLAG_MASK) != 0) return 0;
   std::uint32_t points = 0;
   std::uint32_t faces = 0;

@@ -21,7 +21,7 @@
 namespace gltfx::codec {
 namespace {
 
-// Beside the pixels, what libopenexr makes of a block of rows.
+// Memory of libopenexr for a block of rows, in addition to the pixels.
 constexpr std::uint64_t kBytesPerTexel = 8;
 constexpr int kNoThreads = 0;
 
@@ -65,7 +65,8 @@ class Memory : public Imf::OStream {
   std::size_t at_ = 0;
 };
 
-// Colours come before alpha, and both before all else, such as depth; layers after what has none.
+// Colours come before alpha, and both before all others, such as depth; channels of layers come
+// last.
 int rank_of(std::string_view name) {
   constexpr std::array<std::string_view, 5> kOrder{"R", "G", "B", "Y", "A"};
   const std::size_t dot = name.rfind('.');

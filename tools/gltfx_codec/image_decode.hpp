@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the decoders of images share.
+/// Code shared by the decoders of images.
 #pragma once
 
 #include <cstddef>
@@ -13,23 +13,23 @@
 
 namespace gltfx::codec {
 
-/// That there are more texels than asked for.
+/// The error for more texels than requested.
 DecodeError too_many_texels();
 
-/// Whether so many texels take more memory than a job has.
+/// Whether so many texels take more memory than the job has.
 bool exceeds_memory(const Job& job, std::uint64_t texels, std::uint64_t bytes_per_texel);
 DecodeError no_memory();
 
-/// Room for the pixels of `image` where they were asked for, else none. Throws std::bad_alloc.
+/// Memory for the pixels of `image` if requested, else none. Throws std::bad_alloc.
 std::span<std::byte> create_pixels(const Image& image, const Job& job, const Output& output);
 
 /// Takes the rows of an image from the top, band by band: no image is held for its statistics.
 class Rows {
  public:
-  /// With `pixels` the rows go there.
+  /// The rows go to `pixels`, unless it is empty.
   Rows(const Image& image, const Job& job, std::span<std::byte> pixels);
 
-  /// Where the next row goes. The row before it has been written.
+  /// Memory of the next row. Precondition: the previous row has been written.
   std::byte* next();
   /// The image with its statistics. Precondition: all rows have been written.
   Image finish();
@@ -41,7 +41,7 @@ class Rows {
   Statistics statistics_;
   std::size_t row_;
   std::size_t rows_in_band_;
-  std::vector<std::byte> own_;  ///< one band, where there are no pixels
+  std::vector<std::byte> own_;  ///< one band, without pixels
   std::span<std::byte> pixels_;
   std::byte* band_;
   std::size_t filled_ = 0;  ///< rows of the band

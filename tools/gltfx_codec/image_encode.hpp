@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the encoders of images share. The same texels become the same bytes: no times, no names.
+/// Code shared by the encoders of images. The same texels give the same bytes: no times, no names.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gltfx::codec {
 
-/// Hands over a finished file. Throws std::bad_alloc.
+/// Writes a finished file to the output. Throws std::bad_alloc.
 Answer hand_over(std::span<const std::byte> file, const Output& output);
 
 // Each encodes the texels that `job.raster` describes; formats and forms have been checked.

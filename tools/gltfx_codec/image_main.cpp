@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx-codec-image: decodes PNG, JPEG, WebP, KTX2, Radiance and EXR for gltfx and encodes all but
-// KTX2 and Radiance. gltfx starts it and talks to it over a socket. Workers are forked from it:
-// nothing that it links may start a thread.
+// gltfx-codec-image: decodes PNG, JPEG, WebP, KTX2, Radiance and EXR for gltfx and encodes all
+// except KTX2 and Radiance. gltfx starts it and talks to it over a socket. Workers are forked from
+// it: nothing that it links may start a thread.
 #include <cstring>
 #include <new>
 

@@ -17,11 +17,11 @@
 namespace gltfx::codec {
 namespace {
 
-/// What libjpeg says. The first member is what it knows of it.
+/// Messages of libjpeg. The first member is its own type.
 struct Messages {
   jpeg_error_mgr manager;
   std::jmp_buf failed;
-  char first[JMSG_LENGTH_MAX];  ///< the first one; empty: none
+  char first[JMSG_LENGTH_MAX];  ///< the first message; empty: none
 };
 
 Messages& messages_of(j_common_ptr jpeg) { return *reinterpret_cast<Messages*>(jpeg->err); }
@@ -31,7 +31,7 @@ void note(j_common_ptr jpeg) {
   if (messages.first[0] == '\0') messages.manager.format_message(jpeg, messages.first);
 }
 
-// libjpeg reports a failure by a jump, over frames that have nothing to destroy.
+// libjpeg reports a failure by a jump, across frames without destructors.
 [[noreturn]] void fail(j_common_ptr jpeg) {
   note(jpeg);
   std::longjmp(messages_of(jpeg).failed, 1);
@@ -51,7 +51,7 @@ void convert_inks(const unsigned char* inks, std::size_t count, unsigned char* r
   }
 }
 
-// Each scan of a JPEG goes through the whole image, and takes a dozen bytes. Encoders write ten.
+// Each scan of a JPEG visits the whole image, but takes only a dozen bytes. Encoders write ten.
 constexpr std::size_t kMostScans = 500;
 
 // In compressed data a byte 0xFF is followed by 0 or by a marker without a segment.
@@ -105,7 +105,7 @@ class JpegDecoder {
  private:
   bool inks() const { return jpeg_.out_color_space == JCS_CMYK; }
 
-  // Fewer texels are made of the lowest frequencies alone.
+  // Reduced images use the lowest frequencies only.
   void header(std::span<const std::byte> bytes, unsigned halvings, Image& image) {
     jpeg_create_decompress(&jpeg_);
     jpeg_mem_src(&jpeg_, data_of(bytes), bytes.size());

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // KTX2 images of BasisLZ/ETC1S and of UASTC, with or without Zstandard: the first image of a level.
-// Who does not ask for pixels wants to know whether the bytes are sound, so then all levels are
-// decoded.
+// A request without pixels checks whether the bytes are valid, so it decodes all levels.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -45,7 +44,7 @@ struct Basis {
   Etc1sSliceCodes codes;
 };
 
-// A level as its slices, the second one in a channel of its own.
+// A level as its slices, the second one in a separate channel.
 class BasisRows {
  public:
   BasisRows(const Basis& basis, std::span<const std::byte> first, std::span<const std::byte> second,
@@ -172,7 +171,7 @@ class Decoder {
     }
   }
 
-  // All rows of blocks without what sticks out of the level; to nowhere where there are no `rows`.
+  // All rows of blocks, clipped to the level; discarded without `rows`.
   std::optional<DecodeError> copy(std::size_t level, const Extent& extent, std::uint32_t channels,
                                   Rows* rows, const NextRow& next) const {
     const std::size_t stride = extent.blocks_across() * kBlockExtent;
@@ -198,7 +197,7 @@ class Decoder {
   std::uint64_t reserved_blocks_ = 0;
 };
 
-// R alone is grey. R and G have a B, which is not defined, so that they keep their places.
+// R alone is grey. R and G get an undefined B, so that they keep their positions.
 std::uint32_t channels_of(const Ktx2& file) {
   if (!file.contents) {
     return file.model == Ktx2Model::etc1s && file.channels.size() < 2 ? 3 : 4;

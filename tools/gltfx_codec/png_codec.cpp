@@ -19,15 +19,15 @@ namespace {
 // An interlaced image is held as a whole.
 constexpr std::uint64_t kBytesPerTexel = 8;
 
-/// What libpng reads from, and what it says when it fails.
+/// The input of libpng, and its error message.
 struct Source {
   std::span<const std::byte> rest;
   char message[160] = {};
 };
 
-// libpng reports a failure by a jump, over frames that have nothing to destroy.
+// libpng reports a failure by a jump, across frames without destructors.
 [[noreturn]] void fail(png_structp png, png_const_charp message) {
-  auto* source = static_cast<Source*>(png_get_error_ptr(png));  // null where a file is written
+  auto* source = static_cast<Source*>(png_get_error_ptr(png));  // null when a file is written
   if (source != nullptr) std::strncpy(source->message, message, sizeof source->message - 1);
   png_longjmp(png, 1);
 }
@@ -73,7 +73,7 @@ class PngDecoder {
         png_read_row(png_, byte(texels + y * row), nullptr);
       }
     }
-    png_read_end(png_, nullptr);  // checks what comes behind the last pass
+    png_read_end(png_, nullptr);  // checks the data after the last pass
     return true;
   }
 
@@ -83,8 +83,8 @@ class PngDecoder {
  private:
   static png_bytep byte(std::byte* at) { return reinterpret_cast<png_bytep>(at); }
 
-  // Palettes and transparent colours are resolved, and fewer than 8 bits become 8. Gamma and
-  // colour profiles change nothing.
+  // Palettes and transparent colours are resolved, and fewer than 8 bits become 8. Gamma and colour
+  // profiles are ignored.
   void header(Image& image) {
     png_set_read_fn(png_, &source_, read);
     png_read_info(png_, info_);

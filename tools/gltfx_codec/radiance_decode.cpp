@@ -75,7 +75,7 @@ Image read_header(Bytes& bytes) {
   return image;
 }
 
-// Each component on its own: more than 128 is the length of a run, less that of a literal.
+// Each component separately: more than 128 is the length of a run, less that of a literal.
 void read_new_row(Bytes& bytes, std::vector<Texel>& row) {
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t x = 0; x < row.size();) {
@@ -92,7 +92,7 @@ void read_new_row(Bytes& bytes, std::vector<Texel>& row) {
   }
 }
 
-// Whole texels: 1 1 1 n repeats the one before n times, and each that follows n * 256 times.
+// Whole texels: 1 1 1 n repeats the previous texel n times, and each following one n * 256 times.
 void read_old_row(Bytes& bytes, std::vector<Texel>& row, Texel texel) {
   unsigned shift = 0;
   for (std::size_t x = 0; x < row.size();) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What blocks of 4 by 4 texels are decoded to.
+/// Texels of decoded blocks of 4 by 4.
 #pragma once
 
 #include <array>

@@ -27,7 +27,7 @@ std::uint8_t unquantized_weight(std::uint32_t value, unsigned bits) {
   return static_cast<std::uint8_t>(wide > 32 ? wide + 1 : wide);
 }
 
-// Of both planes; equal where there is one.
+// Weights of both planes; equal if there is one.
 using Weights = std::array<std::array<std::uint8_t, 2>, kTexels>;
 
 // The first texel of each subset has a highest bit of 0, which is left out ("anchor indices").
@@ -51,7 +51,7 @@ Weights read_weights(BitReader& bits, const UastcMode& mode, UastcPattern patter
 // Low and high of R, G, B and A.
 using Ends = std::array<std::array<std::uint32_t, 2>, 4>;
 
-// Widened to 16 bits; alpha that is not there is opaque ("Deriving missing RGBA values").
+// Widened to 16 bits; missing alpha is opaque ("Deriving missing RGBA values").
 Ends ends_of(const UastcMode& mode, const UastcEndpoints& values, std::size_t subset) {
   Ends ends{};
   for (std::size_t channel = 0; channel < ends.size(); ++channel) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Texels of UASTC blocks (Khronos Data Format 1.3, "Universal ASTC", "Decoding process").
 ///
-/// Endpoints are spread to 16 bits as for linear images whatever the transfer function, as all
-/// transcoders to RGBA do: the other way, of processors that convert sRGB while they sample, gives
-/// values that differ by 1 of 255 at most.
+/// Endpoints are expanded to 16 bits as for linear images, for any transfer function, as all
+/// transcoders to RGBA do: the method of processors that convert sRGB while sampling gives values
+/// that differ by 1 of 255 at most.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,7 @@ namespace gltfx::codec {
 
 inline constexpr std::size_t kUastcBlockBytes = 16;
 
-/// Writes the texels of a block. False for a mode or pattern that is reserved; then all of them
-/// have the colour for that, magenta.
+/// Writes the texels of a block. False for a reserved mode or pattern; then all texels are magenta.
 bool decode_uastc_block(std::span<const std::byte, kUastcBlockBytes> block, const BlockTexels& to);
 
 }  // namespace gltfx::codec

@@ -28,7 +28,7 @@ DigitsOfValues read_digits(BitReader& bits, Digits digits, std::size_t count) {
 }
 
 // The factor C of a digit, and the bits above the lowest spread over nine ("ASTC Endpoint
-// Unquantization"), for the depths that there are.
+// Unquantization"), for the depths in use.
 struct Spread {
   std::uint32_t factor, bits;
 };

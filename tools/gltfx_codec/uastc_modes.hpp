@@ -9,21 +9,21 @@
 
 namespace gltfx::codec {
 
-/// What the values of endpoints have beside bits.
+/// Digits of endpoint values in addition to bits.
 enum class Digits : std::uint8_t { none, trits, quints };
 
-/// How a block of one mode is laid out: hints for other formats, pattern, selector of a channel,
+/// The layout of a block of one mode: hints for other formats, pattern, selector of a channel,
 /// endpoints, weights.
 struct UastcMode {
   std::uint8_t hint_bits = 0;
   std::uint8_t subsets = 1;
   std::uint8_t channels = 3;  ///< 2: luminance and alpha
-  std::uint8_t planes = 1;    ///< 2: one channel has weights of its own
+  std::uint8_t planes = 1;    ///< 2: one channel has separate weights
   std::uint8_t weight_bits = 0;
   std::uint8_t endpoint_bits = 0;
   Digits digits = Digits::none;
   std::uint8_t pattern_bits = 0;
-  std::uint8_t selector_bits = 0;  ///< of the channel with weights of its own; 0: alpha
+  std::uint8_t selector_bits = 0;  ///< of the channel with separate weights; 0: alpha
 
   std::size_t endpoint_values() const { return std::size_t{2} * channels * subsets; }
 };

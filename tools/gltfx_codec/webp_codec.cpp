@@ -14,9 +14,9 @@
 namespace gltfx::codec {
 namespace {
 
-// The planes that it is decoded from, and the texels.
+// The planes of the decoder, and the texels.
 constexpr std::uint64_t kBytesPerTexel = 8;
-// The canvas of an animation, the one before, and the frame.
+// The canvas of an animation, the previous one, and the frame.
 constexpr std::uint64_t kBytesPerAnimatedTexel = 16;
 
 const std::uint8_t* data_of(std::span<const std::byte> bytes) {
@@ -85,7 +85,7 @@ Answer decode_still(Image image, const Job& job, std::span<const std::byte> byte
   return look_at(std::move(image), job, pixels);
 }
 
-// As cwebp has them by default; one thread, so that the bytes do not depend on the machine.
+// The defaults of cwebp; one thread, so that the bytes do not depend on the machine.
 bool configure(WebPConfig& config, std::uint32_t quality) {
   if (WebPConfigInit(&config) == 0) return false;
   config.exact = 1;
