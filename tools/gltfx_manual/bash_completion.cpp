@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completion for bash 4 and later. It needs nothing but bash.
+// Completion for bash 4 and later. It needs only bash.
 #include <iterator>
 #include <map>
 
@@ -11,8 +11,8 @@
 namespace gltfx::tool {
 namespace {
 
-// What begins and ends the script. `words`, `behind`, `endings`, `files`, `folders`, `commas` and
-// `file_behind` are what _gltfx_values sets.
+// The start and end of the script. `words`, `behind`, `endings`, `files`, `folders`, `commas` and
+// `file_behind` are set by _gltfx_values.
 constexpr std::string_view kHead =
     R"(# bash completion for gltfx, made from the tables of its command line.
 
@@ -128,7 +128,7 @@ std::string word_list(const WordSet& set) {
                           : fmt::format("$_gltfx_{}", set.name);
 }
 
-// What _gltfx_values does for these values; empty: nothing can be offered.
+// The assignments of _gltfx_values for these values; empty: no completion.
 std::string assignments(const Values& values) {
   std::string text;
   const auto add = [&](std::string_view part) { text.append(part).append(" "); };

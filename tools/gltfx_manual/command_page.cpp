@@ -16,8 +16,8 @@ namespace {
 
 struct VerbText {
   std::string_view verb;
-  std::string_view operands;     ///< what follows the options: "PATH..."; may be empty
-  std::string_view description;  ///< paragraphs of prose with blank lines between
+  std::string_view operands;     ///< text after the options: "PATH..."; may be empty
+  std::string_view description;  ///< paragraphs of prose, separated by blank lines
 };
 
 constexpr std::string_view kProgram =
@@ -155,14 +155,14 @@ constexpr std::array<VerbText, 15> kTexts{{
     {"config", "[PATH | import FILE]", kConfig},
 }};
 
-// The text of a verb, of the program itself for an empty one; null for an unknown one.
+// The text of a verb, or of the program for an empty name; null for an unknown verb.
 const VerbText* find_verb_text(std::string_view verb) {
   const auto* const found = std::find_if(kTexts.begin(), kTexts.end(),
                                          [&](const VerbText& text) { return text.verb == verb; });
   return found == kTexts.end() ? nullptr : found;
 }
 
-// "Check .gltf, .glb and .vrm files" as the line behind a name.
+// The summary after a name, from "Check .gltf, .glb and .vrm files".
 std::string summary_of(const CommandEntry& command) {
   if (command.name.empty()) return "validate, fix, upgrade and draw glTF 2.0 assets";
   std::string text = command.text;
@@ -245,7 +245,7 @@ void add_files(RoffPage& page, const CommandEntry& command) {
             "gltfx.toml(5).");
 }
 
-// Lines of two columns: a command and what it does.
+// Lines of two columns: a command and its effect.
 void add_examples(RoffPage& page, std::string_view examples) {
   page.section("EXAMPLES");
   for (std::size_t at = examples.find('\n') + 1; at < examples.size();) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the generator writes: one function a file.
+/// The output of the generator: one function per file.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace gltfx::tool {
 
-/// When and of which gltfx the pages are.
+/// Date and version of the pages.
 struct Edition {
   std::string date;  ///< "2026-11-22"
   std::string version;

@@ -15,7 +15,7 @@ bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
-// Characters that roff would read as something else, or print as another one.
+// Escapes characters that roff would interpret or replace.
 std::string_view escape(char c) {
   switch (c) {
     case '\\':
@@ -49,12 +49,12 @@ std::string escaped(std::string_view text, std::string_view hyphen) {
   return out;
 }
 
-// Not to be divided, where it is one word.
+// Without hyphenation, if it is one word.
 std::string italic(std::string_view text) {
   return fmt::format("\\%\\fI{}\\fR", roff_literal(text));
 }
 
-// A line that begins like a request gets a mark of no width.
+// A line that begins like a request gets a zero-width mark.
 std::string safe_line(std::string line) {
   const bool request = line.starts_with('.') || line.starts_with("\\(aq");
   return request ? fmt::format("\\&{}", line) : line;
@@ -64,7 +64,7 @@ bool is_option(std::string_view word) {
   return word.size() > 1 && word[0] == '-' && (word[1] == '-' || is_letter(word[1]));
 }
 
-// "gltfx-upgrade(1)": as long as the name is.
+// The length of the page name in "gltfx-upgrade(1)".
 std::size_t page_name(std::string_view word) {
   const std::size_t open = word.find('(');
   const bool page = word.starts_with("gltfx") && open != std::string_view::npos &&
@@ -113,7 +113,7 @@ std::string prose_words(std::string_view text, std::string_view names) {
   return out;
 }
 
-// Words on lines of at most 80 columns, a sentence a line.
+// Words on lines of at most 80 columns, one sentence per line.
 std::string filled(std::string_view text) {
   constexpr std::size_t kColumns = 80;
   std::string out, line;

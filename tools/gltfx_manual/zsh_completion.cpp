@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completion for zsh, in the words of its _arguments.
+// Completion for zsh, in the syntax of its _arguments.
 #include <iterator>
 
 #include <fmt/format.h>
@@ -58,7 +58,7 @@ _gltfx() {
 if [[ $funcstack[1] == _gltfx ]]; then _gltfx "$@"; else compdef _gltfx gltfx; fi
 )";
 
-// In single quotes, for a place where brackets and colons divide.
+// In single quotes, for a place where brackets and colons are separators.
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -72,7 +72,7 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-// The name of an array with these words; `arrays` gets those of no other name.
+// The name of an array with these words; `arrays` gets those without a name.
 std::string array_of(const WordSet& set, const std::string& fallback, std::string& arrays) {
   if (!set.name.empty()) return "_gltfx_" + set.name;
   const std::string name = "_gltfx_" + fallback;
@@ -86,8 +86,8 @@ std::string path_action(const Values& values) {
   return fmt::format("_files -g \"(#i)*.({})(-.)\"", fmt::join(values.endings, "|"));
 }
 
-// What _arguments does for these values, after the last colon: with a blank before them functions
-// get no other arguments than these.
+// The action of _arguments for these values, after the last colon: with a blank before it,
+// functions get only these arguments.
 std::string action(const Values& values, const std::string& name, std::string& arrays) {
   const bool words = !values.words.words.empty();
   if (values.file_behind || !values.behind.words.empty()) {
