@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash disable=SC2034
-# What the scripts of tools/ share; source it. Package names are those of Debian 12.
+# Functions and lists for the scripts of tools/; source it. Package names are those of Debian 12.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -14,12 +14,12 @@ test_packages=(libtinygltf-dev libavif-dev lld clang clang-format clang-tidy lib
   nodejs pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc)
 package_packages=(libtinygltf-dev dpkg-dev file gzip)  # for Debian packages
 
-slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only nightly asks for them
-oracle_packages=(python3-jsonschema)  # only nightly asks for it
-page_packages=(chromium npm)  # large: only nightly asks for them
-target_packages=(blender chromium python3-numpy assimp-utils python3-vtk9 npm)  # engines; only nightly asks for them
+slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only for nightly
+oracle_packages=(python3-jsonschema)  # only for nightly
+page_packages=(chromium npm)  # large: only for nightly
+target_packages=(blender chromium python3-numpy assimp-utils python3-vtk9 npm)  # engines; only for nightly
 web_packages=(chromium firefox-esr npm python3)
-cycles_packages=(blender python3-numpy)  # the importer of glTF needs NumPy; only nightly asks for them
+cycles_packages=(blender python3-numpy)  # the importer of glTF needs NumPy; only for nightly
 
 say() { printf '\n== %s\n' "$*"; }
 
@@ -27,7 +27,7 @@ as_root() {
   if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }
 
-# Node.js from another source brings its own npm, which conflicts with Debian's package.
+# Node.js from another source includes npm, which conflicts with Debian's package.
 is_installed() {
   case $1 in
     npm) command -v npm >/dev/null && return 0 ;;
@@ -36,7 +36,7 @@ is_installed() {
   [ "$(dpkg-query -W -f='${db:Status-Status}' "$1" 2>/dev/null)" = installed ]
 }
 
-# install_packages NAME...: asks the package archive only for what is missing.
+# install_packages NAME...: installs only missing packages.
 install_packages() {
   local missing=() package
   for package in "$@"; do

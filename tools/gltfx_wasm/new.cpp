@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keeps some small blocks of memory for reuse: a validation allocates and frees a hundred, which
-// takes malloc() a tenth of the time.
+// Keeps some small blocks of memory for reuse: a validation allocates and frees a hundred, for
+// which malloc() takes a tenth of the time.
 #include <array>
 #include <cstddef>
 #include <cstdlib>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Validation of bytes for JavaScript: a request is made, told what is asked for, and validated
-// once.
+// Validation of bytes for JavaScript: a request is made, gets its options, and is validated once.
 #include <gltfx/pipeline.hpp>
 #include <gltfx/version.hpp>
 
@@ -14,8 +13,8 @@
 
 #include <emscripten.h>
 
-// The bytes behind a URI or a path, allocated here, with their number in `size`; null when there
-// are none.
+// The bytes of a URI or a path, allocated here, with their number in `size`; null when there are
+// none.
 EM_JS(char*, gltfx_read_resource, (const char* uri, std::size_t* size), {
   const bytes = Module.readResource(UTF8ToString(uri));
   if (!bytes) return 0;
@@ -79,8 +78,8 @@ const char* gltfx_version() {
 // Whether there is a rule of that code.
 int gltfx_is_code(const char* code) { return gltfx::find_rule(code) != nullptr ? 1 : 0; }
 
-// For an asset of that size, which the caller writes to gltfx_request_bytes(); null: there is not
-// enough memory.
+// A request for an asset of that size, which the caller writes to gltfx_request_bytes(); null:
+// there is not enough memory.
 Request* gltfx_request(std::size_t size) {
   try {
     auto request = std::make_unique<Request>();
@@ -97,13 +96,13 @@ char* gltfx_request_bytes(Request* request) { return request->asset.bytes.data()
 
 void gltfx_request_name(Request* request, const char* name) { request->asset.name = name; }
 
-// What the asset is taken for and what is reported: positions in AssetFormat and Profile.
+// The format of the asset and the profile: positions in AssetFormat and Profile.
 void gltfx_request_kind(Request* request, int format, int profile) {
   request->asset.format = static_cast<AssetFormat>(format);
   request->options.profile = static_cast<Profile>(profile);
 }
 
-// Resources are asked for by paths below the folder of the asset, and not by URIs.
+// Resources are requested by paths below the folder of the asset, not by URIs.
 void gltfx_request_paths(Request* request) {
   request->asset.names = gltfx::MemoryAsset::Names::paths;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CommonJS: what answers at once is here, the rest is in the module.
+// CommonJS: synchronous members are here, the rest is in the module.
 "use strict";
 const { khronosExtensions, packageVersion } = require("./lib/constants.cjs");
 
@@ -7,7 +7,7 @@ let module_;
 const loading = import("./compat.mjs").then((loaded) => (module_ = loaded));
 loading.catch(() => {}); // each call reports it
 
-// Bytes are those of the moment of the call, also while the module loads.
+// The bytes are read at the time of the call, also while the module loads.
 function now(data) {
   const isBytes = Object.prototype.toString.call(data) === "[object Uint8Array]";
   return isBytes ? Uint8Array.prototype.slice.call(data) : data;

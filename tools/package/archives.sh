@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash disable=SC2154
-# Archives of libraries from Debian's sources, for what Debian has no archive of. Source it behind
-# tools/lib.sh, with `folder` the one to work in.
+# Builds archives of libraries from Debian's sources, for libraries without one in Debian. Source it after tools/lib.sh,
+# with `folder` set to the working folder.
 
 sources=$folder/sources
 prefix=$folder/prefix
 
-# fetch_sources LIBRARY...: the sources that apt knows, by an apt configuration of their own.
+# fetch_sources LIBRARY...: downloads their sources with a separate apt configuration.
 fetch_sources() {
   local apt=$folder/apt options name
   mkdir -p "$apt/lists/partial" "$apt/cache/archives/partial" "$apt/parts" "$sources"

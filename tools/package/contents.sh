@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash disable=SC2154
-# What is linked into programs: a list in SPDX's form, and the licences. Source it behind archives.sh.
+# Contents of linked programs: a list in SPDX format, and the licences. Source it after archives.sh.
 
 # The licence of each component: a source of archives.sh, or a package of Debian.
 declare -A licences=([fmtlib]=MIT [simdjson]=Apache-2.0 [meshoptimizer]=MIT [draco]=Apache-2.0
@@ -46,7 +46,7 @@ spdx_package() { # spdx_package NAME VERSION LICENCE LOCATION
   [ "$4" = NOASSERTION ] || printf 'ExternalRef: PACKAGE-MANAGER purl %s\n' "$4"
 }
 
-# The licences in a source, or Debian's copyright file of a package; of emscripten, what comes into a module.
+# The licences in a source, or Debian's copyright file of a package; for emscripten, those of the parts in a module.
 component_copyright() {
   if [ -d "$sources/$1" ]; then
     find "$sources/$1" -maxdepth 1 -type f \( -iname 'license*' -o -iname 'third-party*' -o -iname authors \) |

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # Debian packages by `cmake --build BUILD --target package`; the preset "deb" has the flags for them.
 
-# What Debian's policy asks of a package: only in packages, not with `cmake --install`.
+# Requirements of Debian's policy: only in packages, not with `cmake --install`.
 if(GLTFX_GZIP)
   set(changelog ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
   add_custom_command(OUTPUT ${changelog}
@@ -48,7 +48,7 @@ separate programs with limits on memory and time.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libgltfx-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-# Programs of the user start the decoders of the other package.
+# Users' programs start the decoders of the other package.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "gltfx (= ${PROJECT_VERSION}), libembree-dev, \
 libfmt-dev, libmeshoptimizer-dev, libsimdjson-dev, libsodium-dev, libtbb-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS libtinygltf-dev)

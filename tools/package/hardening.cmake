@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-# What makes programs harder to take over, as distributions build theirs: a stack that notices when it
-# is written over, checked copies, jumps that only land where they may, tables of addresses that are
-# read-only once the program runs. To be included before the targets are made.
+# Hardening as in distributions: stack protection, checked copies, control-flow protection, relocations that are
+# read-only at run time. Include it before the targets are made.
 include(CheckCXXCompilerFlag)
-if(NOT GLTFX_STATIC)  # which has its own kind
+if(NOT GLTFX_STATIC)  # which has its own flags
   include(CheckPIESupported)
   check_pie_supported(LANGUAGES CXX)
 endif()

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# The library as one archive with all that it links, so that who links it needs a compiler alone. To be
-# included where the modules are known (`module_targets`), and how to drop code for link-time optimisation
-# (`drop_lto`).
+# The library as one archive with everything that it links, so that users need only a compiler. Include it where the
+# modules (`module_targets`) and the command that drops code for link-time optimisation (`drop_lto`) are known.
 set(parts fmt::fmt simdjson::simdjson meshoptimizer::meshoptimizer)
 if(GLTFX_BAKE)
   set(embree_parts embree)  # Embree has an archive for each instruction set, and for each of its libraries

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# What is released when, by the first entry of the changelog of the Debian package, the one place that
-# says so: GLTFX_PACKAGE_MAINTAINER and GLTFX_RELEASE_DATE.
+# Maintainer and date of the release, from the first entry of the changelog of the Debian package, which is the only
+# source: GLTFX_PACKAGE_MAINTAINER and GLTFX_RELEASE_DATE.
 file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/changelog lines)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/changelog)
 list(GET lines 0 head)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares what gltfx says of real assets with what engines do: agree.mjs FOLDER TARGET... prints for each target, in its
-// newest version, how many assets were refused and found, how many refusals were false, and how often gltfx is right about
-// an extension: ignored, or read. GLTFX names the program; assets with other errors are left out.
+// Compares predictions of gltfx for real assets with engines: agree.mjs FOLDER TARGET... prints for each target, in its
+// newest version, how many assets were refused and found, how many refusals were false, and how often gltfx is right
+// about an extension: ignored, or read. GLTFX names the program; assets with other errors are left out.
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { basename, dirname, join, normalize, relative } from 'node:path';
@@ -59,7 +59,7 @@ const version = [...measured.keys()].at(-1);
 const run = spawnSync(process.env.GLTFX ?? `${root}build/dev/bin/gltfx`, ['validate', '--target', `${target}@${version}`, '--format', 'json', folder], { encoding: 'utf8', maxBuffer: 1 << 28 });
 const attempt = await openEngine(config.engine ?? target.replaceAll('-', '_'), `${root}build/targets/npm/${config.folder ?? target}-${version}`, `${root}build/targets/npm/tools`);
 
-// What findings say: a refusal, and extensions that are ignored.
+// The predictions of findings: a refusal, and ignored extensions.
 function prediction(findings) {
   const texts = code => findings.filter(it => it.code === code).map(it => it.message);
   return { refusal: texts('TARGET_REFUSES')[0], ignored: new Set(texts('TARGET_IGNORES').map(it => it.match(/ ignores ([A-Z0-9]+_\w+):/)?.[1])) };

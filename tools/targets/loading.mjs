@@ -26,6 +26,7 @@ export async function openEngine(engine, packages, tools) {
   };
 }
 
-// A failure of the harness is none of the engine: parts of a browser that are missing, constants of WebGL, compilers of shaders, servers.
+// A failure of the harness is not one of the engine: parts of a browser that are missing, constants of WebGL, compilers
+// of shaders, servers.
 export const ofHarness = error => error instanceof ReferenceError
   || /harness:|is not defined|Illegal invocation|structuredClone|OffscreenCanvas|WebGL|shader failed to compile|reading '[A-Z0-9_]{4,}'|https:\/\//.test(`${error?.message ?? error}`);

@@ -43,7 +43,7 @@ async function outcome(probe) {
   return ignores(probe.feature, it, await loaded(probe.renamed)) ? 'ignored' : 'read';
 }
 
-// Whether the engine builds the same without the extension that a probe is about.
+// Whether the engine builds the same without the probed extension.
 const ignores = (name, it, renamed) => !renamed.error
   && (it.picture ? !drawn({}, difference(it.picture, renamed.picture)) : it.dump === asIfNamed(name, renamed.dump));
 
@@ -57,8 +57,8 @@ const drawn = (probe, share) => (probe.same ? share < 0.04 : share > 0.002);
 
 const all = probes();
 const feature = name => all.find(probe => probe.feature === name);
-// An engine that does not load the plain models, or builds another one the second time, is not measured. What it makes
-// once for all is made before.
+// An engine that does not load the plain models, or builds different objects the second time, is not measured. Objects
+// that it makes once are made before.
 const [plain, textured] = [feature('KHR_materials_unlit').twin, feature('KHR_texture_transform').twin];
 await fresh(textured);
 const [first, again, shape] = [await fresh(textured), await fresh(textured), await fresh(plain)];
@@ -70,7 +70,7 @@ if (first.error || again.error || shape.error || unequal) {
   process.exit(1);
 }
 const outcomes = {};
-// What no picture shows is only loaded where an engine may refuse it.
+// A feature that no picture shows is only loaded if an engine may refuse it.
 const worthwhile = probe => !first.picture || probe.seen || probe.mode !== 'used';
 for (const probe of all.filter(it => worthwhile(it) && (features.length === 0 || features.includes(it.feature)))) {
   const result = await outcome(probe);

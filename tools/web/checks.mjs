@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The worker that checks files, as the page sees it.
+// The page's interface to the worker that checks files.
 
 function policy() {
   const rules = { createScriptURL: (address) => address };
@@ -20,7 +20,7 @@ async function unpackEngine() {
 
 let unpacked = null;
 
-/** One run over what was dropped. `tell` gets what the worker says, and {broken} if it ends by itself. */
+/** One run over what was dropped. `tell` gets the messages of the worker, and {broken} if it ends unexpectedly. */
 export class Checks {
   #worker = new Worker(workerAddress);
   #tell;

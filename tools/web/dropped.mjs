@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a user drops or chooses, as [{path, file}], or [{path, why}] for what the browser does not hand over. Folders
-// are walked without recursion.
+// What a user drops or chooses, as [{path, file}], or [{path, why}] for files that the browser does not provide.
+// Folders are walked without recursion.
 
-const MOST_FILES = 200000; // the worker says what is left out below that
+const MOST_FILES = 200000; // the worker reports files left out below that
 
-/** Of a file-system handle: Chromium has those on pages from a disk too, where it has no entries. */
+/** Files of a file-system handle: Chromium has handles on pages from a disk too, where it has no entries. */
 const HANDLE = {
   isFolder: (handle) => handle.kind === "directory",
   file: (handle) => handle.getFile(),
@@ -15,7 +15,7 @@ const HANDLE = {
   },
 };
 
-/** Of an entry, as all browsers have it. */
+/** Files of an entry, which all browsers have. */
 const ENTRY = {
   isFolder: (entry) => entry.isDirectory,
   file: (entry) => new Promise((done, failed) => entry.file(done, failed)),
@@ -47,7 +47,7 @@ async function walk(roots, kind) {
 
 const refused = (path) => ({ path, why: "the browser cannot read it" });
 
-/** Of a drop. All is asked for at once: it is gone when the event is over. */
+/** Files of a drop. All items are requested at once: they are unavailable after the event. */
 export async function fromDrop(transfer) {
   const items = [...transfer.items].filter((item) => item.kind === "file");
   const files = [...transfer.files];
@@ -61,12 +61,12 @@ export async function fromDrop(transfer) {
   return [...lost, ...(await walk(roots.filter(Boolean), areHandles ? HANDLE : ENTRY))];
 }
 
-/** Of a field of files or of a folder. */
+/** Files of an input field for files or a folder. */
 export function fromFiles(files) {
   return [...files].map((file) => ({ path: file.webkitRelativePath || file.name, file }));
 }
 
-/** What it is called: the folder or file, or how many there are. */
+/** The name of the selection: the folder or file, or the number of items. */
 export function titleOf(dropped) {
   const tops = new Set(dropped.map(({ path }) => path.split("/")[0]));
   return tops.size === 1 ? [...tops][0] : `${dropped.length} files`;

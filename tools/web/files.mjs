@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What was dropped, as files by path: which are assets, and which files an asset needs.
+// Dropped files by path: the assets, and the files that an asset needs.
 import { readZip } from "./zip.mjs";
 
 const MOST_FILES = 100000;
-const MOST_BYTES = 2 ** 30; // that one run of the engine gets
+const MOST_BYTES = 2 ** 30; // limit of one run of the engine
 const LONGEST_NAME = 255;
 const LONGEST_PATH = 4000;
 const GLB_MAGIC = 0x46546c67;
@@ -69,7 +69,7 @@ async function addZip(folder, path, file) {
   }
 }
 
-/** Opens what was dropped, [{path, file}] or [{path, why}]. A .zip stands for a folder of its name. */
+/** Opens dropped items, [{path, file}] or [{path, why}]. A .zip counts as a folder of its name. */
 export async function openFolder(dropped) {
   const folder = new Folder();
   for (const { path, file, why } of dropped) {
@@ -89,7 +89,7 @@ function jsonText(bytes) {
   return new TextDecoder().decode(isGlb ? bytes.subarray(20, 20 + view.getUint32(12, true)) : bytes);
 }
 
-/** Each string of a JSON text, of a broken one too, but for those too long for a path. */
+/** Each string of a JSON text, also of a broken one, except those too long for a path. */
 function* stringsOf(text) {
   for (let begin = text.indexOf('"'); begin >= 0; begin = text.indexOf('"', begin)) {
     let end = text.indexOf('"', begin + 1);

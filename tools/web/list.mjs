@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The assets that were checked: totals and rows. make(), details() and their like
-// are those of the report page.
+// The assets that were checked: totals and rows. make(), details() and similar functions are those of the report page.
 
 const ROWS_AT_ONCE = 100;
 const byId = (id) => document.getElementById(id);

@@ -4,9 +4,9 @@ import { Checks } from "./checks.mjs";
 import { fromDrop, fromFiles, titleOf } from "./dropped.mjs";
 import { add, clear, finish, isFixable, showLeftOut, startList, toUpgrade, verdict } from "./list.mjs";
 
-const MOST_ARCHIVES = 3; // that the verdict names; the list of what is left out has all
+const MOST_ARCHIVES = 3; // in the verdict; the list of left-out files has all
 const byId = (id) => document.getElementById(id);
-globalThis.report = { rules: Object.create(null) }; // the rules that found something, for details()
+globalThis.report = { rules: Object.create(null) }; // the rules with findings, for details()
 
 let checks = null;
 let title = "";
@@ -63,7 +63,7 @@ function end(words) {
 
 const notChecked = ({ path, why }) => `${visible(path)} is not checked: ${visible(why)}.`;
 
-/** The verdict, and which archives have no part in it. */
+/** The verdict, and the archives that it does not cover. */
 function verdictOfAll() {
   const archives = leftOut.filter((one) => one.isArchive).slice(0, MOST_ARCHIVES);
   return [verdict(), ...archives.map(notChecked)].join(" ");
@@ -103,7 +103,7 @@ function hear(said) {
   }
 }
 
-/** Hands a file over to the browser, under a name that the user can change. */
+/** Passes a file to the browser, with a name that the user can change. */
 function deliver({ made, name, why }) {
   showBusy("");
   if (made === null) return say(`It cannot be written: ${visible(why)}`, true);

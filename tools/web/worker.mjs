@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks what was dropped, away from the page. The page ends the worker to stop it. The loader of the engine
-// comes from the folder of its build.
+// Checks dropped files in a worker. The page ends the worker to stop it. The loader of the engine comes from the folder
+// of its build.
 //
 //   in   {open: [{path, file}], wasm}            out  {assets, leftOut}, {asset, rules}..., {checked: true}
 //   in   {make: "html" | "sarif" | "fixed" | "upgraded"}  out  {made: Blob, name} or {made: null, why}
@@ -14,7 +14,7 @@ let engine = null;
 let folder = null;
 const toChange = { fix: [], upgrade: [] }; // paths of assets by verb
 
-/** Runs a verb over assets and gives the files it wrote. Options come from `options(place)`. */
+/** Runs a verb on assets and returns the files that it wrote. Options come from `options(place)`. */
 async function run(verb, paths, options) {
   const reading = new Reading(folder.files);
   for (const path of paths) await reading.addAsset(path);
@@ -46,7 +46,7 @@ function dataOf(page) {
   return JSON.parse(html.slice(begin, html.indexOf("</script>", begin)));
 }
 
-/** Stands for an asset that the engine did not get, or did not survive. */
+/** The entry of an asset that was not given to the engine, or that made it fail. */
 const unchecked = (path, why) => ({
   path,
   why,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Archives. Reading trusts nothing that an archive says of itself; writing stores without compression, and
-// the same files give the same bytes.
+// Archives. Reading trusts no field of an archive; writing stores without compression, and the same files give the same
+// bytes.
 
 const END = 0x06054b50;
 const ENTRY = 0x02014b50;
@@ -9,10 +9,10 @@ const END_SIZE = 22;
 const LONGEST_COMMENT = 0xffff;
 const LARGEST_LIST = 64 << 20;
 const MOST_UNPACKED = 4 * 2 ** 30;
-const MOST_RATIO = 200; // of an archive as a whole, once it unpacks to more than that:
+const MOST_RATIO = 200; // of a whole archive, if it unpacks to more than:
 const RATIO_MATTERS = 256 << 20;
-const MOST_DEFLATE = 1032; // bytes that one byte of a deflate stream can stand for
-const DAY = 0x21; // 1 January 1980, the first that an archive knows
+const MOST_DEFLATE = 1032; // maximum bytes from one byte of a deflate stream
+const DAY = 0x21; // 1 January 1980, the first date of the format
 
 const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
   let rest = byte;
@@ -47,7 +47,7 @@ async function findEnd(blob) {
   throw new Error("it is not a whole zip archive");
 }
 
-/** Some programs write the separators of Windows, or "./" in front. */
+/** Some programs write the separators of Windows, or "./" before a path. */
 function plainPath(path) {
   return path.replaceAll("\\", "/").replace(/(^|\/)(\.\/)+/g, "$1");
 }
@@ -72,7 +72,7 @@ function readEntry(list, at) {
   };
 }
 
-/** Throws for an archive that unpacks to far more than it is, or counts the same bytes several times. */
+/** Throws for an archive that unpacks to far more than its size, or lists the same bytes several times. */
 function refuseBombs(entries, blob, end) {
   const total = entries.reduce((sum, entry) => sum + entry.size, 0);
   if (total > MOST_UNPACKED) throw new Error("it unpacks to more than 4 GB");
@@ -126,8 +126,8 @@ async function readContent(blob, entry) {
 }
 
 /**
- * The files of an archive, none of them unpacked yet: [{path, size, problem, read()}]. Throws where the
- * archive as a whole is not to be read.
+ * The files of an archive, none of them unpacked yet: [{path, size, problem, read()}]. Throws if the
+ * whole archive must not be read.
  */
 export async function readZip(blob) {
   const end = await findEnd(blob);
@@ -152,7 +152,7 @@ export async function readZip(blob) {
 function head(signature, size, name, bytes) {
   const all = new Uint8Array(size + name.length);
   const fields = new DataView(all.buffer);
-  const at = signature === ENTRY ? 6 : 4; // the list has one field more in front
+  const at = signature === ENTRY ? 6 : 4; // the list has one more field before it
   fields.setUint32(0, signature, true);
   if (signature === ENTRY) fields.setUint16(4, 20, true);
   fields.setUint16(at, 20, true);

@@ -1,7 +1,7 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: Apache-2.0
-// The command line: the native program where its package is installed, else the engine over the files
-// that the command line names.
+// The command line: the native program if its package is installed, else the engine on the files that the command line
+// names.
 import { spawnSync } from "node:child_process";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// validate(), fix(), upgrade(), edit() and inspect() over bytes.
+// validate(), fix(), upgrade(), edit() and inspect() on bytes.
 import { checkAreCodes, checkOptions } from "./api_options.mjs";
 import { isBytes } from "./compat_options.mjs";
 
-// To Windows, a path that names a drive leads out of any folder.
+// On Windows, a path with a drive leads out of any folder.
 const namesDrive = (path) => /^[A-Za-z]:/.test(path);
 
 async function ask(source, path) {
   try {
     return namesDrive(path) ? null : await source(path);
   } catch {
-    return null; // it is not there
+    return null; // missing
   }
 }
 
@@ -21,7 +21,7 @@ async function load(source, path) {
   return bytes;
 }
 
-/** Validates until the engine has all resources that there are. */
+/** Repeats the validation until the engine has all available resources. */
 async function validateAll(engine, asset, { resources: source, ...options }) {
   const resources = new Map();
   for (;;) {

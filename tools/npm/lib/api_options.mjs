@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of arguments. What gltfx/compat has too is checked as it does; an option that is not known is refused,
-// for it would be ignored.
+// Checks of arguments. Options that gltfx/compat has too are checked in the same way; an unknown option is refused,
+// because it would be ignored.
 import { checkEngineOptions, isBytes } from "./compat_options.mjs";
 import { PROFILES } from "../wasm/engine.mjs";
 
@@ -9,7 +9,7 @@ const isFlag = (value) => typeof value === "boolean";
 const isNames = (value) => Array.isArray(value) && value.every((name) => isText(name) && name !== "");
 const isSource = (value) => typeof value === "function" || value instanceof Map;
 const oneOf = (names) => [(value) => names.includes(value), `one of ${names.join(", ")}`];
-const anything = [() => true, ""]; // checkEngineOptions() looks at it
+const anything = [() => true, ""]; // checkEngineOptions() checks it
 
 const flag = [isFlag, "a boolean"];
 const names = [isNames, "an array of non-empty strings"];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs a command line with the engine over the files of this machine.
+// Runs a command line with the engine on the files of this machine.
 import { readSync } from "node:fs";
 import { attachHostFiles } from "./host_files.mjs";
 import { virtualPath, virtualWord } from "./paths.mjs";
@@ -7,12 +7,12 @@ import { getEngine } from "../wasm/engine_node.mjs";
 
 function writeOut(stream, bytes) {
   return new Promise((done) => {
-    stream.on("error", () => done()); // a reader that went away
+    stream.on("error", () => done()); // the reader has closed
     stream.write(bytes, () => done());
   });
 }
 
-// Waits for what a pipe that does not block has not got yet.
+// Waits for data of a non-blocking pipe.
 function readInput(chunk) {
   for (;;) {
     try {
@@ -39,7 +39,7 @@ function standardInput() {
   };
 }
 
-/** Gives the exit code. */
+/** Returns the exit code. */
 export async function runWithEngine(args) {
   const cwd = process.cwd();
   try {

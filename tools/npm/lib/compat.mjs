@@ -19,7 +19,7 @@ function invalidArgument(text) {
   return `Invalid argument(s): options.externalResourceFunction: ${text}`;
 }
 
-// What the other validator makes of a reason that is no string.
+// The reason as the other validator formats it when it is not a string.
 function textOf(reason) {
   if (reason === undefined || reason === null) return "null";
   if (Array.isArray(reason)) return `[${reason.map(textOf).join(", ")}]`;
@@ -50,7 +50,7 @@ function ask(load, uri) {
   return settled;
 }
 
-// URIs in the order in which their bytes are wanted, each use on its own.
+// URIs in the order in which their bytes are requested, each use separately.
 function usesIn({ info }) {
   return (info?.resources ?? []).filter(({ storage }) => storage === "external").map(({ uri }) => uri);
 }
@@ -89,19 +89,19 @@ function engineOptionsOf(options, format, resources) {
   };
 }
 
-/** Validates what needs nothing from outside. Precondition: the engine is ready. */
+/** Validates an asset without external resources. Precondition: the engine is ready. */
 function validateAlone(engine, bytes, format, options) {
   const report = JSON.parse(engine.validate(bytes, engineOptionsOf(options, format)).report);
   describeFailures(report, () => noFunction);
   return cutAt(report, options.maxIssues);
 }
 
-/** Validates, fetches what was missing, validates again. Near the limit of issues, resources are fetched
+/** Validates, fetches missing resources, validates again. Near the limit of issues, resources are fetched
     one by one, because what the first one has may be the last that is looked at. */
 async function validateWithResources(engine, bytes, format, options, load) {
   const { maxIssues } = options;
-  const resources = new Map(); // by URI as the engine has it
-  const results = new Map(); // by URI as reports have it; the first answer counts
+  const resources = new Map(); // by the engine's form of the URI
+  const results = new Map(); // by the URI in reports; the first answer counts
   const engineOptions = engineOptionsOf(options, format, resources);
   for (let asked = 0; ;) {
     while (!engine.isReady) await engine.start();
@@ -124,7 +124,7 @@ async function validateWithResources(engine, bytes, format, options, load) {
   }
 }
 
-// The members stand in gltf-validator's order.
+// The members are in gltf-validator's order.
 function completed(report, format, reportOptions) {
   const mimeType = format === "glb" ? "model/gltf-binary" : report.mimeType;
   const answer = {};
@@ -145,15 +145,15 @@ function formatOf(bytes, format) {
   throw "Invalid data: could not detect glTF format.";
 }
 
-// The length of a view is that of its memory, whatever properties `data` was given.
+// The length of a view is that of its memory, independent of properties of `data`.
 function viewOf({ buffer, byteOffset, byteLength }) {
   return new Uint8Array(buffer, byteOffset, byteLength);
 }
 
 export function createCompat(getEngine) {
-  let engine; // once it has started
+  let engine; // set when it has started
 
-  // `isOurs`: nobody else can change the bytes. Awaits nothing when nothing is pending: each await adds one percent
+  // `isOurs`: no other code can change the bytes. Awaits nothing when nothing is pending: each await adds one percent
   // to the time of a small asset.
   async function validate(bytes, isOurs, format, options, reportOptions) {
     const { load } = reportOptions;
@@ -162,7 +162,7 @@ export function createCompat(getEngine) {
         return completed(validateAlone(engine, bytes, format, options), format, reportOptions);
       }
       const kept = isOurs ? bytes : new Uint8Array(bytes);
-      engine = await getEngine(); // also when it is known: `load` is never called before validateBytes() returns
+      engine = await getEngine(); // also when it is set: `load` is never called before validateBytes() returns
       if (load) {
         const report = await validateWithResources(engine, kept, format, options, load);
         return completed(report, format, reportOptions);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The limit of issues: gltf-validator stops at the first issue beyond it, and its report has what was known
-// until then. Reports here have one issue more than the limit.
+// The limit of issues: gltf-validator stops at the first issue beyond it, and its report has the results until then.
+// Reports here have one issue more than the limit.
 
-// Issues about bytes, which are looked at when `info` is complete but for its resources.
+// Issues about bytes, which are checked when `info` is complete except for its resources.
 const aboutBytes = new RegExp(
   "^(IO_ERROR|BUFFER_(BYTE_LENGTH_MISMATCH|MISSING_GLB_DATA|GLB_CHUNK_TOO_BIG)|" +
     "IMAGE_(?!BUFFER_VIEW_WITH_BYTESTRIDE).*|TEXTURE_INVALID_IMAGE_MIME_TYPE|ACCESSOR_(MIN|MAX)_MISMATCH|" +
@@ -15,13 +15,13 @@ function firstBeyond({ issues }, limit) {
   return limit ? issues.messages[limit] : undefined;
 }
 
-// The index in info.resources of the one at which the validator stopped; -1: none of them.
+// The index in info.resources at which the validator stopped; -1: none.
 function stoppedAt(report, issue) {
   const pointer = atResource.exec(issue.pointer ?? "")?.[0];
   return (report.info?.resources ?? []).findIndex((resource) => resource.pointer === pointer);
 }
 
-/** What was known when the resource at which the validator stops was wanted. */
+/** The results when the resource at which the validator stops was requested. */
 export function withoutResourcesAfter(report, limit) {
   const issue = firstBeyond(report, limit);
   if (issue === undefined) return report;
@@ -31,7 +31,7 @@ export function withoutResourcesAfter(report, limit) {
   return { ...report, info: { ...report.info, resources: report.info.resources.slice(0, index + 1) } };
 }
 
-/** The report as it is at the limit. */
+/** The report at the limit. */
 export function cutAt(report, limit) {
   const issue = firstBeyond(report, limit);
   if (issue === undefined) return report;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Checks of arguments in the order and the words of npm's gltf-validator: callers match on them.
+// Checks of arguments in the order and with the messages of npm's gltf-validator: callers match them.
 import { normalizeUri } from "./uri.mjs";
 
 const mostIssues = 2 ** 31 - 1;
@@ -8,7 +8,7 @@ function invalid(text) {
   return `Invalid argument(s): ${text}`;
 }
 
-// Bytes of another realm count, those of other typed arrays do not.
+// A Uint8Array of another realm is accepted, other typed arrays are not.
 export function isBytes(value) {
   return ArrayBuffer.isView(value) && value[Symbol.toStringTag] === "Uint8Array";
 }
@@ -52,7 +52,7 @@ function checkOverrides(overrides) {
   return Object.fromEntries(entries);
 }
 
-/** What the engine is told. */
+/** Options of the engine. */
 export function checkEngineOptions(options) {
   const format = options?.format ?? undefined;
   if (format !== undefined && typeof format !== "string")
@@ -79,7 +79,7 @@ function checkUri(uri) {
   }
 }
 
-/** What the report and the fetching of resources need. */
+/** Options of the report and of fetching resources. */
 export function checkReportOptions(options) {
   const uri = checkUri(options?.uri);
   const load = options?.externalResourceFunction ?? undefined;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files of this machine in the file system of the engine. Each lookup, read and write of the engine is one of
-// node:fs, and links, pipes and devices stay what they are, so that the engine decides what it opens as the native
+// node:fs, and links, pipes and devices are passed through, so that the engine decides what it opens as the native
 // program does. Only regular files are opened.
 import * as fs from "node:fs";
 import { hostPath, virtualPath } from "./paths.mjs";
 
-// What C programs in WebAssembly call the errors of node:fs.
+// The errno values of C programs in WebAssembly for errors of node:fs.
 const ERRORS = {
   EACCES: 2,
   EBUSY: 10,
@@ -30,8 +30,8 @@ const { O_APPEND, O_NOFOLLOW = 0, O_NONBLOCK = 0, O_RDONLY, O_RDWR, O_WRONLY } =
 const ACCESS = [O_RDONLY, O_WRONLY, O_RDWR]; // by the lowest bits of the engine's flags
 const APPENDS = 1024; // a bit of the engine's flags
 const FROM_END = 2; // a kind of seek
-const LARGEST = 2 ** 31 - 1; // bytes of a file that is read: half of the engine's memory
-const ZEROS = 64; // bytes after a mapped file, of those that the system has there
+const LARGEST = 2 ** 31 - 1; // maximum size of a file: half of the engine's memory
+const ZEROS = 64; // bytes after a mapped file, as the system has there
 const OWN_FOLDERS = ["/dev/shm/tmp", "/dev/shm", "/home/web_user", "/home", "/tmp"]; // empty ones of the engine
 
 function mayWrite(path) {
@@ -68,7 +68,7 @@ class HostFiles {
     return new this.#engine.FS.ErrnoError(ERRORS[name] ?? ERRORS.EIO);
   }
 
-  /** The same functions, whose errors are those of the engine. */
+  /** The same functions, with errors of the engine. */
   #safe(functions) {
     const safe = (run) => (...args) => {
       try {
@@ -87,8 +87,8 @@ class HostFiles {
     return path;
   }
 
-  // The engine refuses by the mode of a node, whoever the user is. So a node has all rights, and the system refuses;
-  // but access() asks the node alone whether a file can be written.
+  // The engine checks the mode of a node for any user. So a node has all rights, and the system refuses; but access()
+  // checks only the node for write permission.
   #found(parent, name) {
     const path = this.#path(parent, name);
     const status = fs.lstatSync(path);
@@ -102,7 +102,7 @@ class HostFiles {
     try {
       FS.destroyNode(FS.lookupNode(parent, name));
     } catch {
-      // it is not known
+      // unknown
     }
   }
 
@@ -129,7 +129,7 @@ class HostFiles {
       unlink: (parent, name) => fs.unlinkSync(this.#path(parent, name)),
       rmdir: (parent, name) => fs.rmdirSync(this.#path(parent, name)),
       readlink: (node) => virtualPath(fs.readlinkSync(this.#path(node))),
-      // Names that are no UTF-8 cannot be asked for.
+      // Names that are not UTF-8 cannot be looked up.
       readdir: (node) => {
         const folder = this.#path(node);
         const isKnown = (name) => !name.includes("\ufffd") || fs.existsSync(`${folder}/${name}`);
@@ -158,7 +158,7 @@ class HostFiles {
     };
   }
 
-  // What has become a pipe meanwhile neither blocks nor is read.
+  // A file that became a pipe meanwhile neither blocks nor is read.
   #open(stream) {
     if (!this.#engine.FS.isFile(stream.node.mode)) return;
     const flags = ACCESS[stream.flags & 3] | (stream.flags & APPENDS ? O_APPEND : 0);
@@ -178,7 +178,7 @@ class HostFiles {
     let done = 0;
     for (let read = -1; done < length && read !== 0; done += read)
       read = fs.readSync(file, memory, done, length - done, position + done);
-    memory.fill(0, done); // also where the file became shorter meanwhile
+    memory.fill(0, done); // also if the file became shorter meanwhile
     return { ptr, allocated: true };
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// References to resources in the form in which the Khronos validator reports and asks for them.
+// References to resources in the form that the Khronos validator reports and requests.
 
 const unreserved = /[A-Za-z0-9\-._~]/;
 const allowed = { path: /[!$&'()*+,;=:@/]/, query: /[!$&'()*+,;=:@/?]/ };
@@ -27,7 +27,7 @@ function normalizeEscapes(text, extra) {
   });
 }
 
-// Without "." and "..", but for those that lead out of a relative path.
+// Without "." and "..", except those that lead out of a relative path.
 function withoutDots(path, isRelative) {
   if (!/(^|\/)\.\.?(\/|$)/.test(path)) return path;
   const kept = [];
@@ -79,7 +79,7 @@ function normalizeAuthority(text, authority, begin) {
   );
 }
 
-/** Throws SyntaxError for what is no reference at all. */
+/** Throws SyntaxError for an invalid reference. */
 export function normalizeUri(text) {
   const scheme = schemeOf(text);
   if (/^data$/i.test(scheme)) return "data" + text.slice(4);

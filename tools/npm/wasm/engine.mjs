@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx in WebAssembly: validates bytes, and runs the command line over files in memory. No dependency on
-// Node.js or a browser. createEngine() takes gltfx.wasm and the default export of gltfx-wasm.mjs.
+// gltfx in WebAssembly: validates bytes, and runs the command line on files in memory. No dependency on Node.js or a
+// browser. createEngine() takes gltfx.wasm and the default export of gltfx-wasm.mjs.
 
 const FORMATS = [undefined, "gltf", "glb"];
 export const PROFILES = ["default", "khronos", "strict"];
 const encoder = new TextEncoder();
 const decoder = new TextDecoder();
 const FOLDER = "/work";
-const MOST_ARGUMENT_BYTES = 256 * 1024; // they come to lie on the stack
+const MOST_ARGUMENT_BYTES = 256 * 1024; // they are copied to the stack
 
 /** Compiles the module once. `wasm`: bytes or a WebAssembly.Module. */
 export async function createEngine(wasm, loader) {
@@ -20,7 +20,7 @@ export async function createEngine(wasm, loader) {
 class Engine {
   #compiled;
   #loader;
-  #module = null; // validates; null: there is none yet, or it broke
+  #module = null; // validates; null: not created yet, or it broke
 
   constructor(compiled, loader) {
     this.#compiled = compiled;
@@ -33,12 +33,12 @@ class Engine {
     this.version ??= this.#module.UTF8ToString(this.#module._gltfx_version());
   }
 
-  /** Not before start(), and not after a validation that broke the engine. */
+  /** False before start(), and after a validation that broke the engine. */
   get isReady() {
     return this.#module !== null;
   }
 
-  /** Whether there is a rule of that code. Precondition: isReady. */
+  /** Whether there is a rule with that code. Precondition: isReady. */
   isCode(code) {
     return withText(this.#module, code, (at) => this.#module._gltfx_is_code(at)) !== 0;
   }
@@ -66,9 +66,9 @@ class Engine {
   }
 
   /**
-   * Runs the command line in the folder `cwd`, in a file system that holds `files`, by absolute paths or those
-   * seen from there; one that ends in "/" is an empty folder. Gives the exit code, what was printed, and the
-   * files that were written, seen from `cwd` where they are below it.
+   * Runs the command line in the folder `cwd`, in a file system that holds `files`, by absolute paths or paths
+   * relative to `cwd`; one that ends in "/" is an empty folder. Returns the exit code, the output, and the files
+   * that were written, relative to `cwd` if they are below it.
    */
   async run(args, files = new Map(), { cwd = FOLDER, stdin = new Uint8Array() } = {}) {
     let read = 0;
@@ -122,7 +122,7 @@ function brokenEngine(error) {
   return new Error(`gltfx: the module ended early: ${why}`);
 }
 
-/** Gives what `use` makes of a text in the module's memory. */
+/** Returns the result of `use` for a text in the module's memory. */
 function withText(module, string, use) {
   const at = allocated(module, encoder.encode(`${string}\0`));
   const made = use(at);
@@ -191,7 +191,7 @@ function writeFiles(fs, files, cwd) {
     fs.mkdirTree(path.slice(0, path.lastIndexOf("/")) || "/");
     if (path.endsWith("/")) continue;
     fs.writeFile(path, bytes);
-    fs.utime(path, 0, 0); // what is written later is newer
+    fs.utime(path, 0, 0); // files that are written later are newer
   }
 }
 

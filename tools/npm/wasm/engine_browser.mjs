@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The engine, fetched from beside this module; made once, and tried again after a failure of the network.
+// The engine, fetched from beside this module; made once; the fetch is repeated after a network failure.
 import { createEngine } from "./engine.mjs";
 
 let made;

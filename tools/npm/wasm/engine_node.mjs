@@ -6,7 +6,7 @@ import { createEngine } from "./engine.mjs";
 let made;
 
 async function make() {
-  // To read it through a promise takes ten times as long.
+  // Reading it with a promise takes ten times as long.
   const wasm = readFileSync(new URL("./gltfx.wasm", import.meta.url));
   const [compiled, loader] = await Promise.all([WebAssembly.compile(wasm), import("./gltfx-wasm.mjs")]);
   return createEngine(compiled, loader.default);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assimp: what its program writes of an asset.
+// Assimp: the output of its program for an asset.
 import { spawnSync } from 'node:child_process';
 import { existsSync, readFileSync } from 'node:fs';
 import { corners, described } from './dump.mjs';
@@ -7,8 +7,8 @@ import { withFiles } from './process.mjs';
 
 export async function open() {
   return { load: (files, main) => withFiles(files, main, (path, folder) => {
-    // The binary dump has everything, behind 512 bytes with the time and the command. JSON is not written of nodes that
-    // have metadata.
+    // The binary dump has everything, after 512 bytes with the time and the command. JSON is not written for nodes with
+    // metadata.
     const all = written(['dump', path, `${folder}/assimp.bin`, '-b']);
     if (all === undefined) throw new Error('harness: assimp writes nothing');
     const text = all.subarray(512).toString('latin1');

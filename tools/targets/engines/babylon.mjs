@@ -25,7 +25,7 @@ async function registerDecoders(B, tools) {
     return out;
   } };
   B.MeshoptCompression._Default = meshopt;
-  // Older versions take no module and ask for one from a server, which is not measured.
+  // Older versions do not accept a module and request one from a server, which is not measured.
   const decoder = { numWorkers: 0, jsModule: require('draco3dgltf').createDecoderModule };
   for (const name of ['DracoDecoder', 'DracoCompression'])
     if (B[name]) B[name]._Default = new B[name](decoder);
@@ -47,11 +47,11 @@ async function load(B, files, main) {
     const digests = (await Promise.all(images)).map(bytes => hash(ArrayBuffer.isView(bytes) ? Buffer.from(bytes.buffer, bytes.byteOffset, bytes.byteLength) : Buffer.from(bytes)));
     container.addAllToScene();
     const roots = Object.fromEntries(kinds.map(kind => [kind, container[kind]]));
-    // Animations move what they are started on; the objects are looked at as the file has them.
+    // Animations move their targets; the objects are compared in the state of the file.
     for (const group of container.animationGroups) { group.stop(); group.reset(); }
     for (const node of [...container.transformNodes, ...container.meshes]) node.computeWorldMatrix(true);
     const graphs = B.FlowGraphCoordinator?.SceneCoordinators?.get(scene)?.map(it => it._flowGraphs);
-    // What meshes keep among much that drawing changes.
+    // Members of meshes that drawing does not change.
     const pointers = container.meshes.map(it => [it.isVisible, it.isPickable, it.pointerOverDisableMeshTesting]);
     return described(() => ({ dump: dump({ roots, digests, graphs, pointers }, skip), facts: facts(B, container, digests) }));
   } finally {

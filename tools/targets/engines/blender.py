@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Imports the assets whose paths come line by line, and answers with what Blender holds of each."""
+"""Imports the assets whose paths come line by line, and prints the objects of Blender for each."""
 import hashlib
 import json
 import sys

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of a browser that loaders ask for, without pictures: an image is its size and the digest of its bytes.
-// A message that begins with "harness:" is of these parts and says nothing about the engine.
+// Parts of a browser that loaders use, without pictures: an image is its size and the digest of its bytes. A message
+// that begins with "harness:" is from these parts and says nothing about the engine.
 import { hash } from './dump.mjs';
 
 export const address = 'http://example.com/';
@@ -120,7 +120,7 @@ class Request extends Target {
 }
 Request.DONE = 4;
 
-// A canvas whose context takes every call and draws nothing.
+// A canvas whose context accepts every call and draws nothing.
 const canvas = () => Object.assign(new Target(), {
   width: 1, height: 1, style: {},
   getContext: () => new Proxy({}, { get: (_, key) => (key === 'getImageData' ? (x, y, w, h) => ({ data: new Uint8ClampedArray(w * h * 4) }) : () => {}), set: () => true }),

@@ -9,10 +9,10 @@ export const limit = 60000;
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.json': 'application/json', '.wasm': 'application/wasm', '.png': 'image/png', '.jpg': 'image/jpeg', '.css': 'text/css', '.gltf': 'model/gltf+json', '.glb': 'model/gltf-binary' };
 
 // page: the text of the page, whose window.show(address) gives the pixels of a picture (RGBA, in base64) or throws.
-// folder: what is served below /package/.
+// folder: served below /package/.
 export async function browser({ page, folder, tools }) {
   let files = new Map();
-  let outside = null;  // an address that nothing here answers
+  let outside = null;  // an address outside of this server
   const server = createServer((request, response) => {
     const path = decodeURIComponent(new URL(request.url, 'http://example.com').pathname);
     const asset = path.match(/^\/asset\/\d+\/(.*)$/);
@@ -44,7 +44,7 @@ export async function browser({ page, folder, tools }) {
     const answer = await tab.evaluate(async address => {
       try { return { picture: await window.show(address) }; } catch (error) { return { error: String(error?.message ?? error) }; }
     }, `${origin}/asset/${++count}/${main}`).catch(error => { throw new Error(`harness: ${error.message}`); });
-    if (outside) {  // what failed there may be remembered
+    if (outside) {  // the failure may be cached
       const address = outside;
       await start();
       throw new Error(`harness: ${address} is outside`);

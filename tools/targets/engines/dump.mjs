@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an engine built, as a text that is equal for equal objects.
+// The objects of an engine as a text that is equal for equal objects.
 import { createHash } from 'node:crypto';
 
 const round = x => (Number.isFinite(x) ? Math.round(x * 1e5) / 1e5 + 0 : String(x));
@@ -81,7 +81,7 @@ function faces(mode, order) {
 
 export const hash = bytes => createHash('sha256').update(bytes).digest('hex').slice(0, 12);
 
-// What fails while the objects are looked at is no failure of the engine.
+// A failure during the inspection of the objects is not a failure of the engine.
 export function described(describe) {
   try {
     return describe();

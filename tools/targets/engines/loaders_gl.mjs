@@ -7,7 +7,7 @@ import { corners, described, dump, hash } from './dump.mjs';
 
 export async function open(packages) {
   install();
-  // What a browser decodes; version 3 has other names for it.
+  // Formats that a browser decodes; version 3 has other names for them.
   const imageFormatsNode = ['image/png', 'image/jpeg', 'image/webp', 'image/avif'];
   const parseImageNode = async bytes => ({ ...(await parseImage(bytes)), data: new Uint8Array(0), components: 4, shape: [0, 0, 4] });
   globalThis.loaders = { imageFormatsNode, parseImageNode };

@@ -7,7 +7,7 @@ import { corners, described, dump } from './dump.mjs';
 
 export async function open(packages) {
   install();
-  // The build in one file: a CommonJS module, whatever package.json says. Some versions name themselves pc.
+  // The build in one file: a CommonJS module, despite package.json. Some versions name themselves pc.
   const module = { exports: {} };
   globalThis.pc = module.exports;
   const text = readFileSync(`${packages}/node_modules/playcanvas/build/playcanvas.js`, 'utf8');
@@ -48,7 +48,7 @@ const counted = /^(.* _addressU=.* name="[^"\n]*)-\d+"/gm;
 const left = new Set(['id', '_id', '_app', '_device', 'device', 'app', '_registry', 'registry', '_system', 'system', '_callbacks', '_callbackActive', 'graphicsDevice', '_guid', 'guid', 'key', '_shader', 'variants', 'profilerHint', '_parent', 'impl', '_storage', 'adapter', '_gpuSize', '_loader', 'loader', '_file', 'file', '_url', 'url', 'renderVersion', 'renderVersionDirty', 'meshInstances', '_resources', '_resource', 'nodes', '_allocated', 'stamp', '_textures', '_hash', 'hash', '_shaderVersion', 'name_', 'sortKeyShadow', 'refCount', '_refCount', 'dirtyBlend_', 'renderFrame']);
 const skip = (key, value, owner) => (left.has(key) && !(key === 'variants' && owner.renders)) || /version$|uniqueid/i.test(key) || ['Asset', 'NullGraphicsDevice', 'AppBase', 'Events', 'EventHandle'].includes(value?.constructor?.name);
 
-// What the entities say, without their machinery.
+// The data of the entities, without internal members.
 function entities(root) {
   const out = [];
   root.forEach(node => {
@@ -100,7 +100,7 @@ function facts(pc, root, parts) {
   return { ...corners(list), ...found };
 }
 
-// The numbers of the entities that animations move. It leaves them moved.
+// The numbers of the entities that animations move. The entities stay moved.
 function moved(pc, root, animations) {
   const all = [];
   root.forEach(node => all.push(node));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Engines that are programs of their own: assets become files, and a program that stays answers with a line of JSON for
-// each path: ANSWER, the path, a tab, and { dump, facts } or { refused }. A line LOADED before says that the engine has
-// loaded the asset: what fails from then on is the harness.
+// Engines that are separate programs: assets become files, and a running program answers with a line of JSON for each
+// path: ANSWER, the path, a tab, and { dump, facts } or { refused }. A line LOADED before it says that the engine has
+// loaded the asset: later failures are those of the harness.
 import { spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -9,7 +9,7 @@ import { dirname } from 'node:path';
 import { createInterface } from 'node:readline';
 import { corners } from './dump.mjs';
 
-// Runs use(path) with the files of an asset below a folder that is removed afterwards.
+// Runs use(path) with the files of an asset in a temporary folder.
 export async function withFiles(files, main, use) {
   const folder = mkdtempSync(`${tmpdir()}/gltfx-target-`);
   try {

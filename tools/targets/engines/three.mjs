@@ -114,7 +114,7 @@ const interpolation = track => track.createInterpolant.isInterpolantFactoryMetho
 // Colors in three or four components are the same where alpha is 1.
 const padded = (name, get) => (name === 'COLOR_0' ? i => [...get(i), 1].slice(0, 4) : get);
 
-// The numbers of the objects that animations move. It leaves them moved.
+// The numbers of the objects that animations move. The objects stay moved.
 function moved(THREE, scene, animations) {
   const objects = [];
   scene?.traverse(it => objects.push(it));

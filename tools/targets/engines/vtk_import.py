@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Imports the assets whose paths come line by line, and answers with the actors, cameras and lights that VTK makes."""
+"""Imports the assets whose paths come line by line, and prints the actors, cameras and lights that VTK makes."""
 import hashlib
 import json
 import sys

@@ -14,7 +14,7 @@ export class Asset {
     this.files = new Map();  // name of a file beside the asset: its bytes
   }
 
-  // Appends to an array of the document; gives the index.
+  // Appends to an array of the document; returns the index.
   add(array, object) {
     this.json[array] ??= [];
     return this.json[array].push(object) - 1;
@@ -29,7 +29,7 @@ export class Asset {
     return this;
   }
 
-  // A new buffer view over bytes of the buffer.
+  // A new buffer view of bytes of the buffer.
   view(bytes, members = {}) {
     const padding = (4 - (this.length % 4)) % 4;
     this.bytes.push(Buffer.alloc(padding), bytes);

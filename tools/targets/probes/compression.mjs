@@ -36,7 +36,7 @@ function draco(fallback) {
   primitive.extensions = { KHR_draco_mesh_compression: { bufferView, attributes: ids } };
   if (!fallback) {
     for (const index of [...Object.values(primitive.attributes), primitive.indices]) delete asset.json.accessors[index].bufferView;
-    // What the accessors no longer use is gone.
+    // Removes bytes that the accessors no longer use.
     const kept = asset.json.bufferViews[bufferView];
     asset.json.bufferViews = [{ ...kept, byteOffset: 0 }];
     primitive.extensions.KHR_draco_mesh_compression.bufferView = 0;
@@ -46,7 +46,7 @@ function draco(fallback) {
   return { asset, twin: twin(), same: ['corners'] };
 }
 
-// With a fallback the uncompressed bytes lie in the first buffer, the compressed ones in the second.
+// With a fallback, the uncompressed bytes are in the first buffer, the compressed ones in the second.
 function meshopt(name, fallback) {
   const asset = model();
   const whole = Buffer.concat(asset.bytes);
@@ -66,7 +66,7 @@ function meshopt(name, fallback) {
   asset.json.buffers = [{ byteLength: bytes.length, uri: 'compressed.bin' }];
   asset.files.set('compressed.bin', bytes);
   if (!fallback) {
-    // The buffer of the uncompressed bytes is not there.
+    // The buffer of the uncompressed bytes is missing.
     asset.json.buffers = [{ byteLength: asset.length, extensions: { [name]: { fallback: true } } }, ...asset.json.buffers];
     asset.bytes = [];
   }

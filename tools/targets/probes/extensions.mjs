@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes of extensions. An entry of `plain` adds one extension to an object of a model; what needs more is a function.
+// Probes of extensions. An entry of `plain` adds one extension to an object of a model; more complex probes are
+// functions.
 import { readFileSync } from 'node:fs';
 import { backdrop, colors, model, primitive, place, square, texture, textured } from './models.mjs';
 import { compressed, quantized } from './compression.mjs';
@@ -7,7 +8,7 @@ import { png, quadrants } from './png.mjs';
 
 const picture = name => readFileSync(new URL(`images/${name}`, import.meta.url));
 
-// What an extension says, and on which model it shows.
+// The content of an extension, and a model that shows it.
 const onMaterial = {
   '3DS_materials_translucency': { translucencyFactor: 0.8, translucencyColorFactor: [0.2, 0.9, 0.3] },
   ADOBE_materials_thin_transparency: { transmissionFactor: 0.9, ior: 1.6 },
@@ -192,7 +193,8 @@ export function technique(store = (asset, text) => ({ bufferView: asset.view(Buf
 }
 export const inlinedTechnique = () => technique((asset, text) => inlined(text));
 
-// A table of two rows for the two halves of a model, with one property. bytes: the column, and where its elements begin.
+// A table of two rows for the two halves of a model, with one property. bytes: the column, and the starts of its
+// elements.
 export function metadata(property = { type: 'SCALAR', componentType: 'FLOAT32' }, bytes = { values: Float32Array.of(1.5, 2.5) }, more = {}) {
   const asset = model();
   const column = Object.fromEntries(Object.entries(bytes).map(([name, list]) => [name, asset.view(Buffer.from(list.buffer, list.byteOffset, list.byteLength))]));
@@ -208,8 +210,8 @@ const instanceFeatures = () => {
   return added(asset, it => set(it.json.nodes[0], 'EXT_instance_features', { featureIds: [{ featureCount: 3 }] }));
 };
 
-// Name of an extension: { used, required, requiredWithFallback }, functions that give { asset, twin }. One function
-// stands for used and required.
+// Name of an extension: { used, required, requiredWithFallback }, functions that give { asset, twin }. A single
+// function is for both used and required.
 export const extensions = {
   ...Object.fromEntries(Object.entries(onMaterial).map(([name, value]) => [name, () => material(name, value, emissive[name])])),
   ADOBE_materials_clearcoat_specular: () => material('ADOBE_materials_clearcoat_specular', { clearcoatIor: 2, clearcoatSpecularFactor: 0.3 }, {}, { KHR_materials_clearcoat: { clearcoatFactor: 1 } }),

@@ -77,7 +77,7 @@ const versions = (asset, members) => {
 
 const orientation = () => {
   const plain = picture('rgb.jpg');
-  // A segment APP1 with the tag Orientation (274) of value 6 behind the start of the image.
+  // A segment APP1 with the tag Orientation (274) of value 6 after the start of the image.
   const tiff = Buffer.from([0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 1, 18, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0]);
   const body = Buffer.concat([Buffer.from('Exif\0\0', 'latin1'), tiff]);
   const head = Buffer.from([0xff, 0xe1, 0, body.length + 2]);
@@ -131,7 +131,7 @@ function besideFallback(file) {
   return { asset: asset.uses('KHR_texture_basisu'), twin, differs: ['pixels'] };
 }
 
-// An image in a file, whose name and bytes alone say its format.
+// An image in a file, whose format only its name and bytes give.
 function untyped(name, file, mimeType) {
   const [asset, twin] = [0, 1].map(() => imageBy(name, file, mimeType, false).asset.uses(name, true));
   delete asset.json.images[0].mimeType;

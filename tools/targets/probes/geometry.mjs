@@ -74,7 +74,7 @@ function interleaved() {
   return { asset, twin: made(shape), same: ['corners'] };
 }
 
-// Triangles of the same corners, or the lines that a mode stands for.
+// Triangles of the same corners, or the lines of a mode.
 const ring = [-1, -1, 0, 1, -1, 0, 1.2, 0.5, 0, 0, 1.4, 0, -1.2, 0.5, 0];
 const ringShape = indices => ({ POSITION: ring, NORMAL: Array.from({ length: 5 }, () => [0, 0, 1]).flat(), TEXCOORD_0: Array.from({ length: 5 }, (_, i) => [i / 5, 0]).flat(), indices });
 const mode = (code, indices, plainMode, plainIndices) => ({
@@ -89,7 +89,7 @@ const ramp4 = [1, 0, 0, 1, 0, 1, 0, 0.2, 0, 0, 1, 1, 1, 1, 0, 0.6];
 const scaled = (values, scale) => values.map(v => Math.round(v * scale));
 const uv = [0, 1, 1, 1, 1, 0, 0, 0];
 
-// COLOR_0 in integers must be what it is as floats.
+// COLOR_0 in integers must equal COLOR_0 as floats.
 const colored = (values, kind, plainKind, scale) => ({
   asset: made(square(), { COLOR_0: [scaled(values, scale), byte(kind)] }),
   twin: made(square(), { COLOR_0: [scaled(values, scale).map(v => v / scale), plainKind] }),
@@ -160,7 +160,7 @@ const unskinned = asset => {
 };
 const each = values => Array.from({ length: 4 }, () => values).flat();
 const four = ids => ({ JOINTS_0: [each(ids), { type: 'VEC4', componentType: 5121 }] });
-// Eight influences, none of which can be left out: all joints but the last stand still.
+// Eight influences, none of which can be left out: only the last joint moves.
 const eight = (first, second) => ({ ...four(first), JOINTS_1: four(second).JOINTS_0, WEIGHTS_1: [each([0.1, 0.1, 0.1, 0.1]), { type: 'VEC4' }] });
 // Two joints of one name: the second of them is turned.
 const namedAlike = (asset, name) => {

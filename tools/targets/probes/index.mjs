@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // All probes: [{ name, feature, mode, asset, twin, renamed?, of?, same?, differs?, names?, seen }].
-//   same:    facts that the engine must build of the asset as of its twin, which says the same without the feature
-//   differs: facts of which one must be another than that of the twin; without it, anything the engine built
+//   same:    facts that must be equal for the asset and its twin, which means the same without the feature
+//   differs: facts of which at least one must differ from the twin; without it, any object of the engine
 //   names:   names that must be among the facts, each as often as here
-//   renamed: the asset with an extension that no engine knows in place of the probed one; with `of`, the twin
+//   renamed: the asset with an unknown extension in place of the probed one; with `of`, the twin
 //   of:      the extension that the feature is a part of; an engine that ignores it says nothing about the feature
 //   seen:    whether a picture at rest can show it
 import { extensions } from './extensions.mjs';
@@ -11,12 +11,12 @@ import { files } from './files.mjs';
 import { geometry } from './geometry.mjs';
 import { scene } from './scenes.mjs';
 
-// A name that no engine knows, as long as the other and at its place in a sorted list.
+// An unknown name, of the same length and at the same place in a sorted list.
 export const stranger = name => `${name.slice(0, -1)}Z`;
 // A dump as if it had the known name. Some engines write names in lower case.
 export const asIfNamed = (name, text) => text.replaceAll(stranger(name), name).replaceAll(stranger(name).toLowerCase(), name.toLowerCase());
 
-// What no picture at rest shows.
+// Features that no picture at rest shows.
 const unseen = [/^animation\./, /^attribute\.(custom|color-1|texcoord-[0-9]|tangent)$/, /^morph\.target-names$/, /^node\.name/, /^extras$/,
   /^scene\.several$/, /^asset\.min/, /^camera\./, /^node\.negative-scale$/, /^morph\.(normal|tangent|texcoord)$/, /^texture\.sampler-no-mipmaps$/, /^primitive\.no-material$/, /^material\.occlusion/,
   /^(AGI_|FB_|GRIFFEL_|GODOT_|KHR_XMP|KHR_xmp|KHR_interactivity|KHR_node_(hover|select)ability|KHR_animation_pointer|KHR_materials_variants|EXT_mesh_manifold|MPEG_|MSFT_lod|EXT_(structural_metadata|(mesh|instance)_features))/, /^structural-metadata\./];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The models that probes start from. Each shows what a probe adds to it: a sphere with normals, tangents and texture
+// The models of the probes. Each shows the feature that a probe adds: a sphere with normals, tangents and texture
 // coordinates, lit by the light of the viewer.
 import { Asset } from './asset.mjs';
 import { png, quadrants } from './png.mjs';
@@ -74,7 +74,7 @@ export function model({ material = {}, shape = sphere(), only, node, mesh, indic
   return asset;
 }
 
-// Adds a texture of four colors, or of an image; gives its index.
+// Adds a texture of four colors, or of an image; returns its index.
 export function texture(asset, { image = colors(), uri = 'colors.png', sampler, mimeType } = {}) {
   return asset.add('textures', {
     source: asset.image(image, uri, { ...(mimeType && { mimeType }) }),
@@ -91,7 +91,7 @@ export function textured({ slot = {}, ...rest } = {}, of = {}) {
   return asset;
 }
 
-// Something behind the model, for what light passes through.
+// An object behind the model, for materials that transmit light.
 export function backdrop(asset) {
   const shape = square(3, -3);
   const material = asset.add('materials', { name: 'Backdrop', pbrMetallicRoughness: { metallicFactor: 0, baseColorTexture: { index: texture(asset, { uri: 'backdrop.png' }) } } });

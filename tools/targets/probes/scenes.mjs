@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes of scenes, nodes, cameras, animations, materials, textures and extensions that no reader knows.
+// Probes of scenes, nodes, cameras, animations, materials, textures and unknown extensions.
 import { inlinedTechnique, lights, metadata, technique } from './extensions.mjs';
 import { model, place, primitive, square, texture, textured } from './models.mjs';
 import { png, quadrants } from './png.mjs';
@@ -68,7 +68,7 @@ const slotOf = (name, members, changed) => twinned(() => {
   return asset;
 }, asset => Object.assign(material(asset)[name], changed));
 
-// A texture that lies elsewhere by another set of texture coordinates.
+// A texture that another set of texture coordinates moves.
 function coordinates(set, count) {
   return twinned(() => {
     const asset = textured();
@@ -182,7 +182,7 @@ function required(name, asset, twin) {
   return { asset, twin, of: name };
 }
 
-// A table whose property is no number; that of its twin is one.
+// A table whose property is not a number; that of its twin is one.
 function column(...property) {
   const [asset, twin] = [metadata(...property).asset, metadata().asset].map(it => it.uses('EXT_structural_metadata'));
   return { asset, twin, of: 'EXT_structural_metadata' };

@@ -1,6 +1,6 @@
 #!/usr/bin/env node
 // SPDX-License-Identifier: Apache-2.0
-// Writes all probes and their twins: write FOLDER. probes.json says what is compared.
+// Writes all probes and their twins: write FOLDER. probes.json says what to compare.
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { dirname } from 'node:path';
 
