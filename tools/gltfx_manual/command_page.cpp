@@ -21,26 +21,26 @@ struct VerbText {
 };
 
 constexpr std::string_view kProgram =
-    R"(gltfx opens glTF 2.0 assets from any source and says what is wrong with them and where, brings
-extensions of former drafts to those of today without touching anything else, and draws pictures of
-assets on the CPU. Each job is a verb with a page of its own.
+    R"(gltfx validates and fixes glTF 2.0 assets from any source, upgrades legacy extensions to their
+successors without changing anything else, and renders pictures of assets on the CPU. Each task is
+a verb with its own page.
 
 Assets are not trusted. Nothing outside the folder of an asset is opened unless `--root` names
 another one, and images and compressed geometry are decoded by separate programs with limits on
-memory and time. A verb writes nothing that it was not told to write.)";
+memory and time. A verb writes files only if an option says so.)";
 
 constexpr std::string_view kValidate =
-    R"(Checks assets against the core specification of glTF 2.0 and all extensions that gltfx knows:
-the container, the JSON text, types and ranges, references, accessors, compressed geometry and
-images. Each finding has a code, a place, what was expected and, where there is one, a way to fix
-it; gltfx-explain(1) tells more about a code.
+    R"(Checks assets against the core specification of glTF 2.0 and all extensions with a schema: the
+container, the JSON text, types and ranges, references, accessors, compressed geometry and
+images. Each finding has a code, a place, what was expected and, if the fix is certain, a help
+line; gltfx-explain(1) explains a code.
 
 A PATH is a file, a folder that is searched for .gltf, .glb and .vrm files, a glob, or - for one
 asset on standard input. Findings go to standard output as text; other formats replace the text or
 are written to files in addition, any number of them.
 
-Images are judged by their headers. Where a rule needs pixels, `--pixels` says whether they are
-decoded.
+Images are checked by their headers. `--pixels` says whether pixels are decoded for the rules that
+need them.
 
 gltfx.toml(5) sets options for every run in a folder.)";
 
@@ -48,94 +48,91 @@ constexpr std::string_view kFix =
     R"(Fixes findings of gltfx-validate(1) whose fix is certain: pictures, animations and names stay,
 within the tolerances that gltfx-explain(1) states, and so does every byte that need not change.
 
-Without `--in-place` or `--output` nothing is written: the verb says what would be done. Fixes that
-lose something are done when `--only` names them and `--unsafe` is given.
+Without `--in-place` or `--output` nothing is written: the verb prints what would be done. Fixes
+that lose something are done if `--only` names them and `--unsafe` is given.
 
-Fixes run until none is left to do. The new asset is validated before it takes the place of the old
-one; a fix that would bring a finding which was not there is left out and named. A fix that changes
-bytes of a buffer writes that buffer anew, before the asset. A file is replaced whole or not at all,
-and not when it changed meanwhile, is no regular file or has other hard links.)";
+Fixes run until none is left to do. The new asset is validated before it replaces the old one; a fix
+that would cause a new finding is left out and named. If a fix changes bytes of a buffer, that buffer
+is rewritten before the asset. A file is replaced whole or not at all, and not if it changed
+meanwhile, is not a regular file or has other hard links.)";
 
 constexpr std::string_view kUpgrade =
-    R"(Legacy extensions become what took their place. The picture stays the same, and so does
-every byte of the file that need not change.
+    R"(Replaces legacy extensions by their successors. The picture stays the same, and so does every byte
+of the file that need not change.
 
-Without `--in-place` or `--output` nothing is written: the verb says what would be done, and why.
-What cannot be done without a loss is left alone and named unless `--unsafe` is given; extensions
-that become a draft or belong to a vendor are upgraded when they are asked for with `--only` or
-`--to`.
+Without `--in-place` or `--output` nothing is written: the verb prints what would be done, and why.
+Upgrades with a loss are left out and named unless `--unsafe` is given; extensions whose successor is
+a draft, and extensions of vendors, are upgraded on request only, with `--only` or `--to`.
 
-The new asset is validated before it takes the place of the old one. A file is replaced whole or not
-at all, and not when it changed meanwhile, is no regular file or has other hard links. Where an
-image has to be made anew it goes where the old one was: into the binary chunk of a GLB, into a file
-beside the asset, or into a data URI.)";
+The new asset is validated before it replaces the old one. A file is replaced whole or not at all,
+and not if it changed meanwhile, is not a regular file or has other hard links. A new image is stored
+like the old one: in the binary chunk of a GLB, in a file beside the asset, or in a data URI.)";
 
 constexpr std::string_view kEdit =
     R"(Deletes elements of arrays, or members, that JSON pointers name. Every index and every JSON pointer
 to an object after them is renumbered, in the core of glTF and in all extensions that gltfx or a
-`--schema` describes. All else in the file stays byte for byte.
+`--schema` describes. All other bytes of the file stay.
 
-What refers to something that would go is listed, and the file stays as it is. With `--cascade` it
-goes, too: an entry of a list alone, a member alone where the object can be without it, else the
-object. What a deleted object referred to stays.
+References to deleted values are listed, and the file is not changed. With `--cascade` they are
+deleted, too: an entry of a list, an optional member, else the object. Objects that a deleted object
+referred to stay.
 
-Without `--in-place` or `--output` nothing is written: the verb says what would be done. The new asset
-is validated before it takes the place of the old one. A file is replaced whole or not at all, and not
-when it changed meanwhile, is no regular file or has other hard links.)";
+Without `--in-place` or `--output` nothing is written: the verb prints what would be done. The new
+asset is validated before it replaces the old one. A file is replaced whole or not at all, and not if
+it changed meanwhile, is not a regular file or has other hard links.)";
 
 constexpr std::string_view kHook =
-    R"(Runs gltfx-validate(1), gltfx-fix(1) or gltfx-upgrade(1) with their options over the assets of a commit of
-git that is about to be made. PATH names files that changed besides those that git knows of.)";
+    R"(Runs gltfx-validate(1), gltfx-fix(1) or gltfx-upgrade(1) with their options on the assets
+of the next Git commit. PATH names changed files in addition to those that Git lists.)";
 
 constexpr std::string_view kBake =
     R"(Draws assets with a path tracer that reads materials as the specification and the material
-extensions have them. It needs no display, no network and no environment file: it frames what it has
-never seen and brings its own light and backdrop. The same program, asset, options and seed give the
+extensions define them. It needs no display, network or environment file: it frames the asset and
+adds a studio light and a backdrop. The same program, asset, options and seed give the
 same bytes for any number of threads.
 
-What can be drawn of an asset with errors is drawn; `--strict` refuses it with its findings. What is
-drawn differently, such as an image that cannot be read, is named in a note. Several assets need a folder
-to write to, and get a contact sheet besides.)";
+An asset with errors is drawn as far as possible; `--strict` refuses it with its findings. A note
+names everything that is drawn differently, such as an image that cannot be read. Several assets need
+an output folder, and also get a contact sheet.)";
 
 constexpr std::string_view kReport =
     R"(Writes one page of HTML about an asset or a library: verdicts, findings with the line they are
 about, pictures, sizes, triangles and textures, extensions and what gltfx-upgrade(1) would change.
-The page needs nothing but itself, and can be filtered by text, path, verdict and rule.
+The page is a single file, and can be filtered by text, path, verdict and rule.
 
-It asks for the same things as gltfx-validate(1), and ends with the same exit codes.)";
+It takes the options of gltfx-validate(1), and has the same exit codes.)";
 
 constexpr std::string_view kInspect =
-    R"(Says what is in an asset, valid or not, and where its bytes go: each byte of its files counts
-once, for the mesh, image, animation or skin that refers to it. Memory of the graphics card is an
-estimate: images with all mipmaps, geometry decompressed.)";
+    R"(Lists the contents of an asset, valid or not, and the bytes that each part takes: each byte of its
+files counts once, for the mesh, image, animation or skin that refers to it. Memory of the graphics
+card is an estimate: images with all mipmaps, geometry decompressed.)";
 
 constexpr std::string_view kMerge =
-    R"(Puts reports that `gltfx validate --format jsonl=REPORT` has written together, and makes of
-them what one run over all inputs would have written, in any format. With parts of `--shard` it says
-which of them is missing.)";
+    R"(Merges reports that `gltfx validate --format jsonl=REPORT` has written into the report of one run
+on all inputs, in any format. It names missing parts of `--shard`.)";
 
 constexpr std::string_view kExplain =
-    R"(Prints why a rule exists, what to do about a finding, an asset that raises it, how that is
-reported, and the same asset fixed.)";
+    R"(Prints why a rule exists, how to fix a finding, an asset that raises it, the report on
+that asset, and the same asset fixed.)";
 
 constexpr std::string_view kRules =
-    R"(Prints the code, severity and summary of every rule. With `--format json` all that
-gltfx-explain(1) knows of them comes as one object.)";
+    R"(Prints the code, severity and summary of every rule. `--format json` prints all
+data of gltfx-explain(1) as one object.)";
 
 constexpr std::string_view kTargets =
     R"(Shows what versions of engines do with features of glTF: refuse the asset, ignore the feature,
 read or draw it. The data was measured; an empty field was not. `gltfx validate --target` reports
-what concerns an asset.)";
+the outcomes for an asset.)";
 
 constexpr std::string_view kSchema =
-    R"(Shows what gltfx knows of an extension or of a type of the core specification: properties with
-types, ranges and defaults, the channels that texture slots read, what goes together and what does
-not, and the way to a successor. Without a NAME it lists all extensions.)";
+    R"(Shows the schema of an extension or of a type of the core specification: properties with types,
+ranges and defaults, the channels that texture slots read, relations to other extensions, and the
+upgrade to a successor. Without a NAME it lists all extensions.)";
 
 constexpr std::string_view kConfig =
-    R"(Shows every value of the configuration that holds for a path, or for all paths, and the line of
-gltfx.toml(5) or the default that says so. `gltfx config import FILE` prints a configuration of the
-Khronos validator, in YAML, as one of gltfx.)";
+    R"(Shows every value of the configuration that applies to a path, or to all paths, and the line of
+gltfx.toml(5) or the default that it comes from. `gltfx config import FILE` converts a configuration
+of the Khronos validator, in YAML, to one of gltfx.)";
 
 constexpr std::array<VerbText, 15> kTexts{{
     {"", "VERB [OPTION]... [ARGUMENT]...", kProgram},
