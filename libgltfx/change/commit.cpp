@@ -222,7 +222,7 @@ class Elsewhere {
     }
     for (const ReplacedFile& file : replaced) {
       if (file.path.starts_with("..")) {
-        return Error{fmt::format("{} lies outside the asset's folder", quoted(file.path, 200))};
+        return Error{fmt::format("{} is outside the asset's folder", quoted(file.path, 200))};
       }
       const fs::path target = folder_ / file.path;
       if (auto trouble = make_folder(target.parent_path())) return trouble;

@@ -23,9 +23,8 @@ namespace fs = std::filesystem;
 std::optional<Error> copy(const std::string& path, const container::Resolver& resolver,
                           const fs::path& folder) {
   if (path.starts_with("..")) {
-    return Error{
-        fmt::format("{} lies outside the asset's folder and would be missed in the new one",
-                    quoted(path, 200))};
+    return Error{fmt::format("{} is outside the asset's folder and would be missing in the new one",
+                             quoted(path, 200))};
   }
   const container::Resolved resolved = resolver.open(path);
   // A path that is not a file is a broken reference in the old asset, too.

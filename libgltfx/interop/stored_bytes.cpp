@@ -85,7 +85,7 @@ std::string StoredBytes::keep(std::string_view wanted, std::string_view media_ty
                       !uri.path.starts_with("..");
   if (!inside) {
     if (uri.kind != container::UriKind::data) {
-      notes_.changed(pointer + "/uri", "lies outside the asset's folder: the bytes are embedded");
+      notes_.changed(pointer + "/uri", "is outside the asset's folder: the bytes are embedded");
     }
     return container::data_uri(media_type, bytes);
   }

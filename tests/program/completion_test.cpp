@@ -110,7 +110,7 @@ Words choices(const Valued& option, const std::string& folder) {
   }
   const Outcome outcome = gltfx(words, {folder, {}, {}});
   std::smatch found;
-  const std::regex listed("is none of ([^\n]*?)\\.( Did|\n)");
+  const std::regex listed("is not one of ([^\n]*?)\\.( Did|\n)");
   if (!std::regex_search(outcome.err, found, listed)) return {};
   std::string list = found[1];
   std::replace(list.begin(), list.end(), ',', '\n');

@@ -162,14 +162,14 @@ TEST_F(Config, MistakesAreNamedWithTheirLine) {
   EXPECT_EQ(unknown.find("the keys are"), unknown.rfind("the keys are"));
   EXPECT_THAT(said("profile = 3\n"), Not(HasSubstr("the keys are")));
   EXPECT_THAT(said("profile = \"strct\"\n"),
-              HasSubstr("gltfx.toml:1: profile: 'strct' is none of"));
+              HasSubstr("gltfx.toml:1: profile: 'strct' is not one of"));
   EXPECT_THAT(
       said("ignore = [\n\"UNUSED_OBJEC\"]\n"),
       HasSubstr(
           "gltfx.toml:2: ignore: there is no rule 'UNUSED_OBJEC'. Did you mean 'UNUSED_OBJECT'?"));
   EXPECT_THAT(said("ignore = \"UNUSED_OBJECT\"\n"),
               HasSubstr("ignore: a list of strings is expected"));
-  EXPECT_THAT(said("ignore = [\"UNUSED_OBJECT,EMPTY_ENTITY\"]\n"), HasSubstr("is no value"));
+  EXPECT_THAT(said("ignore = [\"UNUSED_OBJECT,EMPTY_ENTITY\"]\n"), HasSubstr("is not a value"));
   EXPECT_THAT(said("[severity]\nUNUSED_OBJECT = \"loud\"\n"),
               HasSubstr("gltfx.toml:2: severity: "));
   EXPECT_THAT(said("[budgets]\ntriangels = 1\n"), HasSubstr("Did you mean 'budgets.triangles'?"));
@@ -307,7 +307,7 @@ TEST_F(Config, ImportSaysWhatItDoesNotUnderstand) {
     return outcome.err;
   };
   EXPECT_THAT(import("\nignor: []\n"),
-              HasSubstr("a.yaml:2: 'ignor' is no key of the Khronos validator; its keys are "));
+              HasSubstr("a.yaml:2: 'ignor' is not a key of the Khronos validator; its keys are "));
   EXPECT_THAT(import("ignor: []\n"), HasSubstr("Did you mean 'ignore'?"));
   EXPECT_THAT(import("override: {UNUSED_OBJECT: 4}\n"), HasSubstr("up to 3"));
   EXPECT_THAT(import("override: [UNUSED_OBJECT]\n"), HasSubstr("a map is expected"));

@@ -162,7 +162,7 @@ TEST_F(GitHook, OwnersAreSearchedInTheIndexNotInTheFolder) {
   shell("git rm -q --cached leaf.png");
   const Outcome outcome = hook("upgrade --check");
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("'leaf.gltf' is not as it is staged"));
+  EXPECT_THAT(outcome.err, HasSubstr("'leaf.gltf' differs from its staged version"));
   EXPECT_THAT(outcome.out, Not(HasSubstr("stray")));
 }
 

@@ -183,7 +183,7 @@ TEST_F(OutputTest, AnOutputNeverTakesThePlaceOfAnInput) {
         {".", "--write-baseline", "asset.gltf"}}) {
     const Outcome outcome = here(arguments);
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("is a file that is to be checked"));
+    EXPECT_THAT(outcome.err, HasSubstr("is an input of this run"));
     EXPECT_EQ(content("asset.gltf"), kFaulty);
   }
 }

@@ -120,7 +120,7 @@ TEST_F(Report, MistakesOfTheCommandAreNamed) {
   EXPECT_THAT(here({"in", "-o", "a.html", "--thumbnail-size", "4096"}).err,
               HasSubstr("32 to 1024"));
   EXPECT_THAT(here({"in/sound.gltf", "-o", "in/sound.gltf"}).err,
-              HasSubstr("is a file that is to be checked"));
+              HasSubstr("is an input of this run"));
   EXPECT_FALSE(fs::exists(folder_.path() / "a.html"));
 }
 

@@ -65,7 +65,7 @@ class Hook {
     for (const auto& [name, letter] : staged_) names.insert(name);
     for (const std::string& path : paths().words) {
       auto name = index_.name_of(path);
-      if (!name) return Error{quoted(path, 200) + " lies outside the working tree"};
+      if (!name) return Error{quoted(path, 200) + " is outside the working tree"};
       names.insert(*std::move(name));
     }
     return assets_.find(names);
@@ -81,8 +81,9 @@ class Hook {
       if (before->count(asset) == 0) continue;
       half_staged.push_back(asset);
       if (quiet()) continue;
-      complain(fmt::format("note: {} is not as it is staged; what lies in the folder is checked",
-                           shown(asset)));
+      complain(
+          fmt::format("note: {} differs from its staged version; the file in the folder is checked",
+                      shown(asset)));
     }
     code_ = std::visit([](const auto& verb) { return run(verb); }, request_.verb);
     if (!fixes()) return std::nullopt;

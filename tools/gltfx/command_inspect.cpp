@@ -259,7 +259,7 @@ class Page {
 
   void write_upgrade(const InspectReport& report) {
     if (report.upgrade.empty()) return;
-    title("What 'gltfx upgrade' makes of it");
+    title("What 'gltfx upgrade' changes");
     TextTable table("llll", {"object", "from", "to", "outcome"});
     for (const UpgradeFact& fact : report.upgrade) {
       if (most_ > 0 && &fact >= report.upgrade.data() + most_) break;

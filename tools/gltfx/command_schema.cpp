@@ -21,7 +21,7 @@ namespace {
 std::string unknown_name(const schema::Set& set, const std::string& name) {
   std::vector<std::string_view> names = core_type_names(set);
   for (const schema::Extension& extension : set.extensions()) names.push_back(extension.name);
-  return fmt::format("schema: nothing is known of {}.{} 'gltfx schema' lists all names.",
+  return fmt::format("schema: {} is unknown.{} 'gltfx schema' lists all names.",
                      gltfx::quoted(name), suggestion(name, names));
 }
 

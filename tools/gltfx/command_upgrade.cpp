@@ -30,8 +30,8 @@ std::optional<Error> unknown_name(std::string_view option, const std::vector<std
                                   const std::vector<std::string>& known) {
   for (const std::string& name : wanted) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    return Error{
-        fmt::format("{}: {} is none of {}.", option, gltfx::quoted(name), fmt::join(known, ", "))};
+    return Error{fmt::format("{}: {} is not one of {}.", option, gltfx::quoted(name),
+                             fmt::join(known, ", "))};
   }
   return std::nullopt;
 }

@@ -250,7 +250,7 @@ class Reader {
     }
     const auto mistake = mistake_in(key, word);
     if (word.empty() || (list && word.find(',') != std::string::npos)) {
-      complain(line_of(node), fmt::format("{}: {} is no value", key.name, gltfx::quoted(word)));
+      complain(line_of(node), fmt::format("{}: {} is not a value", key.name, gltfx::quoted(word)));
     } else if (mistake) {
       const std::string& message = mistake->message;
       complain(line_of(node),

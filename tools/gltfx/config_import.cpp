@@ -71,7 +71,7 @@ class Reader {
       return wrong("a line of the form 'key: value' is expected");
     key_ = unquoted(trimmed(body.substr(0, colon)));
     if (std::find(kKeys.begin(), kKeys.end(), key_) == kKeys.end()) {
-      return wrong(fmt::format("{} is no key of the Khronos validator; its keys are {}.{}",
+      return wrong(fmt::format("{} is not a key of the Khronos validator; its keys are {}.{}",
                                quoted(key_), fmt::join(kKeys, ", "), suggestion(key_, kKeys)));
     }
     const std::string_view value = trimmed(body.substr(colon + 1));

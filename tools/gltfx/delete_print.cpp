@@ -54,7 +54,7 @@ std::string delete_text(const DeleteReport& report, const Style& style) {
     text += fmt::format("  {} renumbered\n", counted(report.renumbered, "reference"));
     if (report.bytes > 0) text += fmt::format("  {} cut out\n", counted(report.bytes, "byte"));
     for (const std::string& name : report.names_removed) {
-      text += wrapped(printable(name + " has no object any more: its name goes, too"), 2);
+      text += wrapped(printable(name + " has no objects left: its name is removed, too"), 2);
     }
     text += first_lines(report.doubtful, [](const std::string& pointer) {
       return "note: " + pointer + " may be an index and stays as it is";

@@ -94,7 +94,7 @@ Result<std::uint64_t> look_ahead(const NamedPaths& named, std::vector<std::strin
     ++files;
     for (const std::string& output : outputs) {
       if (!std::filesystem::equivalent(output, input->path, error)) continue;
-      return Error{"the output " + quoted(output, 200) + " is a file that is to be checked"};
+      return Error{"the output " + quoted(output, 200) + " is an input of this run"};
     }
   }
   return files;

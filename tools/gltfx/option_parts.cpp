@@ -170,7 +170,7 @@ void Reading::require_files(std::string_view verb, std::string_view done) {
   const Words& paths = options_.arguments().words;
   require(std::count(paths.begin(), paths.end(), "-") == 0,
           fmt::format("{}: standard input has no file beside which anything could be {}; "
-                      "name a file ('./-' for one that is called '-').",
+                      "name a file ('./-' for one named '-').",
                       verb, done));
 }
 

@@ -72,7 +72,7 @@ Result<FormatTarget> parse_target(std::string_view option, std::string_view text
 
 Error unknown_word(std::string_view option, std::string_view text,
                    std::span<const std::string_view> names) {
-  return Error{fmt::format("{}: {} is none of {}.{}", option, gltfx::quoted(text),
+  return Error{fmt::format("{}: {} is not one of {}.{}", option, gltfx::quoted(text),
                            fmt::join(names, ", "), suggestion(text, names))};
 }
 

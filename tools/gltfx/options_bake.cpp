@@ -181,7 +181,7 @@ void check_bake(Reading& reading) {
       "bake: --embed and --time-budget are mutually exclusive: what is in a file should "
       "not depend on the machine.");
   reading.require(!given("--cache") || (!given("--embed") && !compares && is_zero("--time-budget")),
-                  "bake: --cache knows files that the same asset always gives; leave out --embed, "
+                  "bake: --cache is for files that depend on the asset alone; leave out --embed, "
                   "--compare and --time-budget.");
   reading.require(!given("--sheet") || !given("--shard"),
                   "bake: --shard draws some of the pictures, --sheet needs all; draw it in a run "

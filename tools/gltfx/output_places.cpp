@@ -60,8 +60,8 @@ class Destination {
     }
     if (!is_asset_name(output_)) return {};
     return fmt::format(
-        "--output: {} is called like one file, but several assets may come; end it "
-        "in '/' if it is to be a folder.",
+        "--output: {} looks like one file, but there may be several assets; end it "
+        "in '/' for a folder.",
         quoted(output_, 200));
   }
 
@@ -202,7 +202,7 @@ std::optional<Error> check_name(const char* option, const std::string& name,
     return Error{fmt::format("{}: {}.", option, wrong)};
   }
   if (format == "png" || name.ends_with(format)) return std::nullopt;
-  return Error{fmt::format("--format: that is for files in a folder; the name {} says another one.",
+  return Error{fmt::format("--format: it is for files in a folder; the name {} has another format.",
                            quoted(name, 200))};
 }
 
@@ -261,8 +261,8 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
   const bool to_be_made = folder && !output.ends_with('/') && !fs::exists(output, error);
   if (to_be_made && check_picture_name(output).empty()) {
     return Error{fmt::format(
-        "--output: {} is called like one picture, but several assets may come; end it in '/' if it "
-        "is to be a folder.",
+        "--output: {} looks like one picture, but there may be several assets; end it in '/' for a "
+        "folder.",
         quoted(output, 200))};
   }
   if (!folder) {

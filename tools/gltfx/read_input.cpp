@@ -21,9 +21,7 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 18U;
 
-Error too_long(std::uint64_t most) {
-  return {fmt::format("it has more than {} bytes, which is too much here", most)};
-}
+Error too_long(std::uint64_t most) { return {fmt::format("it has more than {} bytes", most)}; }
 
 // Appends the bytes of one read; false at the end.
 Result<bool> read_on(int fd, std::string& text) {

@@ -188,7 +188,7 @@ class SchemaTests {
     const json::Parsed parsed = json::parse(std::string_view(both));
     const json::NodeId first = parsed.document.root() + 1;
     if (json::equal(parsed.document, first, parsed.document.next(first))) return std::nullopt;
-    return "the upgraded asset is another one:\n" + printable(*text);
+    return "the upgraded asset differs:\n" + printable(*text);
   }
 
   const json::Document& document_;

@@ -88,10 +88,10 @@ std::string orphans_text(const UpgradeReport& report) {
   if (!report.orphans_kept.empty()) {
     fmt::format_to(std::back_inserter(text), ": {}", report.orphans_kept);
   } else if (!removed) {
-    text += ", --prune takes them out";
+    text += ", --prune removes them";
   }
   for (const std::string& name : report.names_removed) {
-    fmt::format_to(std::back_inserter(text), "; {} has no object any more: its name goes, too",
+    fmt::format_to(std::back_inserter(text), "; {} has no objects left: its name is removed, too",
                    name);
   }
   return wrapped(printable(text), 2);

@@ -88,7 +88,7 @@ function upgradePart(asset) {
     make("p.soft", {}, make("span.mono", {}, isolated(step.from), step.to ? " → " : "", step.to ? isolated(step.to) : ""),
       " · " + (step.done ? "" : "left alone: ") + step.outcome),
     step.notes.map((note) => make("p.soft", {}, isolated(note.replace(/\.?$/, "."))))));
-  return make("section", {}, make("h4", {}, "What gltfx upgrade makes of it"), make("ol.steps", {}, steps),
+  return make("section", {}, make("h4", {}, "What gltfx upgrade changes"), make("ol.steps", {}, steps),
     asset.upgradeOmitted > 0 ? make("p.soft", {}, counted(asset.upgradeOmitted, "more object") + ".") : null,
     asset.upgradeProblem ? make("p.soft", {}, "Nothing is done: ", isolated(asset.upgradeProblem)) : null);
 }

@@ -153,7 +153,7 @@ function validateOnce(module, asset, options) {
 
 function position(names, name) {
   const found = names.indexOf(name);
-  if (found < 0) throw new Error(`gltfx: '${name}' is none of ${names.filter(Boolean).join(", ")}`);
+  if (found < 0) throw new Error(`gltfx: '${name}' is not one of ${names.filter(Boolean).join(", ")}`);
   return found;
 }
 
