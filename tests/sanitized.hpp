@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether the tests are built with AddressSanitizer. It keeps what was freed, so that the memory
-/// of a process says nothing, and all takes several times as long: tests of large input take less.
+/// Whether the tests are built with AddressSanitizer. It keeps freed memory, so that the memory of
+/// a process is meaningless, and everything takes several times as long: tests of large input take
+/// less.
 #pragma once
 
 namespace gltfx {

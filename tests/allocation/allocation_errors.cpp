@@ -4,7 +4,7 @@
 /// Runs validate, upgrade and bake over small assets and lets each STRIDE-th allocation fail, one
 /// in each run. A run either says that there is not enough memory and ends with the code of a
 /// failure, or it ends as if nothing had happened; files are all there or none is. NAME limits it
-/// to the cases whose name holds it. FOLDER is for what is written.
+/// to the cases whose name holds it. FOLDER is for output.
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 struct Case {
   std::string name;
-  std::vector<std::string> words;  ///< arguments of the program; "{out}" is a folder of its own
+  std::vector<std::string> words;  ///< arguments of the program; "{out}" is a separate folder
 };
 
 std::vector<Case> cases(const fs::path& fixtures) {
@@ -113,7 +113,7 @@ class Runner {
   fs::path folder_;
 };
 
-/// What is wrong with a run; empty when nothing is.
+/// The failure of a run; empty when there is none.
 std::string error_of(const Run& run, const Run& sound) {
   const int code = run.outcome.code;
   if (code == 124) return "took too long";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library throws nothing: where memory is missing it says so. Pictures are left to the runs of
-// the program: Embree ends a program that has no memory left when a device is released.
+// The library throws nothing: it reports missing memory. Pictures are left to the runs of the
+// program: Embree ends a program that has no memory left when a device is released.
 #include <gltfx/pipeline.hpp>
 
 #include <filesystem>

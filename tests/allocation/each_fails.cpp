@@ -71,7 +71,7 @@ std::string call(const std::function<std::string()>& work, long number) {
 void count_allocations(bool on) { counting = on; }
 
 void let_each_fail(const std::function<std::string()>& work, const fs::path& folder) {
-  call(work, 0);  // what is built once and kept is there from now on
+  call(work, 0);  // makes everything that is built once and kept
   if (!folder.empty()) fs::remove_all(folder / "out");
   const std::string sound = call(work, 0);
   const long all = allocations;

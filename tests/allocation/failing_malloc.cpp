@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// To be preloaded: lets one allocation of a program fail. GLTFX_FAIL_AT is its number, counted
-/// from 1 from main() on (0: none); before that nobody could say anything. GLTFX_FAIL_LOG names a
+/// from 1 from main() on (0: none); before that nothing could report it. GLTFX_FAIL_LOG names a
 /// file that gets the number of allocations when the program ends, or "failed" and a number when
 /// one did.
 #include <atomic>
@@ -56,7 +56,7 @@ Main real_main = nullptr;
 int counted_main(int argc, char** argv, char** environment) {
   const char* number = std::getenv("GLTFX_FAIL_AT");
   fail_at = number == nullptr ? 0 : std::atol(number);
-  // Processes that are started from here are somebody else's business.
+  // Processes that are started from here do not fail.
   ::unsetenv("LD_PRELOAD");
   std::atexit(write_log);
   counting = true;

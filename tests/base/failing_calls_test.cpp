@@ -66,7 +66,7 @@ TEST(FailingCalls, WritingGoesOnAfterASignal) {
   EXPECT_EQ(content_of(folder.path() / "a.gltf"), "new");
 }
 
-// Root opens any folder, so that a call has to fail in the place of a right.
+// Root opens any folder, so a failing call replaces a missing permission.
 TEST(FailingCalls, AFolderThatCannotBeOpenedIsSaidBeforeAnythingIsReplaced) {
   const TempFolder folder;
   const fs::path file = folder.path() / "a.gltf";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file has beside its bytes, when another one takes its place.
+// Attributes of a file when another one replaces it.
 #include <cerrno>
 #include <cstdint>
 #include <filesystem>
@@ -93,7 +93,7 @@ TEST(FileAttributes, AnAccessControlListIsKept) {
   EXPECT_EQ(mode_of(file), 0660U);
 }
 
-// What a folder gives to new files would let in users that the old file kept out.
+// Attributes that new files inherit would give access to users without access to the old file.
 TEST(FileAttributes, AListThatTheFolderGivesIsNotTakenOver) {
   const TempFolder folder;
   const fs::path file = folder.write("a.glb", "old");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a process that was killed leaves behind.
+/// Files that a killed process leaves behind.
 #pragma once
 
 #include <string>

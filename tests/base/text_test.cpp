@@ -42,7 +42,7 @@ TEST(Printable, ShowsWhatIsNotSeen) {
   EXPECT_EQ(printable("\u180b\u180e\ufe00\ufe0f\U000e0100"),
             "\\u180b\\u180e\\ufe00\\ufe0f\\u{e0100}");
   EXPECT_EQ(printable("\u2800\u2061\u206f\ufff9"), "\\u2800\\u2061\\u206f\\ufff9");
-  // Private use, noncharacters, and planes where only ignorable characters may come to stand.
+  // Private use, noncharacters, and planes reserved for ignorable characters.
   EXPECT_EQ(printable("\ue000\uf8ff\U000f0000\U0010fffd"), "\\ue000\\uf8ff\\u{f0000}\\u{10fffd}");
   EXPECT_EQ(printable("\ufdd0\uffff\U0001fffe\U000e0fff"), "\\ufdd0\\uffff\\u{1fffe}\\u{e0fff}");
   EXPECT_EQ(printable("\U0004fffe\U0007ffff\U000dffff"), "\\u{4fffe}\\u{7ffff}\\u{dffff}");

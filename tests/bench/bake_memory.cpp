@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws an asset and looks at the memory of this process:
+// Draws an asset and measures the memory of this process:
 //   bake_memory ASSET SIZE SAMPLES JOBS
 // prints bytes of what is drawn (vertices with all attributes that are used, indices, decoded
 // texels: each once, packed as the scene holds them), and the peak above an idle process when the

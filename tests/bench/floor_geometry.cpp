@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Floor of a geometry check: maps a terrain.glb of make_assets.py, whose layout it knows, and asks
-// of its numbers what every check has to ask (extremes, finite, unit length, index, triangle).
+// Lower bound of a geometry check: maps a terrain.glb of make_assets.py, whose layout is fixed, and
+// does the comparisons that every check needs (extremes, finite, unit length, index, triangle).
 //
 //   floor_geometry FILE.glb SIDE THREADS
 #include <algorithm>
@@ -19,7 +19,7 @@
 
 namespace {
 
-constexpr std::size_t kBlock = 4096;  // numbers that stay in the first cache
+constexpr std::size_t kBlock = 4096;  // numbers that fit the first cache
 
 std::uint32_t word(float value) { return std::bit_cast<std::uint32_t>(value); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What nobody who validates a JSON text can avoid: reads the file and builds the flat document.
+// Lower bound of a validation of JSON text: reads the file and builds the flat document.
 //
 //   floor_json FILE.gltf
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Floor of a check of property tables: maps a tables.glb of make_assets.py, whose layout it knows,
-// reads everything once and asks what every check has to ask (extremes, finite, listed, ascending
-// offsets, UTF-8).
+// Lower bound of a check of property tables: maps a tables.glb of make_assets.py, whose layout is
+// fixed, reads everything once and does the comparisons that every check needs (extremes, finite,
+// listed, ascending offsets, UTF-8).
 //
 //   floor_tables FILE.glb
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace {
 
-constexpr std::size_t kBlock = 4096;  // numbers that stay in the first cache
+constexpr std::size_t kBlock = 4096;  // numbers that fit the first cache
 
 bool is_odd(float value) {
   return (std::bit_cast<std::uint32_t>(value) & 0x7f800000U) == 0x7f800000U;

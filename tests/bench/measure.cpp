@@ -4,7 +4,7 @@
 //
 //   measure REPEATS -- PROGRAM ARG... -- PROGRAM ARG...
 //
-// Taking turns lets a busy machine slow all of them alike. Standard output goes to /dev/null.
+// Taking turns makes a busy machine slow all of them equally. Standard output goes to /dev/null.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a run over a folder cannot do without: walk it and read every file once.
+/// Lower bound of a run over a folder: walks it and reads every file once.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects go, and each reference that stays leads to the object that it led to before.
+// Objects are deleted, and each remaining reference leads to the same object as before.
 #include "change/deletion.hpp"
 
 #include <gmock/gmock.h>

@@ -95,7 +95,7 @@ TEST(GlbRewrite, PartsOfTheBinChunkAreTakenOut) {
             file("[]", chunk(container::kChunkBin, "efghxyzw")));
 }
 
-// Addresses only: nothing but the end of the text is looked at.
+// Reserves addresses only: only the end of the text is read.
 TEST(GlbRewrite, BeyondFourGibibytesThereIsNoGlb) {
   constexpr std::size_t kSize = std::size_t{1} << 32U;
   void* const memory =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where new bytes come to stand.
+// Places of new bytes.
 #include "change/place.hpp"
 
 #include <functional>
@@ -27,7 +27,7 @@ struct Placed {
   std::string error;
 };
 
-// An asset with additions, everything free but for `taken` names.
+// An asset with additions; all names are free except `taken` ones.
 Placed tried(const std::string& content, const std::function<void(Additions&)>& add,
              std::size_t taken = 0) {
   const container::Container file =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people put into an object, and extensions on it, are not lost with an object that goes.
+// Extras and foreign extensions of a deleted object are not lost.
 #include "change/removal.hpp"
 
 #include <gmock/gmock.h>

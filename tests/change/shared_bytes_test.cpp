@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One content of a file for all who read it.
+// One content of a file for all its users.
 #include "change/shared_bytes.hpp"
 
 #include <cstdint>
@@ -102,7 +102,7 @@ TEST(SharedBytes, WhoReadsOtherBytesThanItWantsIsInConflict) {
   EXPECT_FALSE(two.conflicts.empty());
 }
 
-// What one who only looks on would change is not written, and in nobody's way.
+// Changes of a user that only reads are not written, and cause no conflict.
 TEST(SharedBytes, LookersOnChangeNothing) {
   const std::string before = "aaaaaaaa";
   const MergedFile merged =

@@ -46,9 +46,9 @@ std::span<const std::byte> request_bytes(std::string_view text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
 
-/// What /proc says of a process.
+/// The state of a process in /proc.
 struct ProcessState {
-  char state = 'X';  ///< 'Z': all it had is given back; 'X': it is gone
+  char state = 'X';  ///< 'Z': its resources are freed; 'X': it no longer exists
   long ticks = 0;    ///< processor time so far
 };
 
@@ -73,7 +73,7 @@ void wait_until(Condition condition) {
   while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
 }
 
-// Gone, or a zombie that nobody has waited for yet.
+// Whether it no longer exists, or is a zombie without a waiter yet.
 void wait_for_end(pid_t process) {
   wait_until([process] {
     const char state = state_of(process).state;
@@ -162,7 +162,7 @@ TEST(Client, EndlessWorkRunsOutOfProcessorTime) {
   }
 }
 
-// Its time is not over, for it uses none: that says nothing about the bytes.
+// It uses no time, so its limit is not reached: that says nothing about the bytes.
 TEST(Client, AWorkerThatStandsStillIsEnded) {
   Settings settings = test_settings();
   settings.standstill_seconds = 10;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Meshes through the worker that is built beside the tests.
+/// Meshes decoded by the worker that is built with the tests.
 #include <atomic>
 #include <cstring>
 #include <thread>
@@ -30,7 +30,7 @@ DracoResult decode_draco(const std::string& bytes) {
   return Client::shared().decode_draco(draco_bytes(bytes));
 }
 
-// The mesh, or an empty one and a failed test that says why.
+// The mesh, or an empty one and a failed test with the reason.
 DracoMesh mesh_of(const std::string& bytes) {
   DracoResult result = decode_draco(bytes);
   if (const auto* error = std::get_if<DecodeError>(&result)) {
@@ -47,7 +47,7 @@ DecodeError draco_error(const std::string& bytes) {
   return {};
 }
 
-// Whether a worker had the bytes, whatever became of it.
+// Whether a worker got the bytes, with any result.
 bool was_asked(const DracoResult& result) {
   const auto* error = std::get_if<DecodeError>(&result);
   return error == nullptr || error->kind != ErrorKind::unavailable;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images that are encoded and decoded again by the worker that is built beside the tests.
+/// Images that the worker, which is built with the tests, encodes and decodes again.
 #include <cstring>
 #include <string>
 #include <vector>

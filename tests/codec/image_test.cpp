@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images through the worker that is built beside the tests.
+/// Images decoded by the worker that is built with the tests.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ ImageResult decode(const std::string& bytes, const Wanted& wanted = {}) {
   return Client::shared().decode_image(request);
 }
 
-// The image, or an empty one and a failed test that says why.
+// The image, or an empty one and a failed test with the reason.
 Image image_of(const std::string& bytes, const Wanted& wanted = {}) {
   ImageResult result = decode(bytes, wanted);
   if (const auto* error = std::get_if<DecodeError>(&result)) {
@@ -99,7 +99,7 @@ TEST(Images, AJpegHasThreeChannels) {
   EXPECT_EQ(image.doubt, "");
 }
 
-// The average colour stays.
+// The average colour does not change.
 TEST(Images, AJpegIsDecodedWithFewerTexels) {
   Wanted wanted{ImageFormat::jpeg};
   const auto mean_red = [](const Image& image) {
@@ -224,7 +224,7 @@ TEST(Images, AnImageThatTakesTooMuchMemoryOrTimeIsRefused) {
               testing::AnyOf(ErrorKind::out_of_memory, ErrorKind::timed_out));
 }
 
-// What a cut image still shows must be all of it, or be doubted.
+// A truncated image must be complete, or have a doubt.
 TEST(Images, EveryCutIsAnErrorOrDoubtedOrLosesNoPixel) {
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg, ImageFormat::webp}) {
     const std::string whole =

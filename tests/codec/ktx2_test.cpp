@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// KTX2 images of ETC1S and UASTC through the worker, against what Binomial's transcoder makes of
-/// them: tests/codec/basis/README.md says where the files come from.
+/// them: tests/codec/basis/README.md has the sources of the files.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -55,7 +55,7 @@ DecodeError ktx2_error(const std::string& bytes, bool pixels = true, std::uint32
   return {};
 }
 
-// Numbers of a channel; opaque where there is no alpha.
+// Numbers of a channel; opaque without alpha.
 std::string channel_of(const Image& image, std::size_t channel) {
   std::string values;
   for (std::uint64_t i = 0; i < image.texels(); ++i) {
@@ -102,7 +102,7 @@ TEST(Ktx2Pixels, AreThoseOfTheTranscoder) {
   for (const fs::path& file : files) expect_transcoded(file);
 }
 
-// Files made anew: tools/nightly names their folder.
+// New files: tools/nightly names their folder.
 TEST(Ktx2Pixels, AreThoseOfTheTranscoderAfresh) {
   const char* folder = std::getenv("GLTFX_KTX2_TRUTH");  // NOLINT(concurrency-mt-unsafe)
   if (folder == nullptr) GTEST_SKIP() << "GLTFX_KTX2_TRUTH is not set";

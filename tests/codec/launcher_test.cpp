@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the programs that decode look like from outside.
+/// The decoder programs, seen from outside.
 #include <algorithm>
 #include <filesystem>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Radiance pictures through the worker that is built beside the tests.
+/// Radiance pictures decoded by the worker that is built with the tests.
 #include <cstring>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a URI names, or a sentence that says why it cannot be had.
+// The bytes of a URI, or a sentence with the reason why there are none.
 #include <fstream>
 
 #include <gmock/gmock.h>

@@ -19,7 +19,7 @@ inline std::string little_endian(std::uint32_t value) {
   return bytes;
 }
 
-/// A chunk; `length` is what its header says, by default the truth.
+/// A chunk; `length` is that of its header, by default the true one.
 inline std::string chunk(std::uint32_t type, std::string_view data,
                          std::optional<std::uint32_t> length = {}) {
   return little_endian(length.value_or(static_cast<std::uint32_t>(data.size()))) +
@@ -34,7 +34,7 @@ inline constexpr std::string_view kJson = R"({"asset":{"version":"2.0"}} )";
 inline std::string json_chunk() { return chunk(kChunkJson, kJson); }
 inline std::string bin_chunk(std::string_view data = "abcd") { return chunk(kChunkBin, data); }
 
-/// What the header says where it is to differ from the truth.
+/// Header fields that differ from the true values.
 struct GlbHeader {
   std::optional<std::uint32_t> length = {};
   std::uint32_t version = 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Known mistakes of programs that write or copy GLBs: one error that names the cause.
+// Known mistakes of programs that write or copy GLBs give one error that names the cause.
 #include <string>
 #include <vector>
 

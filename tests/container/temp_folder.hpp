@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A folder of its own for each test, gone at its end.
+/// A separate folder for each test, deleted at its end.
 #pragma once
 
 #include <chrono>
@@ -22,7 +22,7 @@ class TempFolder {
   TempFolder() {
     std::string name = (std::filesystem::temp_directory_path() / "gltfx_test_XXXXXX").native();
     if (::mkdtemp(name.data()) == nullptr) std::abort();
-    // Without links, so that paths can be compared with what the system says.
+    // Without links, so that paths can be compared with those of the system.
     path_ = std::filesystem::canonical(name);
   }
   ~TempFolder() {
@@ -34,7 +34,7 @@ class TempFolder {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Writes a file, with the folders it lies in.
+  /// Writes a file and creates its folders.
   std::filesystem::path write(const std::filesystem::path& name, std::string_view content) const {
     const std::filesystem::path file = path_ / name;
     std::filesystem::create_directories(file.parent_path());
@@ -52,7 +52,7 @@ class TempFolder {
                          std::filesystem::directory_iterator());
   }
 
-  /// Makes `name` a symbolic link that says `target`.
+  /// Makes `name` a symbolic link to `target`.
   void link(const std::filesystem::path& name, const std::filesystem::path& target) const {
     std::filesystem::create_directories((path_ / name).parent_path());
     std::filesystem::create_symlink(target, path_ / name);
@@ -62,7 +62,7 @@ class TempFolder {
   std::filesystem::path path_;
 };
 
-/// All bytes of a file; none when there is no such file.
+/// All bytes of a file; none when it does not exist.
 inline std::string content_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

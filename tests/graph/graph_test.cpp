@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Who refers to what, by which kind of reference, and what loses its last user.
+// References by kind, and elements that lose their last user.
 #include "graph/graph.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the shader has to say to the cases of each category.
+/// The results of the shader for the cases of each category.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -8,10 +8,10 @@
 
 namespace gltfx::ground_truth {
 
-/// Values for the keys of `expected`; null where a key is not known.
+/// Values for the keys of `expected`; null for an unknown key.
 using Category = Value (*)(Inputs& inputs, const Value& expected);
 
-/// Null for a category that is not known.
+/// Null for an unknown category.
 Category find_category(std::string_view name);
 
 Value evaluate_bsdf(Inputs& inputs, const Value& expected);

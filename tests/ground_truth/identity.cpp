@@ -158,7 +158,7 @@ bool specular_glossiness_is_ior_0() {
     two.b.specular_color = specular;
     return two;
   });
-  // A specular colour of 1 leaves nothing to what is below, at any angle.
+  // A specular colour of 1 leaves nothing to the layers below, at any angle.
   Numbers numbers;
   for (int i = 0; same && i < kTrials; ++i) {
     Material white = specular_glossiness(numbers.color(), Rgb(1), 0.5);

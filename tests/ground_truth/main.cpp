@@ -56,7 +56,7 @@ std::string text_of(const Value& object, std::string_view key) {
   return value == nullptr ? "" : value->text;
 }
 
-// What is wrong with a case; empty: nothing.
+// The failure of a case; empty: none.
 Difference run(const Value& test, const std::string& category) {
   static const Value kNothing;
   const Value* inputs = test.find("inputs");

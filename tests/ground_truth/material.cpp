@@ -49,7 +49,7 @@ Material read_properties(Inputs& in) {
   m.unlit = in.number("unlit", 0) != 0;
   read_volume(in, m);
   read_layers(in, m);
-  in.ignore("doubleSided");  // both sides are looked at anyway
+  in.ignore("doubleSided");  // both sides are checked anyway
   return m;
 }
 

@@ -128,7 +128,7 @@ class GrowingSlab {
   }
 
   double albedo_;
-  std::vector<Node> cosines_;  // the last is the one that is asked for
+  std::vector<Node> cosines_;  // the last is the requested one
   std::vector<double> x_, y_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Radiative transfer in media that scatter light evenly, solved without random numbers: what the
-/// random walks of the renderer have to come to. Index-matched boundaries; lengths in mean free
+/// Radiative transfer in media that scatter light evenly, solved without random numbers: the
+/// expected results of the renderer's random walks. Index-matched boundaries; lengths in mean free
 /// paths; `albedo` is that of single scattering.
 #pragma once
 
@@ -27,7 +27,7 @@ class SemiInfinite {
 };
 
 struct SlabAlbedo {
-  double reflected = 0, transmitted = 0;  ///< the latter with what was not scattered
+  double reflected = 0, transmitted = 0;  ///< the latter includes unscattered light
 };
 /// A slab of some thickness under even light from one side, seen under a cosine.
 SlabAlbedo slab_albedo(double albedo, double thickness, double cosine);

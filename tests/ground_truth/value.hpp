@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Values of a file of cases: what goes in, what is expected, what the shader gives.
+/// Values of a file of cases: inputs, expected values, results of the shader.
 #pragma once
 
 #include <gltfx/vec3.hpp>
@@ -35,14 +35,14 @@ struct Value {
 /// Reads a JSON text; nothing when it is none.
 std::optional<Value> parse_json(const std::string& text);
 
-/// The inputs of a case. What is never asked for stays in unread(): inputs that are not understood.
+/// The inputs of a case. Values that are never read stay in unread(): unknown inputs.
 class Inputs {
  public:
   explicit Inputs(const Value& object, std::string path = "") : object_(&object), path_(path) {}
 
   bool has(const std::string& key) const { return object_->find(key) != nullptr; }
   double number(const std::string& key, double otherwise);
-  /// A number stands for three equal ones.
+  /// A number means three equal ones.
   Rgb color(const std::string& key, const Rgb& otherwise);
   std::vector<double> numbers(const std::string& key, const std::vector<double>& otherwise);
   std::string text(const std::string& key);

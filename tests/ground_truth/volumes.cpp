@@ -19,8 +19,8 @@ Crossing cross_boundary(const Material& material, const Vec3d& v) {
 
 namespace {
 
-// Light between two boundaries that are met again and again under one angle: `entering` comes from
-// outside, `inside` is what each does to light that is within.
+// Light between two boundaries that are hit repeatedly at one angle: `entering` comes from outside,
+// `inside` is what each does to light that is within.
 struct Between {
   Crossing entering, inside;
 
@@ -32,7 +32,7 @@ struct Between {
 
 bool is_smooth(const Material& m) { return m.roughness <= 0.01 && m.transmission == 1; }
 
-// A slab comes with its material's properties beside its own.
+// A slab has its material's properties in addition to its own.
 Material slab_material(Inputs& inputs) {
   Material m = read_properties(inputs);
   m.thickness = 1;

@@ -6,10 +6,10 @@
 
 namespace gltfx::ground_truth {
 
-/// What a smooth boundary does to a ray that comes from v.
+/// The effect of a smooth boundary on a ray that comes from v.
 struct Crossing {
   Rgb reflected, transmitted;
-  Vec3d onwards;  ///< into which direction it goes on behind the boundary; z is 0 when it does not
+  Vec3d onwards;  ///< direction behind the boundary; z is 0 when there is none
 };
 Crossing cross_boundary(const Material& material, const Vec3d& v);
 

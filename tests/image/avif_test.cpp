@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Headers of AVIF images; tests/codec/avif/README.md says where the files come from.
+// Headers of AVIF images; tests/codec/avif/README.md has the sources of the files.
 #include <fstream>
 #include <iterator>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How images are told apart, and what headers of several formats have in common.
+// Recognition of image formats, and properties that headers of several formats share.
 #include "image/header.hpp"
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Headers of images as tests ask for them.
+/// Headers of images for tests.
 #pragma once
 
 #include <span>
@@ -34,7 +34,7 @@ inline image::HeaderError::Kind error(const std::string& bytes) {
 /// What makes readers refuse an image that has a header.
 inline std::string doubt(const std::string& bytes) { return header(bytes).doubt; }
 
-/// What is remarked of an image that readers show, with '!' in front where they differ.
+/// The remark on an image that readers show, preceded by '!' if they differ.
 inline std::string remark(const std::string& bytes) {
   const image::Header found = header(bytes);
   EXPECT_EQ(found.doubt, "");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What headers of JPEG say, and what is wrong with them. The images are built here, segment by
-// segment.
+// Contents and errors of JPEG headers. The images are built here, segment by segment.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -84,7 +83,7 @@ TEST(Jpeg, ProcessesAreThoseThatReadersKnow) {
   }
 }
 
-// Bytes of a whole JPEG changed at some place behind a marker.
+// Bytes of a whole JPEG changed at some place after a marker.
 std::string patched_jpeg(unsigned char marker, std::size_t offset, const std::string& bytes) {
   std::string whole = whole_jpeg();
   const std::size_t at = whole.find(std::string{'\xff', static_cast<char>(marker)}, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// KTX2 files put together field by field, sound unless a test says otherwise.
+/// KTX2 files built field by field, valid unless a test changes them.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline std::string le(std::uint64_t value, std::size_t bytes) {
   return text;
 }
 
-/// What a KTX2 file is made of; by default UASTC of RGB in sRGB, 4 by 4 texels, one level.
+/// The parts of a KTX2 file; by default UASTC of RGB in sRGB, 4 by 4 texels, one level.
 struct Ktx2Builder {
   std::uint32_t vk_format = 0, type_size = 1;
   std::uint32_t width = 4, height = 4, depth = 0, layers = 0, faces = 1, levels = 1;

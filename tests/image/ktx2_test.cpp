@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What KTX2 files say, and what is wrong with them. The offsets are those of KTX 2.0, section 3.
+// Contents and errors of KTX2 files. The offsets are those of KTX 2.0, section 3.
 #include "image/ktx2.hpp"
 
 #include <set>
@@ -194,7 +194,7 @@ TEST(Ktx2, LevelsLieWhereTheyMust) {
 
 TEST(Ktx2, GlobalDataDescribesEverySlice) {
   const std::string whole = Ktx2Builder::etc1s({0, 15}).file();
-  constexpr std::size_t kTables = 168;  // behind a descriptor of two samples, aligned to 8
+  constexpr std::size_t kTables = 168;  // after a descriptor of two samples, aligned to 8
   const Codes bad{"KTX2_GLOBAL_DATA_INVALID"};
   const auto with = [&](std::size_t offset, std::uint64_t value) {
     return codes(patched(whole, kTables + offset, le(value, 4)));
@@ -297,7 +297,7 @@ TEST(Ktx2, LevelsOfEveryFormatHaveTheirBytes) {
 }
 
 TEST(Ktx2, GlobalDataHaveNoEmptyTables) {
-  constexpr std::size_t kTables = 152;  // behind a descriptor of one sample, aligned to 8
+  constexpr std::size_t kTables = 152;  // after a descriptor of one sample, aligned to 8
   const std::string whole = Ktx2Builder::etc1s().file();
   const Codes bad{"KTX2_GLOBAL_DATA_INVALID"};
   EXPECT_EQ(codes(patched(whole, kTables, le(0, 2))), bad) << "endpoints";

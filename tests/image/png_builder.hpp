@@ -71,7 +71,7 @@ inline std::string jpeg(const std::string& segments) {
   return "\xff\xd8" + jpeg_segment(0xE0, "JFIF padding") + segments;
 }
 
-/// A JPEG with all that stands before its image data, behind other segments.
+/// A JPEG with everything before its image data, after other segments.
 inline std::string whole_jpeg(const std::string& segments = {}, char components = 3) {
   return jpeg(segments + jpeg_frame(components) + jpeg_tables() + jpeg_scan(components));
 }
@@ -94,7 +94,7 @@ inline std::string webp_lossless(std::uint32_t width, std::uint32_t height, bool
   return '\x2f' + le((width - 1) | (height - 1) << 14U | (alpha ? 1U : 0U) << 28U, 4);
 }
 
-/// A WebP of 4 by 4 pixels in the extended form, with an image that goes with its flags.
+/// A WebP of 4 by 4 pixels in the extended form, with an image that matches its flags.
 inline std::string extended_webp(char flags) {
   return webp_file(webp_chunk("VP8X", flags + le(0, 3) + le(3, 3) + le(3, 3)) +
                    webp_chunk("VP8L", webp_lossless(4, 4, (flags & 0x10) != 0)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What headers of PNG say, and what is wrong with them. The images are built here, chunk by chunk.
+// Contents and errors of PNG headers. The images are built here, chunk by chunk.
 #include <set>
 #include <string>
 #include <utility>

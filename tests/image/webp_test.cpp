@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What headers of WebP say, and what is wrong with them. The images are built here, chunk by chunk.
+// Contents and errors of WebP headers. The images are built here, chunk by chunk.
 #include <string>
 
 #include <gtest/gtest.h>

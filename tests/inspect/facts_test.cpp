@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is told of an asset, by assets made by hand: each number is one that a person can count.
+/// Facts about handmade assets, in which each number can be counted by hand.
 #include "inspect/facts.hpp"
 
 #include <string>
@@ -31,8 +31,8 @@ std::uint64_t bytes(const AssetFacts& facts, ByteUse use) {
   return facts.bytes[static_cast<std::size_t>(use)];
 }
 
-// 96 bytes: positions of 3 vertices and, in the same view, indices behind them; a gap of 6; 30
-// bytes that nobody refers to; then two times of an animation and 4 bytes to the end.
+// 96 bytes: positions of 3 vertices and, in the same view, indices after them; a gap of 6; 30 bytes
+// without a reference; then two times of an animation and 4 bytes to the end.
 const std::string kBuffer = R"({"byteLength": 96, "uri": "data.bin"})";
 
 class Buffer : public testing::Test {
@@ -68,7 +68,7 @@ TEST_F(Buffer, EachByteCountsOnceForWhoComesFirst) {
   EXPECT_EQ(bytes(seen, ByteUse::animations), 8U);
   EXPECT_EQ(seen.animations[0].bytes, 8U);
   EXPECT_EQ(bytes(seen, ByteUse::padding), 6U);
-  EXPECT_EQ(bytes(seen, ByteUse::unused), 40U);  // with the view that nobody looks at
+  EXPECT_EQ(bytes(seen, ByteUse::unused), 40U);  // with the unused view
   EXPECT_EQ(seen.total_bytes(), bytes(seen, ByteUse::json) + 96);
   ASSERT_EQ(seen.files.size(), 2U);
   EXPECT_EQ(seen.files[1].uri, "data.bin");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What differs between two glTF documents that ought to say the same, as pointers.
+/// Differences between two glTF documents that should be equal, as pointers.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace gltfx::test {
 
 using Json = nlohmann::json;
 
-/// Defaults of the core specification by the member's name, as far as it goes by names alone.
+/// Defaults of the core specification by the member's name, as far as names identify them.
 inline bool is_default(const std::string& name, const Json& value) {
   static const std::map<std::string, Json> kDefaults{{"byteOffset", 0},
                                                      {"texCoord", 0},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models of tinygltf become assets: what is written where, and what is refused.
+// Models of tinygltf become assets: the written files, and refused models.
 #include <array>
 #include <cmath>
 

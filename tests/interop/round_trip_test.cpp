@@ -27,7 +27,7 @@ std::vector<std::string> names() {
   return all;
 }
 
-// Bytes may move, and decoded ones lie in new views and buffers.
+// Bytes may move, and decoded ones are in new views and buffers.
 bool is_storage(const std::string& pointer) {
   if (pointer.starts_with("/buffers/") || pointer.starts_with("/bufferViews/")) return true;
   if (pointer.starts_with("/extensionsUsed") || pointer.starts_with("/extensionsRequired")) {
@@ -45,7 +45,7 @@ bool is_reported(const std::string& pointer, const std::vector<TinygltfNote>& no
   });
 }
 
-// Without the parameters of old, which tell a default from nothing.
+// Without the old parameters, which distinguish a default from a missing member.
 std::vector<tinygltf::Material> materials_of(tinygltf::Model model) {
   for (tinygltf::Material& material : model.materials) {
     material.values.clear();

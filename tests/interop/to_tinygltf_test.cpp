@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What models of tinygltf get, and what they have no place for.
+// Contents of models of tinygltf, and members that they cannot hold.
 #include <gmock/gmock.h>
 
 #include "container/base64.hpp"

@@ -304,7 +304,7 @@ TEST(Edit, RandomChangesGiveWhatATreeWouldAndLeaveTheRest) {
     const std::string result = apply_edits(text, edits);
     ASSERT_EQ(Oracle::parse(result), wanted) << text << '\n' << result;
     expect_rest_untouched(text, edits, result);
-    // Laid out as it was: another pass through the oracle's own writer changes nothing.
+    // The layout is kept: another pass through the oracle's own writer changes nothing.
     if (indent == -1 && text != "{}") {
       ASSERT_EQ(result, wanted.dump()) << text;
     }

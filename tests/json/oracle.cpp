@@ -117,7 +117,7 @@ bool equal_arrays(const Document& document, NodeId id, const simdjson::dom::arra
   return !(at != other.end());
 }
 
-// All members of a name are there, also those that are out of sight.
+// All members of a name are found, also hidden ones.
 bool equal_objects(const Document& document, NodeId id, const simdjson::dom::object& other) {
   auto at = other.begin();
   for (NodeId key = id + 1; key < document.next(id); key = document.next(key + 1)) {
@@ -243,7 +243,7 @@ std::string check_json(std::string_view text) {
        {check_errors(parsed, text), check_nodes(parsed.document), check_pointers(parsed)}) {
     if (!problem.empty()) return problem;
   }
-  // A mark before the text is passed by one judge and refused by the other: compare behind it.
+  // One parser accepts a byte order mark and the other refuses it: compare after it.
   if (has(parsed, SyntaxError::byte_order_mark)) return check_json(text.substr(3));
   std::string problem = compare_with_nlohmann(parsed, text);
   return problem.empty() ? compare_with_simdjson(parsed, text) : problem;

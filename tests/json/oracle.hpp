@@ -9,7 +9,7 @@
 namespace gltfx::fuzz {
 
 /// Parses `text` with all three parsers and compares verdict and values; checks spans, order and
-/// pointers of the document. Empty when all is well, else what is not.
+/// pointers of the document. Empty when they agree, else the difference.
 std::string check_json(std::string_view text);
 
 }  // namespace gltfx::fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Errors behind which the parser reads on.
+/// Errors after which the parser continues.
 #include <cmath>
 
 #include <gmock/gmock.h>

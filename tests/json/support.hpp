@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the tests of the JSON module share.
+/// Code shared by the tests of the JSON module.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of accessors as arrays: every component type and layout, and numbers that lie.
+// Elements of accessors as arrays: every component type and layout, and wrong numbers.
 #include "model/accessor_data.hpp"
 
 #include <memory>
@@ -179,7 +179,7 @@ TEST(AccessorData, NoBytesNoData) {
                    .open());
 }
 
-// Indices are view 1, values view 2; both lie behind four bytes of the base.
+// Indices are view 1, values view 2; both are after four bytes of the base.
 std::string sparse_views(const std::string& indices, const std::string& values) {
   return view(4) + ", " + view(indices.size(), R"(, "byteOffset": 4)") + ", " +
          view(values.size(), R"(, "byteOffset": )" + std::to_string(4 + indices.size()));

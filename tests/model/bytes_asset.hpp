@@ -11,10 +11,10 @@
 
 namespace gltfx::test {
 
-/// Collects accessors, each on a buffer view of its own.
+/// Collects accessors, each on its own buffer view.
 class Accessors {
  public:
-  /// The index of the new accessor. `more` goes into its object: `, "normalized": true`.
+  /// The index of the new accessor. `more` is added to its object: `, "normalized": true`.
   int add(const std::string& type, int component, std::size_t count, const std::string& bytes,
           const std::string& more = {}) {
     const int view = add_view(bytes);
@@ -22,7 +22,7 @@ class Accessors {
                      R"(", "componentType": )" + std::to_string(component) + R"(, "count": )" +
                      std::to_string(count) + more + "}");
   }
-  /// One that is written as it is.
+  /// An accessor that is written unchanged.
   int add_plain(const std::string& object) {
     accessors_ += (count_ == 0 ? "" : ", ") + object;
     return count_++;
@@ -55,7 +55,7 @@ class Accessors {
 /// The parsed asset with its buffer.
 class BytesAsset {
  public:
-  /// `members`: those of the root object beside the accessors.
+  /// `members`: other members of the root object.
   BytesAsset(const Accessors& accessors, const std::string& members) {
     std::string text("{");
     text.append(accessors.json()).append(members.empty() ? "" : ", ").append(members).append("}");

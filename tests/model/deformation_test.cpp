@@ -86,7 +86,7 @@ TEST(Morph, EveryAttributeMoves) {
   EXPECT_THAT(read.geometry.colors[1], ElementsAre(1, 0, 0.5F, 1)) << "colours stay colours";
 }
 
-// Two joints: one stays, one is turned by 90 degrees about z and moved.
+// Two joints: one does not move, one is rotated by 90 degrees about z and translated.
 const std::vector<Affine> kJoints{
     Affine(), Affine::from_parts({10, 0, 0}, {0, 0, std::sqrt(0.5), std::sqrt(0.5)}, {1, 1, 1})};
 
@@ -105,8 +105,7 @@ TEST(Skin, VerticesFollowTheirJoints) {
   const BytesAsset asset(skinned_triangle(floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0.5F, 0, 0})),
                          kSkinned);
   const auto read = asset.read({{}, {}, kJoints});
-  // (1, 0, 0) turns to (0, 1, 0) and moves by 10; the last one lies between (0, 1, 0) and (9, 0,
-  // 0).
+  // (1, 0, 0) turns to (0, 1, 0) and moves by 10; the last one is between (0, 1, 0) and (9, 0, 0).
   EXPECT_THAT(read.geometry.positions,
               ElementsAre(near_vector(0, 0, 0), near_vector(10, 1, 0), near_vector(4.5F, 0.5F, 0)));
   const float half = std::sqrt(0.5F);

@@ -93,7 +93,7 @@ TEST(Geometry, PointsAreThoseOfTheirIndices) {
 
 TEST(Geometry, TrianglesWithoutAreaOrVertexAreLeftOut) {
   EXPECT_THAT(triangles_of(4, {0, 0, 1, 0, 1, 7, 1, 2, 3}), ElementsAre(Triangle{1, 2, 3}));
-  // A strip goes on behind them in step.
+  // A strip continues after them with the same orientation.
   EXPECT_THAT(triangles_of(5, {0, 1, 1, 2, 3}), ElementsAre(Triangle{1, 2, 3}));
 }
 

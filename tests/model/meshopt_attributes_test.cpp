@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attribute streams: what the library and our own encoder write is read back; nothing else is.
+// Attribute streams: those of the library and of our own encoder are read back; all others are
+// refused.
 #include <gtest/gtest.h>
 #include <meshoptimizer.h>
 
@@ -28,7 +29,7 @@ Octets library_stream(const Octets& elements, std::size_t count, std::size_t str
   return stream;
 }
 
-// Our decoder alone, which also reads what the library can read.
+// Our decoder only, which also reads the streams of the library.
 Decoded own(const Octets& stream, const Layout& layout) {
   Decoded result;
   result.elements.resize(static_cast<std::size_t>(layout.count * layout.stride));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Index streams: what the library writes is read back, and what the specification calls invalid is
-// refused, also where the library takes it.
+// Index streams: those of the library are read back, and those that the specification calls invalid
+// are refused, also where the library takes it.
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ Octets index_stream(const Indices& list) {
   return stream;
 }
 
-// What the library makes of a stream of triangles, which may begin with another of their corners.
+// The library's result for a stream of triangles, which may begin with another corner.
 Octets library_triangles(const Octets& stream, std::size_t count, std::size_t stride) {
   Octets elements(count * stride);
   EXPECT_EQ(meshopt_decodeIndexBuffer(elements.data(), count, stride, stream.data(), stream.size()),

@@ -65,7 +65,7 @@ TEST(TangentSpace, LiesAcrossTheNormalOfTheVertex) {
   EXPECT_THAT(geometry.tangents, Each(near_tangent(half, 0, -half, 1)));
 }
 
-// Like a book that stands open: two squares that meet at an edge along y.
+// Like an open book: two squares that share an edge along y.
 Geometry book() {
   Geometry geometry;
   geometry.positions = {{-1, 0, 1}, {0, 0, 0}, {1, 0, 1}, {-1, 1, 1}, {0, 1, 0}, {1, 1, 1}};

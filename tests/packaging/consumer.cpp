@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// consumer FILE: validates it, pixels and compressed geometry included, as any program may that
-/// has gltfx as a library, and knows an extension of its own.
+/// has gltfx as a library, and has its own extension.
 #include <gltfx/pipeline.hpp>
 #include <gltfx/schema.hpp>
 #include <gltfx/version.hpp>
@@ -27,7 +27,7 @@ bool has(const gltfx::FileReport& report, std::string_view code) {
                      [&](const gltfx::Diagnostic& finding) { return finding.code == code; });
 }
 
-// An extension that gltfx does not know by itself is checked by the schema of this program.
+// An extension without a built-in schema is checked by the schema of this program.
 bool knows_its_own_extension() {
   std::vector<std::string> problems;
   gltfx::ValidateOptions options;
@@ -50,7 +50,7 @@ int main(int count, char** words) {
   }
   std::cout << "gltfx " << gltfx::version() << ": " << report.counts.errors << " errors in "
             << report.path << '\n';
-  // Without the decoders a finding says what was not looked into.
+  // Without the decoders a finding says what was not checked.
   const bool checked = std::none_of(
       report.diagnostics.begin(), report.diagnostics.end(), [](const gltfx::Diagnostic& finding) {
         return finding.code.ends_with("_NOT_CHECKED") || finding.code.ends_with("_NOT_DECODED");

@@ -11,7 +11,7 @@
 namespace gltfx::preview {
 namespace {
 
-// Where a point comes to lie in the picture: 0 to 1 from the upper left.
+// Position of a point in the picture: 0 to 1 from the upper left.
 Float2 in_picture(const render::View& view, const Vec3d& point) {
   const Vec3d p = point - view.origin;
   const double away = -dot(p, view.backward);

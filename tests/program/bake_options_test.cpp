@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Each option of `gltfx bake`: what it changes, and what is said when it cannot be done.
+/// Each option of `gltfx bake`: its effect, and the message when it cannot be met.
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -93,7 +93,7 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
   for (const auto& words : changes) {
     EXPECT_NE(picture(words), usual) << testing::PrintToString(words);
   }
-  // A name and its index are the same, and so are what is left away and what is usual.
+  // A name and its index are the same, and so are an omitted option and its default.
   EXPECT_EQ(picture({"--camera", "0"}), picture({"--camera", "front"}));
   EXPECT_EQ(picture({"--frame", "/nodes/3"}), picture({"--frame", "3"}));
   EXPECT_EQ(picture({"--scene", "1"}), picture({"--scene", "two"}));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `gltfx bake` from outside: what it writes, what it says, what it exits with.
+/// `gltfx bake` from outside: its files, output and exit codes.
 #include <filesystem>
 
 #include <gmock/gmock.h>

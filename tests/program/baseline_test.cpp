@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A team starts today and fails only on what is new.
+/// With a baseline, only new findings fail.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

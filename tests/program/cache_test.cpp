@@ -92,7 +92,7 @@ TEST_F(Cache, ACompanionThatChangedMakesTheAssetBeCheckedAgain) {
   EXPECT_EQ(validate().code, 0) << "that something was missing is not kept";
 }
 
-// The finding that says so need not be in the report, for instance with --ignore.
+// The finding about it need not be in the report, for instance with --ignore.
 TEST_F(Cache, AReportThatAMissingDecoderShapedIsNotKept) {
   fs::create_directories(folder_.path() / "assets");
   fs::copy(fixture("good/bowl.glb"), folder_.path() / "assets");
@@ -176,7 +176,7 @@ std::vector<std::string> records_of(const std::string& file) {
 class Forgery : public Cache {
  protected:
   fs::path results() const { return fs::directory_iterator(folder_.path() / "cache")->path(); }
-  // A run of somebody else with a key of his own.
+  // A run of another user with another key.
   Setting other_user() const {
     return {setting_.folder, {}, {{"XDG_STATE_HOME", (folder_.path() / "other").native()}}};
   }

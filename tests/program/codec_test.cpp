@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the program has to do with its decoders.
+/// The program and its decoders.
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -136,7 +136,7 @@ TEST_F(BadDecoders, OneWithoutASandboxIsUsedOnRequestOnly) {
   EXPECT_THAT(validate({"a.gltf"}).out, Not(HasSubstr("DRACO_NOT_CHECKED")));
 }
 
-// Whoever writes assets may write such a file beside them.
+// An author of assets can put such a file beside them.
 TEST_F(BadDecoders, NoConfigurationTakesTheSandboxAway) {
   write_draco("a.gltf", kTriangle);
   folder_.write("gltfx.toml", "unsandboxed-decoders = true\n");
@@ -159,7 +159,7 @@ TEST_F(BadDecoders, AnImageThatEndsTheDecoderIsAWarning) {
   }
 }
 
-// Without a decoder nobody knows what the image holds: no file is made that says otherwise.
+// Without a decoder the content of the image is unknown: no file is made that states otherwise.
 TEST(UpgradeWithoutDecoder, WritesNothingAndSaysWhy) {
   const TempFolder folder;
   folder.write("leaf.png",

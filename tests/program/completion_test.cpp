@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Completion in real shells: what is offered is what the program takes.
+/// Completion in real shells offers what the program accepts.
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -99,7 +99,7 @@ std::vector<Valued> options_with_values() {
 }
 
 // The choices that the program names when none of them is given; none where it takes anything. It
-// runs in a folder of its own, where some options write.
+// runs in a separate folder, because some options write.
 Words choices(const Valued& option, const std::string& folder) {
   std::vector<std::string> words{option.verb, "none.gltf", option.name, "no-word"};
   if (option.verb == "rules") words.erase(words.begin() + 1);
@@ -203,7 +203,7 @@ TEST_F(CompletionOfPaths, OffersFilesThatFit) {
 
 bool has(const std::string& program) { return bash("command -v " + program).code == 0; }
 
-// fish prints what it would offer: a word, a tab, what it means.
+// fish prints its offers: a word, a tab, the meaning.
 Words in_fish(const std::string& line, const std::string& folder = {}) {
   const Outcome outcome =
       run({"fish", "--no-config", "-c",
@@ -229,7 +229,7 @@ TEST_F(CompletionOfPaths, FishOffersTheSame) {
   EXPECT_EQ(here("gltfx validate --root "), Words{"folder/"});
 }
 
-// zsh completes in a terminal only: one of its own, where a function writes what would be offered.
+// zsh completes in a terminal only: a new one, in which a function writes the offers.
 Words in_zsh(const std::string& line, const std::string& folder = {}) {
   const Outcome outcome = run({"zsh", "-f", GLTFX_SOURCE_DIR "/tests/program/capture.zsh",
                                GLTFX_MANUAL "/completions/zsh", line},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// gltfx.toml: where it is looked for, what stands before what, and mistakes in it.
+/// gltfx.toml: the search for it, precedence of values, and mistakes.
 #include <set>
 #include <sstream>
 
@@ -34,7 +34,7 @@ class Config : public testing::Test {
     arguments.insert(arguments.begin(), {"validate", "--format", "agent"});
     return in("", std::move(arguments));
   }
-  /// What is said about a configuration with mistakes.
+  /// The messages about a configuration with mistakes.
   std::string said(std::string_view text) const {
     configure(text);
     const Outcome outcome = validate({"faulty.gltf"});
@@ -320,7 +320,7 @@ TEST_F(Config, ImportSaysWhatItDoesNotUnderstand) {
   EXPECT_THAT(in("", {"config", "import", "no.yaml"}).err, HasSubstr("cannot read"));
 }
 
-// Which of the patterns fits the path, by what an override with it changes.
+// The patterns that match the path, detected by the effect of an override.
 TEST_F(Config, PatternsFitAsIsSaid) {
   const auto fits = [&](const std::string& pattern, const std::string& path) {
     configure("[[overrides]]\npaths = [\"" + pattern + "\"]\nlfs = \"error\"\n");

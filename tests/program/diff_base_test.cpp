@@ -103,7 +103,7 @@ TEST_F(DiffBase, AFileOutsideTheRepositoryCountsAsAWhole) {
   EXPECT_EQ(since("HEAD", path).code, 1);
 }
 
-// What lies with an asset is not asked: its settings could name programs to run.
+// A repository beside an asset is not used: its settings could name programs to run.
 TEST_F(DiffBase, ARepositoryBelowIsNotAsked) {
   folder_.write("below/x.gltf", materials("-1", "1", "1"));
   ASSERT_EQ(shell("cd below && git init -q . && git add -A && git -c user.name=a -c "

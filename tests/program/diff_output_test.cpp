@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// --diff: what the text of an asset could do to a terminal or a reader is escaped, but for files.
+/// --diff: characters that could control a terminal or mislead a reader are escaped, except in
+/// files.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `gltfx edit --delete`: what it lists, writes and refuses.
+/// `gltfx edit --delete`: its lists, files and refusals.
 #include <filesystem>
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `gltfx hook` in repositories of git: what it looks at, and when it holds a commit up.
+/// `gltfx hook` in repositories of git: the files that it checks, and the commits that it stops.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -173,7 +173,7 @@ TEST_F(GitHook, BinaryAssetsHaveOwnedFilesToo) {
   commit();
   folder_.write("a.bin", "4321");
   shell("git add -A");
-  EXPECT_EQ(hook("upgrade --check").out, "");  // nobody refers to it
+  EXPECT_EQ(hook("upgrade --check").out, "");  // no reference to it
 }
 
 TEST_F(GitHook, NamesThatAreGivenCountAsChanged) {
@@ -202,7 +202,7 @@ TEST_F(GitHook, ANewTextureThatLfsWouldNotKeepIsWarnedOf) {
   folder_.write("leaf.gltf", asset_with("leaf.png"));
   folder_.write("leaf.png", picture_);
   folder_.write("old.jpg", kPointer);
-  // As if the filter had been there: the pointer is what the index holds.
+  // As with the filter: the index holds the pointer.
   shell("git -c filter.lfs.clean=cat -c filter.lfs.required=false add -A");
   const Outcome outcome = hook("validate");
   EXPECT_EQ(outcome.code, 0);

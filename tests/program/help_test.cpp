@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// --help, --version, explain and rules: what the program says about itself.
+/// --help, --version, explain and rules: texts about the program.
 #include <iterator>
 #include <set>
 #include <sstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Files that gltfx reads for itself: schemas, configurations, baselines, lists, reports to merge.
-/// A change that somebody proposes can bring them, so they are read as carefully as assets are.
+/// A proposed change can add them, so they are read as carefully as assets.
 #include <filesystem>
 
 #include <gmock/gmock.h>

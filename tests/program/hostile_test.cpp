@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files that mean harm: the program says something, within bounds, and looks at nothing it should
-/// not.
+/// Hostile files: the program reports them, within bounds, and reads nothing that it should not.
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

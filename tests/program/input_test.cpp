@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files, folders, globs and standard input: what is opened, and in which order.
+/// Files, folders, globs and standard input: the opened files and their order.
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -171,7 +171,7 @@ TEST_F(Input, AFolderWithoutAssetsBesideOthersIsANote) {
   EXPECT_EQ(outcome_.err, "");
 }
 
-// What a verb is asked, without its inputs.
+// The options of a verb, without its inputs.
 struct Asked {
   std::string verb;
   std::vector<std::string> options;

@@ -60,7 +60,7 @@ TEST_F(Inspect, LegacyObjectsAreToldWithWhatUpgradeMakesOfThem) {
 
 TEST_F(Inspect, JsonHasTheSameForEachAsset) {
   const Outcome outcome = here({GLTFX_SOURCE_DIR "/fixtures", "--format", "json", "--jobs", "2"});
-  EXPECT_EQ(outcome.code, 3);  // one of them is no glTF at all
+  EXPECT_EQ(outcome.code, 3);  // one of them is not glTF
   const json report = json::parse(outcome.out);
   EXPECT_GT(report["assets"].size(), 60U);
   for (const json& asset : report["assets"]) {

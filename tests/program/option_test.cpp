@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Every option of every verb in every wrong form: what is said is ours, names the option and what
-/// is expected.
+/// Every option of every verb in every wrong form: the message is that of gltfx, names the option
+/// and what is expected.
 #include <algorithm>
 #include <regex>
 
@@ -83,7 +83,7 @@ TEST_P(OptionForm, AnOptionNeedsItsValue) {
   }
 }
 
-// What is no value, of one option of each verb: the parser does not tell options apart.
+// Invalid values, for one option of each verb: the parser treats options alike.
 TEST_P(OptionForm, WhatLooksLikeNoValueIsNone) {
   const auto option = std::find_if(options_.begin(), options_.end(),
                                    [](const Option& each) { return !each.type.empty(); });
@@ -104,7 +104,7 @@ TEST_P(OptionForm, AnArgumentIsNotEmpty) {
   }
 }
 
-// Without the hook, which has the options of the verb behind it; the empty one is the program.
+// Without the hook, which has the options of the verb after it; the empty one is the program.
 const std::vector<std::string> kVerbs{"validate", "fix",     "upgrade", "edit",    "bake",
                                       "report",   "inspect", "merge",   "explain", "rules",
                                       "targets",  "schema",  "config",  ""};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Outputs of several inputs below one folder: each has a name of its own, or nothing is written.
+/// Outputs of several inputs below one folder: each has a distinct name, or nothing is written.
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -61,7 +61,7 @@ TEST_F(OutputPlaces, EveryVerbKeepsThemApart) {
   }
 }
 
-// Folders that were named, as far as they are needed to tell their files apart.
+// Named folders, as far as they are needed to distinguish their files.
 TEST_F(OutputPlaces, WhatLiesBelowFoldersIsKeptApart) {
   add_assets({"old/a/scene.gltf", "new/a/scene.gltf", "new/b.gltf"});
   EXPECT_EQ(here({"old", "new", "-o", "out/"}).code, 0);

@@ -162,7 +162,7 @@ TEST_F(OutputTest, ColoursAreForTerminalsOrOnRequest) {
   EXPECT_THAT(gltfx({"schema", "--color", "always"}).out, HasSubstr(escape));
 }
 
-// script(1) gives the program a terminal of its own.
+// script(1) gives the program a new terminal.
 TEST_F(OutputTest, NoColorTurnsColoursOffOnATerminal) {
   if (shell("command -v script").code != 0) GTEST_SKIP() << "script(1) is not installed";
   const std::string command = "script -qec \"'$GLTFX' validate faulty.gltf";

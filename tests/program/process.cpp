@@ -28,7 +28,7 @@ void redirect(int fd, const std::string& path, int flags) {
   redirect(STDOUT_FILENO, io + "/out", O_WRONLY | O_CREAT);
   redirect(STDERR_FILENO, io + "/err", O_WRONLY | O_CREAT);
   if (!setting.folder.empty() && ::chdir(setting.folder.c_str()) != 0) ::_exit(126);
-  // Not the key of whoever runs the tests.
+  // Not the key of the user who runs the tests.
   const auto build = std::filesystem::path(program()).parent_path().parent_path();
   ::setenv("XDG_STATE_HOME", (build / "tests/state").c_str(), 1);
   ::unsetenv("GLTFX_CACHE_KEY");

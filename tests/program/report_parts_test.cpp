@@ -88,7 +88,7 @@ TEST_F(Pages, ThatDoNotBelongTogetherAreRefused) {
   refused({"1.html", "2.html", "3.html"}, "with another title");
 }
 
-// What is copied into the new page must not be markup, whoever wrote the part.
+// Data copied into the new page must not be markup, whatever its source.
 TEST_F(Pages, ThatAreForgedAreRefused) {
   write_library(3);
   merged(2);

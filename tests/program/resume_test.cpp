@@ -25,7 +25,7 @@ constexpr int kTooLong = 128 + 25;  // SIGXFSZ: a file grew beyond the limit
 
 class Resume : public testing::Test {
  protected:
-  // Reads that many lines of what the command says, then kills it.
+  // Reads that many lines of the command's output, then kills it.
   Outcome kill_after(int lines, const std::string& command) const {
     return bash("exec 3< <(exec \"$GLTFX\" " + command + ")\npid=$!\nfor ((i = 0; i < " +
                     std::to_string(lines) +
@@ -47,7 +47,7 @@ class Resume : public testing::Test {
     }
     return sum;
   }
-  // Names and contents of all files below a folder, and what tells whether one was written again.
+  // Names, contents and states of all files below a folder, to detect rewritten ones.
   std::map<std::string, std::string> files_in(const std::string& folder) const {
     std::map<std::string, std::string> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder_.path() / folder)) {
@@ -79,7 +79,7 @@ class ResumeValidate : public Resume {
   Outcome validate(const std::string& cache, const std::string& format) const {
     return here({"validate", "assets", "--cache", cache, "--format", format});
   }
-  // The next run says what a clean one says, and keeps no more than what was left to do.
+  // The next run has the output of a clean run, and does only the remaining work.
   void expect_the_rest(std::uintmax_t reported, const std::string& format) const {
     const Outcome clean = validate("clean", format);
     const std::uintmax_t all = bytes_in("clean");
@@ -170,7 +170,7 @@ class ResumeBake : public Resume {
     words.insert(words.end(), more.begin(), more.end());
     return here(words);
   }
-  // The pictures that a run with these options draws, of those that are there.
+  // The existing pictures among those of a run with these options.
   std::set<std::string> drawn(const std::vector<std::string>& more = {}) const {
     std::map<std::string, ino_t> before;
     for (const auto& [name, bytes] : files_in("out")) before[name] = inode("out/" + name);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files that take the place of others: what they keep of these, and what the rewriting costs.
+/// Files that replace others: the attributes that they keep, and the cost of rewriting.
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where `gltfx upgrade --output` writes, and what goes there with an asset.
+/// Places of `gltfx upgrade --output`, and the files that are copied with an asset.
 #include <filesystem>
 
 #include <gmock/gmock.h>

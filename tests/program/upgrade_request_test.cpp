@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `gltfx upgrade` where it has to be asked: --only, --to, --ior.
+// `gltfx upgrade` on request: --only, --to, --ior.
 #include <filesystem>
 
 #include <gmock/gmock.h>

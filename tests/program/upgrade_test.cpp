@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `gltfx upgrade` from outside: what it says, what it writes, what it leaves alone.
+/// `gltfx upgrade` from outside: its output, its files, and what it does not change.
 #include <filesystem>
 
 #include <gmock/gmock.h>

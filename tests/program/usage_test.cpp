@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is said about a command that cannot be understood: exit code 2, one sentence, a way on.
+/// Messages about an invalid command: exit code 2, one sentence, a hint.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

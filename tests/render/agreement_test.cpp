@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Two integrators that share little but the scene bring back the same light, in scenes that
 /// between them need all there is of either: the mean over a picture, within three standard errors
-/// of the difference, which are small beside what a light too many or too few would be.
+/// of the difference, which are small compared with the effect of a missing or an extra light.
 #include <array>
 #include <functional>
 #include <limits>
@@ -73,7 +73,7 @@ void add(Scene& scene, Mesh mesh, const SceneMaterial& material, const Matrix34&
   scene.meshes.push_back(std::move(mesh));
 }
 
-// Looked at from above, under the sky.
+// Seen from above, under the sky.
 Shot outdoors(Scene scene, int bounces = 4) {
   Shot shot{Stage(std::move(scene)), {}};
   shot.view.origin = {0, 0, 5};
@@ -205,7 +205,7 @@ Shot shell() {
   return with_lamp(outdoors(on_floor(material)));
 }
 
-// What is half there, what has holes, and copies of it, one of them mirrored.
+// Surfaces with partial coverage and holes, and copies of them, one of them mirrored.
 Shot veil() {
   Scene scene;
   scene.textures = {texels(4, {250, 90, 40, 250, 30, 200, 90, 20, 90, 60, 220, 90, 9, 9, 9, 200})};
@@ -267,7 +267,7 @@ Shot frosted() {
   return with_lamp(outdoors(on_floor(material)));
 }
 
-// A sheet of water that is no closed volume, over a ball.
+// A sheet of water, not a closed volume, over a ball.
 Shot pond() {
   Scene scene = on_floor(plain({0.8, 0.5, 0.3}, 0.6));
   add(scene, quad(3), glass(0.2, 1.33), moved(0, 0, 1.5F));

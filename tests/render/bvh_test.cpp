@@ -265,7 +265,7 @@ TEST(Bvh, WhatIsSmallIsCopiedAndWhatIsLargeIsShared) {
 TEST(Bvh, TrianglesThatRepeatOthersAreLeftOut) {
   Mesh mesh = quad();
   for (int i = 0; i < 3; ++i) mesh.triangles.push_back({0, 1, 2});
-  mesh.triangles.push_back({1, 2, 0});  // goes round from another corner
+  mesh.triangles.push_back({1, 2, 0});  // begins at another corner
   EXPECT_THAT(find_repeats(mesh.triangles, mesh.positions), testing::ElementsAre(2, 3, 4));
   EXPECT_THAT(find_repeats(sphere().triangles, sphere().positions), testing::IsEmpty());
   Scene scene = scene_of(mesh);
@@ -281,7 +281,7 @@ TEST(Bvh, TrianglesThatRepeatOthersAreLeftOut) {
   EXPECT_THAT(group_instances(scene).instanced, testing::SizeIs(50)) << "each layer counts";
 }
 
-// What is inside of a volume is told by counting surfaces: no ray leaves between two of them.
+// The inside of a volume is found by counting surfaces: no ray passes between two triangles.
 TEST(Bvh, NothingSlipsOutOfAVolume) {
   SceneMaterial material;
   material.double_sided = true;

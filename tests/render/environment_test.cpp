@@ -14,7 +14,7 @@
 namespace gltfx::render {
 namespace {
 
-// Dark, but for a bright spot and one texel beside it.
+// Dark, except for a bright spot and one texel beside it.
 EnvironmentImage spotted() {
   EnvironmentImage image;
   image.width = 32;
@@ -63,7 +63,7 @@ TEST(Environment, RadianceIsReadBetweenTexels) {
   EXPECT_NEAR(environment.radiance(seam).y, 4.5, 1e-3) << "the image closes around";
 }
 
-// The density of samples is the one that is said, cell by cell.
+// The density of samples is the returned one, cell by cell.
 TEST(Environment, SamplesFollowTheirDensity) {
   const Environment environment(spotted());
   constexpr std::uint32_t kSamples = 4096;

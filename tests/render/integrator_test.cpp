@@ -120,8 +120,8 @@ TEST(Integrator, ASlabAbsorbs) {
   expect_near(stage.path(kDown, 200), {through(0.8), through(0.5), through(0.25)}, 1e-4);
 }
 
-// A sheet of glass as a closed box: outside is what is inside but for what the surfaces reflect,
-// and in an even light that is all the same.
+// A sheet of glass as a closed box: the light outside equals that inside except for reflections,
+// and in an even light both are equal.
 TEST(Integrator, GlassInAnEvenLightIsInvisible) {
   SceneMaterial glass;
   glass.factors.metallic = 0;

@@ -30,7 +30,7 @@ Scene painted_sphere() {
   return scene;
 }
 
-// Samples of one pixel of a picture that the sphere fills, but for the corners.
+// Samples of one pixel of a picture that the sphere fills, except for the corners.
 class Pixel {
  public:
   Pixel(const Stage& stage, std::uint32_t x, std::uint32_t y) : stage_(stage), x_(x), y_(y) {}

@@ -126,7 +126,7 @@ TEST(Draw, TheNumberOfThreadsDoesNotShow) {
   expect_same(one, render(stage.context(), front(), options));
 }
 
-// Of a wide picture fewer rows come at a time than the denoiser looks at around a pixel.
+// A wide picture has fewer rows at a time than the denoiser uses around a pixel.
 TEST(Draw, RowsAtATimeDoNotShow) {
   const Stage stage = studio_stage();
   PictureOptions options = with_layers(528, 44, 2);
@@ -248,7 +248,7 @@ TEST(Denoise, FewSamplesMissNoEdge) {
   EXPECT_LT(worst, 0.1F);
 }
 
-// Noise of edges is not denoised: they take the most samples of what is seen.
+// Noise of edges is not denoised: they take the most feature samples.
 TEST(Denoise, EdgesHaveTheMostSamples) {
   const Stage stage = square_and_ball();
   const auto alpha_of = [&](std::uint32_t features) {

@@ -54,7 +54,7 @@ class Stage {
     Rgb sum;
     Rgb squares;
     for (std::uint32_t i = 0; i < samples; ++i) {
-      // Each in a pixel of its own: what is spread evenly would be nearer than its error says.
+      // Each in a separate pixel: evenly spread samples would have a smaller error than estimated.
       const Rgb value = trace(SampleStream(seed, i, 0));
       sum += value;
       squares += value * value;

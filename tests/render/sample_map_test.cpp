@@ -70,7 +70,7 @@ double mean_under_sky(double deviation, double transmission = 0) {
   return sum / (options.width * options.height);
 }
 
-// The fewer, the less noise there is; the deviation says what much is.
+// Fewer samples for less noise; the deviation sets the scale.
 TEST(SampleMap, QuietPicturesGetLess) {
   const double all = mean_under_sky(0);
   EXPECT_EQ(mean_under_sky(1e-6), all) << "all is noise";
@@ -80,7 +80,7 @@ TEST(SampleMap, QuietPicturesGetLess) {
   EXPECT_LT(between, all - 2);
 }
 
-// The denoiser does not know what is behind a surface.
+// The denoiser has no features of objects behind a surface.
 TEST(SampleMap, TransmissionTakesMore) { EXPECT_NEAR(mean_under_sky(1, 0.5), 14, 1); }
 
 TEST(SampleMap, WithoutASkyNoneAreSaved) {
@@ -99,7 +99,7 @@ TEST(SampleMap, NoiseGetsMore) {
   EXPECT_GT(shares.samples(25, 20), 16U) << "the ball";
 }
 
-// Looks do not go through glass: what is seen behind it counts as noise.
+// Features do not see through glass: objects behind it count as noise.
 TEST(SampleMap, EdgesBehindGlassGetMore) {
   const auto at_edge = [](double transmission) {
     Scene scene = scene_of(quad(), matte(Rgb(1)));

@@ -28,7 +28,7 @@ Vec3d any_direction(const Float2& random) {
   return {ring * std::cos(turn), ring * std::sin(turn), z};
 }
 
-// Whether light goes on in few directions only: what mirrors, refracts or is seen through.
+// Whether light continues in few directions only: mirrors, refraction, clear walls.
 bool is_narrow(const Material& m) {
   const auto smooth = [](double roughness) {
     return shader::square(roughness) <= shader::kSmoothAlpha;
@@ -110,7 +110,7 @@ class SimplePath {
     result_ += throughput_ * through * context_.world.environment->radiance(ray_.direction);
   }
 
-  // A medium goes on behind the wall.
+  // A medium continues behind the wall.
   void look_through(const Hit& hit, const Surface& wall) {
     if (viewing_) return;
     const auto transmittance = [this](double distance) {

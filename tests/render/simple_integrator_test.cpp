@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Two integrators that share little but the scene say the same.
+/// Two integrators that share little except the scene agree.
 #include <string>
 
 #include <gtest/gtest.h>

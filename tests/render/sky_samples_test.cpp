@@ -104,7 +104,7 @@ TEST(SkySamples, StratifiedNumbersChooseDirectionsThatAreApart) {
   EXPECT_LT(variance(true), 0.4 * variance(false));
 }
 
-// Of many numbers those that choose the block have to be stratified, too.
+// With many numbers, those that choose the block must be stratified, too.
 TEST(SkySamples, BlocksMoveThroughTheSky) {
   constexpr std::uint32_t kChoices = 128;
   const Vec3d open = normalize(Vec3d(0.6, 0.5, 0.3));
@@ -169,7 +169,7 @@ TEST(SkySamples, PrefilteredIrradianceIsNear) {
   }
 }
 
-// So that their error is small beside the noise of a pixel.
+// So that their error is small compared with the noise of a pixel.
 TEST(SkySamples, MoreSamplesHaveMoreDirections) {
   const Environment environment(studio());
   const SkySamples best(environment, 1U << 20U);

@@ -32,7 +32,7 @@ Eye eye_at(const Vec3d& place) {
   return Eye(view);
 }
 
-// A square of a material, seen from its front at +z: alone, mirrored, and as a shared mesh.
+// A square of a material, seen from its front at +z: single, mirrored, and as a shared mesh.
 std::vector<Scene> squares(const SceneMaterial& material) {
   std::vector<Scene> scenes(3, scene_of(quad(), material));
   scenes[1].instances[0].to_world[0][0] = -1;
@@ -121,7 +121,7 @@ Stage lit(Scene scene, const std::optional<Vec3d>& eye) {
   return stage;
 }
 
-// Whatever the walls scatter, the environment counts once: white walls are as bright as it is.
+// For any scattering of the walls, the environment counts once: white walls are as bright as it is.
 TEST(Wall, ARoomUnderEvenLightIsAFurnace) {
   for (const double albedo : {0.3, 1.0}) {
     const Vec3d outside(3, 7, 9);

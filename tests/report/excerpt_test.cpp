@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Carets stand under what they mark, whatever the asset's text is made of.
+// Carets are under the marked text, for any characters of the asset.
 #include "report/excerpt.hpp"
 
 #include <gmock/gmock.h>

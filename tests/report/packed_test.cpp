@@ -59,7 +59,7 @@ std::vector<FileReport> all_kinds() {
   return reports;
 }
 
-// Rules of which nothing but the code is known.
+// Rules with only their code.
 std::span<const RuleDescription> known() {
   static const std::vector<RuleDescription> rules = [] {
     std::set<std::string_view> codes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The data of the report page. What a browser makes of it is tested in tests/page.
+/// The data of the report page. Its rendering in a browser is tested in tests/page.
 #include <gltfx/page.hpp>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whatever an asset says, no format lets it drive a terminal, fake a line or command a build
+// For any text of an asset, no format lets it control a terminal, fake a line or command a build
 // server.
 #include <regex>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A second opinion on JSON Schema: just the keywords that the report's schema uses, on nlohmann's
-/// DOM. It knows nothing of the library, and refuses keywords that it does not know.
+/// DOM. It is independent of the library, and refuses unknown keywords.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@ class SchemaCheck {
  public:
   explicit SchemaCheck(nlohmann::json schema) : root_(std::move(schema)) {}
 
-  /// What is wrong with a value, each with its pointer; empty: nothing.
+  /// The errors of a value, each with its pointer; empty: none.
   std::vector<std::string> errors(const nlohmann::json& value) {
     errors_.clear();
     check(value, root_, "");

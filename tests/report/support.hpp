@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the tests of the report module share: reports made by hand.
+/// Code shared by the tests of the report module: handmade reports.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -86,7 +86,7 @@ inline std::string run(ReportFormat format, const std::vector<FileReport>& repor
   return out;
 }
 
-/// A material with a mistake, as it stands in a file.
+/// A material with a mistake, as in a file.
 inline constexpr std::string_view kLeaf = R"({
   "asset": { "version": "2.0" },
   "materials": [

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person reads. The texts are golden: a change of a blank is a change for every user.
+// The text format. The texts are golden: a change of a blank is a change for every user.
 #include <gmock/gmock.h>
 
 #include "report/support.hpp"

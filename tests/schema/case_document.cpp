@@ -94,7 +94,7 @@ void CaseGenerator::declare(Json& document, schema::ExtensionId id) const {
   if (extension.must_be_required != schema::MustBeRequired::optional) add("extensionsRequired");
 }
 
-// An object of an extension stands on that of another type.
+// An object of an extension on that of another type.
 std::string CaseGenerator::host_pointer(Json& document, const std::string& type) {
   const TypeId wanted = set_.find_type(type);
   const schema::ExtensionId id = set_.type(wanted).extension;
@@ -227,7 +227,7 @@ void CaseGenerator::satisfy(Json& document, std::vector<Need> needs) {
   }
 }
 
-// Members that an object has to have because something refers to it.
+// Members that an object must have because of a reference to it.
 void CaseGenerator::grow(Json& document, std::string pointer, ShapeId shape,
                          const std::vector<std::string>& steps, std::vector<Need>& needs) {
   for (std::size_t i = 0; i < steps.size(); ++i) {

@@ -12,7 +12,7 @@ using schema::Shape;
 using schema::ShapeId;
 using Pointer = Json::json_pointer;
 
-// The members that a branch asks for, if that is all it does.
+// The members that a branch requires, if it has no other constraint.
 std::vector<std::string> required_only(const schema::Set& set, ShapeId id) {
   std::vector<std::string> names;
   if (id == kNone || set.shape(id).type == kNone) return names;
@@ -23,7 +23,7 @@ std::vector<std::string> required_only(const schema::Set& set, ShapeId id) {
   return names;
 }
 
-// Whether a shape says that a member must not be there.
+// Whether a shape forbids a member.
 bool is_forbidden(const schema::Set& set, ShapeId id, const std::string& name) {
   if (id == kNone) return false;
   const Shape& shape = set.shape(id);

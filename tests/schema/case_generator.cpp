@@ -72,7 +72,7 @@ std::vector<Subject> CaseGenerator::inner_subjects(const Subject& subject) {
   return found;
 }
 
-// The subject with one more member, and whatever goes with that member.
+// The subject with one more member and its companions.
 bool CaseGenerator::with_property(const Subject& subject, const schema::Property& property,
                                   Json& document) {
   const Json& object = subject.document[Pointer(subject.pointer)];
@@ -80,7 +80,7 @@ bool CaseGenerator::with_property(const Subject& subject, const schema::Property
     document = subject.document;
     return true;
   }
-  // On top of what is there, with nothing else but what it needs, or with another kind of the
+  // In addition to the existing members, with only what it needs, or with another kind of the
   // object.
   if (try_property(subject, property, object, document)) return true;
   if (try_property(subject, property, Json::object(), document)) return true;

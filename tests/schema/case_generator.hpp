@@ -27,7 +27,7 @@ struct ErrorCase {
   Json valid;                     ///< the same without it
   std::string object;             ///< pointer of the object
   std::string member;             ///< pointer of the member; equal to `object` when it is missing
-  std::vector<std::string> says;  ///< texts that the finding's message has to hold
+  std::vector<std::string> says;  ///< texts that the finding's message must contain
 };
 
 /// What could not be made: "material.KHR_x/y: no valid value".
@@ -50,7 +50,7 @@ class CaseGenerator {
   static Json base();
   /// Adds what made values refer to.
   void satisfy(Json& document, std::vector<Need> needs);
-  /// Whether the schema has nothing to say about a document.
+  /// Whether the schema has no finding on a document.
   bool is_clean(const Json& document) const;
 
  private:

@@ -74,7 +74,7 @@ Json ValueMaker::make_number(const Shape& shape, const std::string& pointer,
     return 0;
   }
   double value = inner(shape);
-  // Twelve is a multiple of all that conditions ask for.
+  // Twelve is a multiple of all numbers in conditions.
   const bool integer = (shape.types & schema::kNumber) == 0;
   if (integer) value = shape.minimum <= 12 && shape.maximum >= 12 ? 12 : std::ceil(value);
   if (shape.multiple_of != 0) value = std::ceil(value / shape.multiple_of) * shape.multiple_of;
@@ -140,7 +140,7 @@ void ValueMaker::complete_members(const Shape& shape, Json& object, const std::s
   }
 }
 
-// Members that branches ask for get the value that the object's own type describes.
+// Members that branches require get the value that the object's own type describes.
 void ValueMaker::complete_branches(const Shape& shape, Json& object, const std::string& pointer,
                                    std::vector<Need>& needs) {
   const auto add = [&](ShapeId branch) {
@@ -180,7 +180,7 @@ void ValueMaker::complete_branches(const Shape& shape, Json& object, const std::
   }
 }
 
-// The alternative of which most is there already.
+// The alternative with the most existing members.
 ShapeId ValueMaker::nearest_branch(const std::vector<ShapeId>& branches, const Json& object) const {
   const auto there = [&](ShapeId branch) {
     std::size_t count = 0;
@@ -196,7 +196,7 @@ ShapeId ValueMaker::nearest_branch(const std::vector<ShapeId>& branches, const J
 
 void ValueMaker::complete_dependencies(const Shape& shape, Json& object, const std::string& pointer,
                                        std::vector<Need>& needs) {
-  // What is added may need others in turn.
+  // Added members may need others.
   for (bool more = true; more;) {
     more = false;
     for (const auto& [name, others] : shape.dependent_required) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Values that a shape accepts, and values that it does not, made from the shape alone.
+/// Values that a shape accepts, and values that it does not, made from the shape only.
 #pragma once
 
 #include <string>
@@ -18,8 +18,8 @@ struct Need {
   std::string from;  ///< pointer to the object the target's steps start at; empty: the root
   schema::Target target;
   std::string at;                  ///< pointer to the value that refers
-  bool is_name = false;            ///< `refName`: the value has to become a name that is there
-  std::vector<std::string> has{};  ///< `refHas`: members of what is referred to
+  bool is_name = false;            ///< `refName`: the value must become an existing name
+  std::vector<std::string> has{};  ///< `refHas`: members of the referenced object
 };
 
 /// Makes smallest valid values.
@@ -35,13 +35,14 @@ class ValueMaker {
   /// From now on values are made inside these objects, the outermost first.
   void stand_in(std::vector<Around> around) { open_ = std::move(around); }
 
-  /// The smallest value for a shape that will stand at `pointer`. What it refers to is added to
+  /// The smallest value for a shape, which will be at `pointer`. Objects that it refers to are
+  /// added to
   /// `needs`.
   Json make(schema::ShapeId shape, const std::string& pointer, std::vector<Need>& needs);
-  /// Adds what a shape asks of an object that is there already.
+  /// Adds the members that a shape requires to an existing object.
   void complete(schema::ShapeId shape, Json& object, const std::string& pointer,
                 std::vector<Need>& needs);
-  /// Whether a value fits a shape; references are not looked at.
+  /// Whether a value fits a shape; references are ignored.
   bool holds(schema::ShapeId shape, const Json& value) const;
 
  private:
@@ -72,7 +73,7 @@ struct BadValue {
   Json value;
 };
 
-/// Every way in which a value of a shape can be wrong by itself; `good` is a right one.
+/// Every kind of invalid value of a shape, independent of other values; `good` is a valid one.
 std::vector<BadValue> bad_values(const schema::Set& set, schema::ShapeId shape, const Json& good);
 
 }  // namespace gltfx::test

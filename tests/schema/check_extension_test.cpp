@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extensions: declared, at home, beside others, required.
+// Extensions: declarations, hosts, relations, requirements.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(Declaration, NamesAreJudgedByTheirFormAsKhronosDoes) {
   }
   expected.emplace_back("UNSUPPORTED_EXTENSION /extensionsUsed/5");
   EXPECT_THAT(verdict(json, kKhronosValidator), ElementsAreArray(expected));
-  EXPECT_THAT(verdict(json), IsEmpty());  // rules behind the walk tell more
+  EXPECT_THAT(verdict(json), IsEmpty());  // rules after the walk report it
 }
 
 TEST(Declaration, RequiredMustBeUsed) {

@@ -191,7 +191,7 @@ TEST(NumberArray, LengthAndElementsAreTold) {
   EXPECT_THAT(base("[0,0]"), ElementsAre("ARRAY_LENGTH_NOT_IN_LIST " + at));
   EXPECT_THAT(base("[0,0,0,0]"), ElementsAre("ARRAY_LENGTH_NOT_IN_LIST " + at));
   EXPECT_THAT(base("[]"), ElementsAre("EMPTY_ENTITY " + at));
-  // Of the wrong length it is another thing, and what its numbers may be is not known.
+  // An array of the wrong length has another meaning, and the range of its numbers is unknown.
   EXPECT_THAT(base("[255, -1, 0, 1]"), ElementsAre("ARRAY_LENGTH_NOT_IN_LIST " + at));
   EXPECT_THAT(base("[0, 1.0000001, -0.5]"),
               ElementsAre("VALUE_NOT_IN_RANGE " + at + "/1", "VALUE_NOT_IN_RANGE " + at + "/2"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Mistakes in schema files: file, line, column, key and what is wrong.
+// Mistakes in schema files: file, line, column, key and message.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -152,7 +152,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 struct WordMistake {
   const char* name;
-  const char* words;  ///< behind the x-gltfx of line 2
+  const char* words;  ///< after the x-gltfx of line 2
   const char* pointer;
   const char* says;
 };

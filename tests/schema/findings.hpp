@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A document's text in, what the schema walk says about it out.
+/// The findings of the schema walk on the text of a document.
 #pragma once
 
 #include <string>
@@ -29,7 +29,7 @@ std::vector<std::string> verdict(std::string_view json, schema::Deviations devia
 /// The only finding; fails the test when there is another number of them.
 Found only(std::string_view json, const schema::Set& set = *schema::builtin_set());
 
-/// What the walk learned beside findings.
+/// Other results of the walk.
 schema::CheckResult result_of(std::string_view json, schema::Deviations deviations = {},
                               const schema::Set& set = *schema::builtin_set());
 

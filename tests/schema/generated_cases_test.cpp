@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cases made from the built-in schema files: what they describe is accepted, and every error is
+// Cases made from the built-in schema files: valid objects are accepted, and every error is
 // reported.
 #include <algorithm>
 #include <set>
@@ -43,7 +43,7 @@ bool is_told(const ErrorCase& error, const std::vector<Found>& findings) {
   });
 }
 
-// Each test is a process of its own, which makes them all: they are made once, and not copied.
+// Each test is a separate process, which makes all cases: they are made once, and not copied.
 std::vector<const Subject*> all_subjects() {
   static const std::vector<Subject> kSubjects = [] {
     CaseGenerator generator(*builtin_set());

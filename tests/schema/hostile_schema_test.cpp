@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Schema files that nobody vouches for: parts that are missing, of a wrong type or empty, and parts
-// that multiply. Each is refused with its place, or is safe to use.
+// Untrusted schema files: parts that are missing, of a wrong type or empty, and parts that
+// multiply. Each is refused with its place, or is safe to use.
 #include <array>
 #include <cstddef>
 #include <filesystem>
@@ -76,7 +76,7 @@ Compiled compile_user(std::string text) {
   return schema::compile(files);
 }
 
-// Whatever a file says, it is refused at a place of it, or the walk bears what was made of it.
+// Any file is either refused with a place in it, or the walk can use the result.
 void expect_safe(const std::string& text) {
   const Compiled compiled = compile_user(text);
   ASSERT_EQ(compiled.set == nullptr, !compiled.errors.empty()) << text;
@@ -139,7 +139,7 @@ TEST(HostileSchema, AnyPartMayBeOfAnotherTypeOrEmpty) {
   }
 }
 
-// A file that takes the place of one of core says as little as it likes.
+// A file that replaces one of core may be incomplete.
 TEST(HostileSchema, TypesOfCoreMayLoseTheirMembers) {
   for (const char* const name : {"glTF", "material", "textureInfo", "node", "accessor", "image"}) {
     for (const char* const members : {"", R"(, "type": "string")", R"(, "properties": {})"}) {

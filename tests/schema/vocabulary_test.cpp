@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ table of words and the vocabulary's own schema say the same.
+// The C++ table of words and the vocabulary's own schema agree.
 #include "schema/vocabulary.hpp"
 
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The tables of albedos against their quadratures. With GLTFX_UPDATE_TABLES set in the environment
-/// the tables are written anew.
+/// the tables are rewritten.
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -63,7 +63,7 @@ TEST(AlbedoTables, AgreeWithTheQuadrature) {
 }
 
 TEST(AlbedoTables, EndsAreReached) {
-  // A mirror: 1 - w and w, whatever the angle.
+  // A mirror: 1 - w and w, at any angle.
   for (const double cosine : {0.2, 0.6, 1.0}) {
     const double w = std::pow(1 - cosine, 5);
     EXPECT_NEAR(SpecularCurve(0).at(cosine).constant, 1 - w, 1e-3);

@@ -13,7 +13,7 @@ namespace {
 using test::Chance;
 using test::direction_of_cosine;
 
-// Diffuse light alone.
+// Diffuse light only.
 Material rough_matte(const Rgb& color, double roughness) {
   Material m;
   m.metallic = 0;

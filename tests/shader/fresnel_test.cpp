@@ -56,7 +56,7 @@ TEST(Fresnel, InsideTheCurveBelongsToTheAngleOutside) {
 }
 
 TEST(Film, WithoutContrastToTheBaseItReflectsAsTheFilm) {
-  // The base has the film's IOR: nothing interferes but what the code's lower bound leaves.
+  // The base has the film's IOR: no interference except for the code's lower bound.
   const double f0 = f0_of_ior(1.3, 1) - 0.0001;
   for (const double thickness : {100.0, 450.0}) {
     const Rgb f = iridescent_fresnel(1, 1.3, Rgb(f0), thickness, 1);
@@ -102,7 +102,7 @@ TEST(Dispersion, SpreadsTheIndicesAroundTheMiddle) {
   EXPECT_NEAR(ior.y, 1.5, 1e-12);
   EXPECT_NEAR(ior.z, 1.525, 1e-12);
   EXPECT_EQ(dispersed_ior(1.05, 100).x, 1) << "no colour gets below 1";
-  // The Abbe number is what lies between the lines F and C.
+  // The Abbe number is defined by the lines F and C.
   const double spread = dispersed_ior(1.5, 1, 486.13) - dispersed_ior(1.5, 1, 656.27);
   EXPECT_NEAR(0.5 / spread, 20, 0.05);
   EXPECT_NEAR(dispersed_ior(1.5, 1, 587.56), 1.5, 1e-4);

@@ -26,7 +26,7 @@ Material white() {
   return m;
 }
 
-// Everything that can reflect more than it should, each alone and all together.
+// Every layer that can reflect too much, each alone and all together.
 Material layered(Chance& chance, int kind) {
   Material m = chance.material();
   m.base_color = m.diffuse_transmission_color = Rgb(1);
@@ -103,7 +103,7 @@ TEST(Furnace, TheConservingModeNeverGainsInsideOfVolumes) {
   }
 }
 
-// By albedo: what is held back at grazing angles is not missing from the front.
+// By albedo: the reduction at grazing angles does not darken the front.
 TEST(Furnace, FromTheFrontTheConservingModeIsAsBrightAsTheText) {
   for (const double roughness : {0.0, 0.1, 0.3, 0.6, 1.0}) {
     for (const double ior : {1.2, 1.5, 2.0}) {
@@ -311,7 +311,7 @@ TEST(Identity, StrengthDecidesBetweenClearAndScatteringWalls) {
   const Directions d(v, behind);
   const double passed = 1 - (0.04 + 0.96 * pow5(1 - d.v_h));
   EXPECT_TRUE(near(evaluate(m, v, behind, kSpec), m.scatter_color * (0.75 * passed / pi), 1e-12));
-  m.thickness = 1;  // in a volume the surface knows nothing of it
+  m.thickness = 1;  // with a volume the surface ignores it
   const Rgb boundary = evaluate(m, v, behind, kSpec);
   m.scattering = Scattering::none;
   EXPECT_EQ(evaluate(m, v, behind, kSpec), boundary);

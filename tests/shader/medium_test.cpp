@@ -113,7 +113,7 @@ TEST(PhaseFunction, DirectionsAreTakenWithItsDensity) {
       const Vec3d mean = sum / kSamples;
       EXPECT_NEAR(dot(mean, along), g, 0.015);
       EXPECT_NEAR(std::sqrt(dot(cross(mean, along), cross(mean, along))), 0, 0.015);
-      double expected = 0.5;  // of the integral over the half behind
+      double expected = 0.5;  // of the integral over the back hemisphere
       if (g != 0) expected = (1 - g * g) / (2 * g) * (1 / std::sqrt(1 + g * g) - 1 / (1 + g));
       EXPECT_NEAR(backwards / static_cast<double>(kSamples), expected, 0.015) << g;
     }

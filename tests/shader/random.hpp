@@ -29,7 +29,7 @@ class Chance {
     const Vec3d up = upwards();
     return number() < 0.5 ? up : -up;
   }
-  /// A dielectric with a bit of all that does not tell apart front from back.
+  /// A dielectric with some of each parameter that is equal on front and back.
   Material material() {
     Material m;
     m.base_color = color();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Directions are taken with the density that is told, for each lobe and for whole materials.
+/// Directions are sampled with the returned density, for each lobe and for whole materials.
 #include <array>
 #include <cmath>
 #include <vector>

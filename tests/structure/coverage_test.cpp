@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// tools/coverage.toml names files and conditions that are there.
+// tools/coverage.toml names existing files and conditions.
 #include <algorithm>
 #include <regex>
 #include <string>
@@ -19,7 +19,7 @@ std::vector<std::smatch> matches(const std::string& text, const std::regex& patt
   return {std::sregex_iterator(text.begin(), text.end(), pattern), std::sregex_iterator()};
 }
 
-// Whether a path is what a pattern with '*' means.
+// Whether a path matches a pattern with '*'.
 bool fits(const std::string& pattern, const std::string& path) {
   const std::string dots = std::regex_replace(pattern, std::regex(R"(\.)"), R"(\.)");
   return std::regex_match(path, std::regex(std::regex_replace(dots, std::regex(R"(\*)"), ".*")));

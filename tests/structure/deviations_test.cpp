@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rules ask for a deviation by its name, and few places ask for the profile.
+/// Rules use deviations by name, and few places use the profile.
 #include <map>
 #include <string>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What people read: links lead somewhere, commands exist, the README is a page.
+/// Documentation: links work, commands exist, the README is short.
 #include <cctype>
 #include <filesystem>
 #include <map>
@@ -126,7 +126,7 @@ std::vector<std::string> command_in(const std::string& line) {
   if (!std::regex_search(line, command, kCommand)) return {};
   std::vector<std::string> words{command[1]};
   std::string rest = command[2];
-  rest = rest.substr(0, rest.find(" -- "));  // behind it stands what another program gets
+  rest = rest.substr(0, rest.find(" -- "));  // the rest is for another program
   for (std::sregex_iterator at(rest.begin(), rest.end(), kOption), end; at != end; ++at) {
     words.push_back((*at)[1]);
   }

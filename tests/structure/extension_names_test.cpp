@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is known of an extension stands in schema/, not in C++.
+/// Facts about extensions are in schema/, not in C++.
 #include <cctype>
 #include <map>
 #include <set>
@@ -65,7 +65,7 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "which payload an extension allows in a KTX2 file is told by its bytes"},
 };
 
-// "KHR", "EXT", ...: what stands before the first '_' of the extensions we have schemas of.
+// "KHR", "EXT", ...: the prefixes, before the first '_', of extensions with a schema.
 std::set<std::string, std::less<>> prefixes() {
   std::set<std::string, std::less<>> found;
   for (const Source& source : files_below({"schema/extensions"})) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Who may include whom: modules on layers, and third-party headers in their modules.
+/// Allowed includes: modules on layers, and third-party headers in their modules.
 #include <map>
 #include <optional>
 
@@ -15,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// What a file may include: headers of its own module, and of modules on layers below.
+// Allowed includes of a file: headers of its own module, and of modules on layers below.
 const std::map<std::string, int, std::less<>> kLayers{
     {"base", 0},     {"json", 1},    {"codec", 1},   {"image", 2}, {"container", 2}, {"schema", 2},
     {"report", 2},   {"target", 2},  {"model", 3},   {"graph", 3}, {"shader", 1},    {"render", 2},
@@ -50,7 +50,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/tinygltf.hpp", "interop"},
 };
 
-// Lower layers that a module must not reach for all the same.
+// Lower layers that a module must not include.
 const std::vector<std::pair<std::string, std::string>> kNever{
     {"render", "json"}, {"preview", "json"}, {"preview", "schema"}};
 

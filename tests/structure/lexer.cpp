@@ -35,7 +35,7 @@ class Lexer {
     return found == std::string_view::npos ? text_.size() : found + length;
   }
 
-  // Copies line breaks and blanks for what is skipped.
+  // Copies line breaks, and blanks for skipped text.
   void blank(std::size_t end) {
     for (; at_ < end; ++at_) lexed_.code += text_[at_] == '\n' ? '\n' : ' ';
   }
@@ -79,7 +79,7 @@ bool has_word(std::string_view text, std::string_view word) {
 
 enum class Scope { outer, function, inner };
 
-// What a brace opens, from the text between the last ';', '{' or '}' and it.
+// The kind of a brace, from the text between the last ';', '{' or '}' and it.
 Scope scope_of(std::string_view header, bool in_function) {
   if (in_function) return Scope::inner;
   if (has_word(header, "namespace")) return Scope::outer;

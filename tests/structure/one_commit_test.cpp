@@ -14,7 +14,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// Files that write something else than files of assets, or hold what is written.
+// Files that write other files than those of assets, or implement writing.
 const std::map<std::string, std::string, std::less<>> kWriters{
     {"libgltfx/container/bytes.hpp", "writes pieces into a draft that it is given"},
     {"libgltfx/container/bytes.cpp", "writes pieces into a draft that it is given"},

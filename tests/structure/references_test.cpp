@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// graph/ alone finds out what refers to what.
+/// Only graph/ finds references.
 #include <map>
 #include <set>
 
@@ -14,11 +14,11 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-// What a schema states of references, and the visitor that is told of them.
+// The words of schemas about references, and the visitor that gets them.
 const std::set<std::string_view> kWords{"ReferenceUse", "ReferenceVisitor", "may_refer",
                                         "may_point",    "ref_has",          "ref_name"};
 
-// Files that may read it all the same, or folders of such.
+// Files that may read them nevertheless, or folders of such files.
 const std::map<std::string, std::string, std::less<>> kReaders{
     {"libgltfx/graph/", "what refers to what"},
     {"libgltfx/schema/", "reads the words, and judges each reference where the walk meets it"},

@@ -78,7 +78,7 @@ std::size_t fields_in(std::string line) {
   return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
 }
 
-// Classes of clang-formatted code, told by the indent of their lines.
+// Classes of clang-formatted code, found by the indent of their lines.
 std::vector<Class> classes_of(std::string_view text) {
   static const std::regex head(R"(^( *)(class|struct) ([\w:]+)[^;]*\{$)");
   static const std::regex members(R"(^ *[^ ].*? (\w+_)((?:, \w+_)*)(?: = .*|\{.*\})?; *$)");

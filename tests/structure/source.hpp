@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Source files as text, and just enough of C++ to ask questions about them.
+/// Source files as text, and a minimal C++ lexer.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ struct Source {
   std::string text;
 };
 
-/// What a check complains about, one line each: "path:line: why".
+/// The problems of a check, one line each: "path:line: why".
 using Problems = std::vector<std::string>;
 
 /// Root of the repository.
@@ -58,7 +58,8 @@ struct Function {
   std::size_t line = 0;   ///< from 1, where its declaration begins
   std::size_t lines = 0;  ///< to its closing brace
 };
-/// Functions of clang-formatted code, found by their braces; lambdas belong to what is around them.
+/// Functions of clang-formatted code, found by their braces; lambdas belong to the enclosing
+/// function.
 std::vector<Function> functions_of(std::string_view text);
 
 /// Line of a position in a text, from 1.

@@ -39,7 +39,7 @@ Problems check_statics(const Source& source) {
 TEST(Statics, OfTheLibraryAreMadeWithoutALock) {
   Problems problems;
   for (const Source& source : cpp_below({"libgltfx"})) {
-    if (source.path.starts_with("libgltfx/schema/compiler/")) continue;  // a program of its own
+    if (source.path.starts_with("libgltfx/schema/compiler/")) continue;  // a separate program
     const Problems found = check_statics(source);
     const bool excepted = kExceptions.count(source.path) > 0;
     EXPECT_FALSE(excepted && found.empty()) << source.path << " needs no exception";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What files say: licence, leftovers, places outside the project, output of the library.
+/// Texts of files: licence, leftovers, places outside the project, output of the library.
 #include <cctype>
 
 #include <gmock/gmock.h>
@@ -46,7 +46,7 @@ const std::vector<std::string> kEverything{"libgltfx",
                                            "Dockerfile",
                                            "action.yml"};
 
-// Hosts that the project may point its readers to, and those that stand in examples.
+// Hosts that the project may link to, and those in examples.
 const std::vector<std::string_view> kHosts{"json-schema.org",
                                            "github.com",
                                            "git-lfs.github.com",
@@ -134,7 +134,7 @@ bool is_call(std::string_view code, std::size_t at, std::string_view name) {
   return next < code.size() && code[next] == '(';
 }
 
-// What the library returns is all it says. The schema compiler is a program of the build.
+// The library reports only by its results. The schema compiler is a program of the build.
 Problems check_quiet(const Source& source) {
   Problems problems;
   if (!source.path.starts_with("libgltfx/") ||
@@ -147,7 +147,7 @@ Problems check_quiet(const Source& source) {
   }
   for (const std::string_view name :
        {"printf", "fprintf", "puts", "putchar", "exit", "_exit", "abort", "terminate"}) {
-    // A forked worker of the decoders is a process of its own.
+    // A forked worker of the decoders is a separate process.
     if (name == "_exit" && source.path == "libgltfx/codec/server.cpp") continue;
     for (std::size_t at = code.find(name); at != std::string::npos; at = code.find(name, at + 1)) {
       if (is_call(code, at, name)) {

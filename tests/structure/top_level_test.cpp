@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What lies at the root of the repository, and that every module is tested.
+/// The files at the root of the repository, and tests for every module.
 #include <filesystem>
 #include <set>
 

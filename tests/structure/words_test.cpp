@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How sentences for users are said: nothing stands, sees or wants that cannot, and no clause is
-/// turned around.
+/// The style of sentences for users: no anthropomorphism and no inverted clauses.
 #include <algorithm>
 #include <cctype>
 
@@ -16,7 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-// A phrase, and what says the same.
+// A phrase, and its replacement.
 struct Phrase {
   std::string_view words, instead;
 };
@@ -61,7 +60,7 @@ constexpr Phrase kPhrases[] = {
 
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
-// Lower case, with a blank in place of line breaks, indents and marks of comments.
+// Lower case, with a blank for line breaks, indents and marks of comments.
 std::string one_line(std::string_view text, std::vector<std::size_t>& origins) {
   std::string out;
   for (std::size_t at = 0; at < text.size(); ++at) {

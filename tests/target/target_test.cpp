@@ -229,7 +229,7 @@ TEST(Target, NamesMatterWhereAnAnimationMovesOneOfThem) {
 }
 
 // Measured: three.js renames the second node of a name before it binds; Assimp and PlayCanvas bind
-// by name. Of the engines that skin, these map JOINTS_0 alone.
+// by name. These engines with skinning map JOINTS_0 only.
 TEST(Target, NodesAndJointsInTheEnginesThatWereMeasured) {
   const auto ignoring = [](const std::string& members, const std::string& title) {
     std::string names;

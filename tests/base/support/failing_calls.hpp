@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// System calls that fail when they are told to. The executable that links this has them in the
-/// place of the C library's, for its own code.
+/// System calls that fail on request. The executable that links this has them in the place of the C
+/// library's, for its own code.
 #pragma once
 
 #include <array>
@@ -46,12 +46,12 @@ class FailingCall {
   FailingCall(const FailingCall&) = delete;
   FailingCall& operator=(const FailingCall&) = delete;
 
-  /// Ends it; returns whether there were so many calls.
+  /// Ends the failure; returns whether there were so many calls.
   bool stop();
 };
 
 /// Runs `action` with each system call and number, until each that it makes has failed once.
-/// `action` makes a FailingCall of them and returns what its stop() says.
+/// `action` makes a FailingCall of them and returns the result of its stop().
 template <typename Action>
 void fail_each_call(Action action) {
   for (const Call call : kCalls) {

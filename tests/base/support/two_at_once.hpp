@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether two threads are there.
+/// Checks that two threads run.
 #pragma once
 
 #include <atomic>
@@ -11,8 +11,8 @@
 
 namespace gltfx::test {
 
-/// Runs two items of which each waits for the other, which both come to do only where two threads
-/// are at work; however busy the machine is, the second one has its turn within ten minutes.
+/// Runs two items of which each waits for the other, which both succeed only if two threads are at
+/// work; however busy the machine is, the second one has its turn within ten minutes.
 inline bool two_run_at_once() {
   std::latch both(2);
   std::atomic<int> met = 0;

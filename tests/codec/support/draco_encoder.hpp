@@ -23,7 +23,7 @@ struct DracoSource {
   std::uint32_t points = 0;
   std::vector<std::uint32_t> indices;  ///< three a triangle
   std::vector<Attribute> attributes;
-  bool edgebreaker = false;  ///< renumbers the points; otherwise all stays in its order
+  bool edgebreaker = false;  ///< renumbers the points; otherwise their order is kept
 };
 
 std::string draco_bytes(const DracoSource& source);

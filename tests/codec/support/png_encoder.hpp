@@ -62,7 +62,7 @@ struct PngImage {
   char bits = 8;
   std::string texels;       ///< packed rows; 16 bits in big-endian order
   std::string chunks{};     ///< between header and data: see png_encoder::chunk()
-  bool interlaced = false;  ///< says so; the rows stay as they are
+  bool interlaced = false;  ///< only the header says so; the rows are not interlaced
 };
 
 inline std::string encode_png(const PngImage& image) {

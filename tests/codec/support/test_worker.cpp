@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A worker that misbehaves as its payload tells it to, or, before any payload, as the name of its
-// folder says.
+// A worker that misbehaves as its payload says, or, before any payload, as the name of its folder
+// says.
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -32,7 +32,7 @@ namespace {
 
 DecodeError says(const std::string& message) { return {ErrorKind::malformed, message}; }
 
-// What the system says to a call: 0, or the number of its error.
+// The result of a system call: 0, or its errno.
 std::string error_of(long result) { return std::to_string(result < 0 ? errno : 0); }
 
 // What comes of raising a limit above its hard limit, which a process may if it has the right to.
@@ -140,7 +140,7 @@ Answer misbehave(const std::string& what, const Output& output) {
   return touch_the_system(what);
 }
 
-// An image, which must look like one, has its word behind all that, after a stroke.
+// An image must be valid, so its word follows at the end, after a slash.
 Answer decode(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   std::string_view what(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (job.task == Task::image) what.remove_prefix(what.rfind('|') + 1);
