@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# gltfx and what it needs at run time:
+# gltfx and its run-time dependencies:
 #   docker build --tag gltfx .
 #   docker run --rm --volume "$PWD:/assets:ro" gltfx validate .
 FROM debian:12-slim AS build

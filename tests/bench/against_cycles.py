@@ -14,8 +14,8 @@ square over the pixels, as part of the mean. `own` is against the same renderer'
 `common` is against the mean of both references. Then it prints the seconds that each renderer needs
 for the same error: samples are those of the measurement with the nearest error, by error ~
 1 / sqrt(samples), and seconds are linear in samples. No start-up time is subtracted; it is
-printed beside, as the time of one sample of 16 by 16 pixels. On a busy machine, --cpu counts
-processor time of all threads in place of what the clock says.
+printed as well, as the time of one sample of 16 by 16 pixels. On a busy machine, --cpu counts
+processor time of all threads instead of wall-clock time.
 """
 import argparse
 import json
@@ -86,7 +86,7 @@ class Run:
 
 
 def seconds_for(error, runs):
-    """Of a renderer, from what was measured, by the number of samples from few to many."""
+    """Measurements of a renderer by the number of samples, from few to many."""
     nearest = min(runs, key=lambda run: abs(math.log(run.own / error)))
     samples = nearest.samples * (nearest.own / error) ** 2
     above = next((i for i in range(1, len(runs) - 1) if runs[i].samples >= samples), len(runs) - 1)

@@ -12,10 +12,10 @@ normals   two .glb of a million vertices: clean.glb, and bad.glb whose normals a
 statue    one .glb of 100,000 triangles with three textures of 1,024 texels a side, to be drawn
 toy       one .glb of 4,000 triangles with one texture of 512 texels a side, to be drawn
 helmet    one .glb of 70,000 vertices with five JPEG textures of 2,048 texels a side, to be drawn
-many      200 .gltf as small as toy, each with a shape of its own, that share their texture
+many      200 .gltf as small as toy, each with its own shape, that share their texture
 textures  one .glb of some 500 MB with 40 PNG images of 2,048 to 4,096 texels a side
 tables    one .glb of some 100 MB of property tables: numbers with limits, enums, strings, arrays
-legacy    200 models with a retired extension, each with a map of its own of 512 texels a side
+legacy    200 models with a retired extension, each with its own map of 512 texels per side
 """
 import argparse
 import array
@@ -172,7 +172,7 @@ def city_nodes(out, rnd, blocks, houses):
 
 
 def city_geometry(out, rnd, count):
-    """One triangle a mesh, each with bounds of its own."""
+    """One triangle per mesh, each with its own bounds."""
     data, bounds = bytearray(), []
     for _ in range(count):
         values = [as_float32(rnd.uniform(-5, 5)) for _ in range(9)]

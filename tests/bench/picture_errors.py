@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How far pictures are from references of many samples, and what they cost.
+"""Errors of pictures against references of many samples, and their cost.
 
   picture_errors.py [--size N] [--samples N] [--references DIR] [--also PROGRAM]... [--options TEXT]
                     PROGRAM ASSET...

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What both renderers draw, how near their pictures are to be, and parts of scenes."""
+"""Scenes for both renderers, tolerances of their pictures, and parts of scenes."""
 import math
 
 from pictures import png
@@ -106,7 +106,7 @@ def bumps():
 
 
 def shelf():
-    """Things to see through what stands before them."""
+    """Objects that are visible through others."""
     scene = stage()
     floor(scene)
     index = scene.texture(checks(6, (230, 230, 230), (40, 60, 90)), magFilter=9728, minFilter=9728)

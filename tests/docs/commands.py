@@ -6,7 +6,7 @@
   tests/docs/commands.py --clone PAGE  prints a script of those of a page for a clean clone, built by tools/quickstart
 
 A command is a line that begins with "$ " in a block "console", a block "sh" as a whole, and what stands under "run" in
-a table of README.md. Each is run, or stands in ELSEWHERE with what runs it or why nothing can.
+a table of README.md. Each is run, or is in ELSEWHERE with what runs it or why nothing can.
 """
 import base64
 import json
@@ -94,7 +94,7 @@ def pages():
 
 
 def model():
-    """Enough meshes, nodes and animations for what the docs delete."""
+    """Enough meshes, nodes and animations for the deletions in the docs."""
     data = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0) + struct.pack("<2f", 0, 1) + struct.pack("<6f", *[0] * 6)
     vec3 = {"componentType": 5126, "type": "VEC3"}
     return data, {
@@ -121,7 +121,7 @@ def glb(document, data):
 
 
 def make_world(folder, program):
-    """What a clone has, and files of the names that the docs use."""
+    """The files of a clone, and files with the names in the docs."""
     for name in ("fixtures", "tools", "tests"):
         os.symlink(os.path.join(ROOT, name), os.path.join(folder, name))
     for place in ("build/release/bin", "bin"):

@@ -22,7 +22,7 @@ def data_uri(data, kind="application/octet-stream"):
 PNG_URI = data_uri(_png(), "image/png")
 
 _IDENTITY = struct.pack("<16f", *[float(i % 5 == 0) for i in range(16)])
-# Accessors by what they are for; each has a view of its own.
+# Accessors by use; each has its own view.
 _PARTS = [
     ("VEC3", 5126, 3, struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0), {"min": [0, 0, 0], "max": [1, 1, 0]}),
     ("VEC3", 5126, 3, struct.pack("<9f", *[0, 0, 1] * 3), {}),
@@ -95,7 +95,7 @@ FRESH = {
 
 
 def link(asset, first):
-    """Draws what was appended: a node for each mesh and skin, all nodes in the scene. `first` is
+    """Draws the appended objects: a node for each mesh and skin, all nodes in the scene. `first` is
     the base asset."""
     nodes = asset["nodes"]
     for mesh in range(len(first["meshes"]), len(asset["meshes"])):
@@ -111,7 +111,7 @@ def text_of(asset):
 
 
 def merged(asset, more):
-    """The asset with the root members of `more`: arrays behind those that are there."""
+    """The asset with the root members of `more`: arrays are appended to existing ones."""
     asset = copy.copy(asset)
     for name, value in more.items():
         old = asset.get(name)

@@ -13,7 +13,7 @@ def finished(more, used=()):
 
 
 def raw(members):
-    """The base asset with text behind its members."""
+    """The base asset with text after its members."""
     return text_of(base())[:-1] + b"," + members.encode() + b"}"
 
 

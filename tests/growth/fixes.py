@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""For each rule with a fix, assets with n of what it finds: the bad example of its page, repeated where that is."""
+"""For each rule with a fix, assets with n findings: the bad example of its page, repeated."""
 import base64
 import copy
 import functools
@@ -14,7 +14,7 @@ import tempfile
 from assets import base, data_uri, merged, text_of
 from by_hand import finished, raw
 
-# There is one in a file, whatever its size.
+# A file of any size has one.
 ONE_IN_A_FILE = {"BUFFER_GLB_CHUNK_TOO_BIG", "GLB_BIN_PADDING", "GLB_CHUNK_LENGTH_UNALIGNED", "GLB_CHUNK_TOO_BIG",
                  "GLB_CHUNK_TYPE_NUMBER", "GLB_EXTRA_DATA", "GLB_JSON_PADDING", "GLB_LENGTH_MISMATCH",
                  "JSON_BYTE_ORDER_MARK", "JSON_INVALID_UTF8"}
@@ -94,7 +94,7 @@ def resolved(document, steps):
 
 
 def repeat(document, pointer, n):
-    """More of the innermost element of an array that a pointer leads to or through; nothing where there is none."""
+    """More of the innermost element of an array that a pointer leads to or through; nothing if there is none."""
     steps = pointer.split("/")[1:]
     for end in range(len(steps), 0, -1):
         array = resolved(document, steps[:end - 1])

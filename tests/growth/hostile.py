@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Assets that want much memory for their size: dense text, large counts, shared data."""
+"""Assets that need much memory for their size: dense text, large counts, shared data."""
 import struct
 
 import by_hand
@@ -19,7 +19,7 @@ def members(key):
 
 
 def counts(n):
-    """An accessor that says that it has very many elements."""
+    """An accessor that declares very many elements."""
     return by_hand.finished({"accessors": [{"componentType": 5126, "type": "VEC3", "count": n}],
                              "meshes": [{"primitives": [{"attributes": {"POSITION": 9}}]}]})
 
@@ -42,7 +42,7 @@ def shared_vertices(vertices, uses):
 
 
 def meshopt(count):
-    """A view that says it unpacks to a thousand times its bytes."""
+    """A view that declares a thousand times its bytes when unpacked."""
     return text_of(merged(base(), {
         "extensionsUsed": ["EXT_meshopt_compression"],
         "buffers": [{"byteLength": count * 16}],

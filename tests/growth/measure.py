@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs a program and tells what it took, with the processes that it started.
+"""Runs a program and measures its resources, with the processes that it started.
 
 Each run has a small process of its own between this one and the program: what is resident when a
 process is forked counts for the peak of the new one.
@@ -45,7 +45,7 @@ def descendants(process):
 
 
 def high_water(process):
-    """Most bytes that were resident, or 0 when the process is gone. Shared memory that workers map
+    """Maximum resident bytes, or 0 when the process has ended. Shared memory that workers map
     too counts once, with the program."""
     try:
         with open(f"/proc/{process}/status", encoding="ascii", errors="replace") as file:
@@ -67,7 +67,7 @@ class Watch(threading.Thread):
     def run(self):
         while not self.done.wait(PAUSE):
             for child in descendants(self.process):
-                # The latest one counts: it begins anew when a fork of the program becomes a worker.
+                # The latest one counts: it restarts when a fork of the program becomes a worker.
                 self.peaks[child] = high_water(child) or self.peaks.get(child, 0)
 
 
@@ -95,7 +95,7 @@ def measure_here(words, folder):
         size = output.tell() or os.fstat(output.fileno()).st_size
         output.seek(max(size - 300, 0))
         last = output.read().decode(errors="replace").strip().splitlines()[-1:]
-    # What wait4 tells of memory is the most of the program and of those it waited for.
+    # wait4 reports the maximum memory of the program and of the processes it waited for.
     peak = (usage.ru_maxrss << 10) + sum(watch.peaks.values())
     measured = Measured(usage.ru_utime + usage.ru_stime, peak)
     if process.returncode < 0:

@@ -4,11 +4,11 @@
 
     tests/mutants/fix_mutants.py build/dev/bin/gltfx FOLDER... [--count 50000] [--seed N] [--peer NODE_MODULES]
 
-Of each mutant is asked: the fixed file has no finding, by gltfx or by npm's gltf-validator, that the broken one has
-not; a second run changes nothing; findings that `gltfx validate` marks as fixable are gone or left with a reason.
+The checks of each mutant: the fixed file has no finding, by gltfx or by npm's gltf-validator, that the broken one has
+not; a second run changes nothing; findings that `gltfx validate` marks as fixable are fixed or left with a reason.
 Mutants whose text cannot be read are counted, but new findings of theirs are not: what could not be read could not be
 found. gltf-validator
-leaves out values of a wrong type, counts what stands behind them anew, and goes on without what is required: what it
+leaves out values of a wrong type, renumbers what follows them, and goes on without what is required: what it
 finds there is not new. It does not look into an extension that is not declared, and does not know each extension: a
 finding of its is not new if it has the same against the valid asset that was broken, or if gltfx has it against the
 broken one; that it does not know an extension, or a value that one adds, is none about the asset.
@@ -95,7 +95,8 @@ def glb(chunks, total=0, lengths=0):
     return struct.pack("<4sII", b"glTF", 2, 12 + len(data) + total) + data
 
 
-# Mutations: each takes an asset and a source of chance, and says whether it has changed something ----------
+# Mutations: each takes an asset and a random source, and returns whether it changed something
+# ----------
 
 def places(value, path=()):
     stack = [(value, path)]
@@ -108,7 +109,7 @@ def places(value, path=()):
 
 
 def objects(holder, array):
-    """The objects in an array, whatever earlier mutations made of it."""
+    """The objects in an array, also after earlier mutations."""
     found = holder.get(array) if isinstance(holder, dict) else None
     return [one for one in found if isinstance(one, dict)] if isinstance(found, list) else []
 
@@ -204,7 +205,7 @@ def two_forms(asset, chance):
 
 
 def roots(asset, chance):
-    """Children among the roots of a scene, before or behind what is above them."""
+    """Children among the roots of a scene, before or after their ancestors."""
     scenes = [scene for scene in objects(asset.document, "scenes") if isinstance(scene.get("nodes"), list)]
     nodes = objects(asset.document, "nodes")
     if not scenes or len(nodes) < 2:
@@ -222,7 +223,7 @@ def roots(asset, chance):
 
 
 def said_by_others(asset, chance):
-    """Extras, and an extension that nobody knows."""
+    """Extras, and an unknown extension."""
     found = [value for _, _, value in places(asset.document) if isinstance(value, dict)]
     value = chance.choice([9007199254740993, [], {}, {"id": 2.50, "empty": {}, "list": [1, 1]}, -0.0, None])
     holder = chance.choice(found)
@@ -494,7 +495,7 @@ class Totals:
         self.had, self.gone, self.left_out = (collections.Counter() for _ in range(3))
         self.reasons = collections.Counter()
         self.marked = 0
-        self.hidden = 0  # mutants that gltf-validator says more of, which is not new
+        self.hidden = 0  # mutants with further findings of gltf-validator, which are not new
         self.failures = []
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What an asset says, read without a line of gltfx: whether a changed asset still says it.
+"""The meaning of an asset, read without code of gltfx: whether a changed asset has the same.
 
 losses(before, after) lists what is missing or different in the second of two assets, but for what has no meaning:
 bounds, targets of buffer views, unused members and those that are null, quotes around a number, names of extensions
@@ -20,7 +20,7 @@ TRANSFORM = ("matrix", "translation", "rotation", "scale")
 
 
 class Object(dict):
-    """Members by name, and all values of a name that is there more than once."""
+    """Members by name, and all values of a repeated name."""
 
     def __init__(self, pairs):
         super().__init__(pairs)
@@ -37,7 +37,7 @@ def parsed(text):
 
 class Asset:
     def __init__(self, text, binary, file):
-        """`file`: the bytes behind a path, or None."""
+        """`file`: gives the bytes of a path, or None."""
         self.document, self.binary, self.file = parsed(text), binary, file
         self.contents = {}
 
@@ -75,7 +75,7 @@ class Asset:
         return data[begin:end], view.get("byteStride")
 
     def elements(self, index):
-        """The elements of an accessor as tuples; None where they cannot be told."""
+        """The elements of an accessor as tuples; None if they are unknown."""
         try:
             return self.read_elements(self.list("accessors")[index])
         except (AttributeError, IndexError, KeyError, TypeError, ValueError, struct.error, OverflowError):
@@ -95,7 +95,7 @@ class Asset:
             data, stride = self.view(accessor["bufferView"])
             stride, at = stride or size, accessor.get("byteOffset", 0)
             if stride < size:
-                return None  # elements that overlap are no values: gltfx draws nothing of them
+                return None  # overlapping elements are not values: gltfx draws none of them
             values = [struct.unpack_from(form, data, at + i * stride) for i in range(count)]
         sparse = accessor.get("sparse")
         if sparse:
@@ -109,7 +109,7 @@ class Asset:
         return values
 
     def roles(self):
-        """By accessor: what it is used for, and the primitives that use it."""
+        """By accessor: its use, and the primitives that use it."""
         roles, users = {}, {}
 
         def note(index, role):
@@ -161,7 +161,7 @@ def same_direction(one, other):
 
 
 def same_element(role, one, other):
-    """Whether what an element means in a role has stayed."""
+    """Whether the meaning of an element in a role is unchanged."""
     if one == other or (not is_finite(one) and not is_finite(other)):
         return True
     if not is_finite(one) or not is_finite(other):
@@ -222,7 +222,7 @@ def changed_values(before, after):
 # The document -------------------------------------------------------------------------------------------------
 
 def local_matrix(node):
-    """What is drawn: the matrix where there is a sound one."""
+    """The drawn transform: the matrix if there is a valid one."""
     def numbers(name, count, usual):
         value = node.get(name)
         sound = isinstance(value, list) and len(value) == count and \

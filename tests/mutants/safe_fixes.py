@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Breaks valid assets, lets `gltfx fix` do all safe fixes, and looks for what they change.
+"""Breaks valid assets, lets `gltfx fix` do all safe fixes, and searches for changes of meaning.
 
     tests/mutants/safe_fixes.py build/release/bin/gltfx FOLDER... [--count 3000] [--seed N] [--keep FOLDER]
 
-Of each mutant is asked: the fixed asset says what the broken one says (meaning.py), and `gltfx bake` draws the same
+The checks of each mutant: the fixed asset means what the broken one means (meaning.py), and `gltfx bake` draws the same
 picture of both. A few pixels may differ, since a fix may round. The seed of a run is printed; without --seed it is a
 new one. Mutants with a failure are kept in --keep.
 """
@@ -70,7 +70,7 @@ def pixels(path):
 
 
 def difference(one, other):
-    """In words; empty where two pictures are the same but for noise."""
+    """As text; empty if two pictures are the same except for noise."""
     if one.read_bytes() == other.read_bytes():
         return ""
     (a, channels), (b, more) = pixels(one), pixels(other)
@@ -110,7 +110,7 @@ def read_whole(path):
 
 
 def read_broken(path, mutant):
-    """What is meant, where the file cannot be read."""
+    """The intended asset, if the file cannot be read."""
     try:
         if not mutant.glb_change:
             return read_whole(path)

@@ -16,7 +16,7 @@ const external = JSON.stringify({
 });
 const quiet = (options) => ({ writeTimestamp: false, ...options });
 
-// A call with functions of its own for each validator, since they may keep state.
+// A call with separate functions for each validator, because they may keep state.
 async function compare(name, call) {
   const [expected, found] = [await outcomeOf(() => call(peer)), await outcomeOf(() => call(ours))];
   for (const outcome of [expected, found]) if (outcome.report) outcome.report = comparable(outcome.report);

@@ -22,7 +22,7 @@ function row(name, run) {
   test(name, run);
 }
 
-// What the program does in its own way, and the functions do not.
+// Differences of the program that the functions do not have.
 function same(name, run) {
   test(`no difference: ${name}`, run);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// References that lead an asset to what is not its own: the program, the npm command, the functions of the package
-// and the page are tried with the same ones (paths.test.mjs, ../web/safety_checks.mjs).
+// References of an asset to files outside of its folder: the program, the npm command, the functions of the package and
+// the page are tried with the same ones (paths.test.mjs, ../web/safety_checks.mjs).
 import { execFileSync } from "node:child_process";
 import { mkdirSync, symlinkSync, truncateSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 export const SECRET = "secret of somebody else";
 
-/** A folder with things of each kind: `place/asset` for assets, what is not theirs around it. */
+/** A folder with files of each kind: `place/asset` for assets, foreign files around it. */
 export function makeHostileFolder(place) {
   const folder = join(place, "asset");
   mkdirSync(join(folder, "sub"), { recursive: true });
@@ -33,7 +33,7 @@ export function makeHuge(path, size) {
   truncateSync(path, size);
 }
 
-/** [URI, whether only the disk tells where it leads] */
+/** [URI, whether only the disk decides where it leads] */
 export const HOSTILE_URIS = [
   ["/dev/zero", false],
   ["/etc/passwd", false],

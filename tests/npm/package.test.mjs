@@ -256,7 +256,7 @@ test("types", (t) => {
       const five = await gltfx.validate(bytes, { profile: "khronos" });
       // @ts-expect-error it has no such function
       validator.inspect(asset);
-      // @ts-expect-error text is no asset
+      // @ts-expect-error text is not an asset
       await validate("model.gltf");
       // @ts-expect-error no such severity
       await compat.validateString("{}", { severityOverrides: { A: 4 } });

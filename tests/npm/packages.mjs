@@ -2,7 +2,7 @@
 // Installs the archives of build/npm-package without a network; finds fixtures and the other validator.
 //
 //   GLTFX_PEER    node_modules with gltf-validator, @gltf-transform/cli and typescript (build/npm)
-//   GLTFX_CORPUS  a folder of more assets, each compared with what gltf-validator says
+//   GLTFX_CORPUS  a folder of more assets, each compared with the report of gltf-validator
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
@@ -64,7 +64,7 @@ export function assetsBelow(...names) {
   return names.flatMap((name) => below(resolve(root, name))).filter((path) => /\.(gltf|glb|vrm)$/i.test(path));
 }
 
-/** Reads what an asset refers to, as users of gltf-validator do. */
+/** Reads the resources of an asset, as users of gltf-validator do. */
 export function loaderFor(path, calls = []) {
   return async (uri) => {
     calls.push(uri);

@@ -31,7 +31,7 @@ test("paths of other systems stay as they are", () => {
   }
 });
 
-// Verb -> what is refused.
+// Verb -> refused options.
 const WRONG = {
   validate: [
     { onlyIssues: "x" },
@@ -100,7 +100,7 @@ test("codes that no rule has are refused", () => {
     assert.throws(() => checkAreCodes(engine, { ...none, ...wrong }), { message: "gltfx: there is no code 'B'" });
 });
 
-// Wants the paths that a text names, and reports which of them it got.
+// Requests the paths that a text names, and reports those that it got.
 function fakeEngine() {
   const utf8 = new TextEncoder();
   const engine = {
@@ -148,7 +148,7 @@ test("resources are asked for by path, once, and what is not there is reported",
       return answer(path);
     };
     assert.deepEqual(await validate(asset, { resources }), { got: ["my data.bin", "sub/a#b.bin", "my data.bin"] });
-    assert.deepEqual(asked, ["my data.bin", "sub/a#b.bin", "gone.bin"]); // no drive of Windows
+    assert.deepEqual(asked, ["my data.bin", "sub/a#b.bin", "gone.bin"]); // not a drive of Windows
   }
   assert.deepEqual(await validate(asset, { resources: there }), { got: ["my data.bin", "sub/a#b.bin", "my data.bin"] });
   assert.deepEqual(await validate(asset), { got: [] });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an asset refers to and what a command line names: the npm command refuses what the native program refuses,
-// in the same words, and the functions of the package do not even ask for it.
+// References of assets and paths of command lines: the npm command refuses those that the native program refuses, with
+// the same messages, and the functions of the package do not request them.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readFileSync, symlinkSync, writeFileSync } from "node:fs";
@@ -20,7 +20,7 @@ function same(args, options = {}) {
     command(one, args, { cwd: folder, timeout: HANGS, ...options }),
   );
   assert.notEqual(expected.code, null, args.join(" "));
-  // Each C library has words of its own.
+  // Each C library has its own messages.
   expected.stdout = expected.stdout.replaceAll("Too many levels of symbolic links", "Symbolic link loop");
   assert.deepEqual(found, expected);
   assert.ok(!found.stdout.includes(SECRET));

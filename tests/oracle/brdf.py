@@ -53,7 +53,7 @@ def diffuse_brdf(color):
 
 
 def f0_of(ior, outside=1.0):
-    """An index of 0 stands for infinity (KHR_materials_ior)."""
+    """An index of 0 means infinity (KHR_materials_ior)."""
     return 1.0 if ior == 0 else ((ior - outside) / (ior + outside))**2
 
 

@@ -8,7 +8,7 @@ import tempfile
 
 from pictures import hdr, read_exr
 
-# What is not chance: pictures, vertices and textures hold floats.
+# Deterministic error: pictures, vertices and textures hold floats.
 ROUNDING = 1e-4
 BLACK = (".hdr", hdr([[(0, 0, 0)] * 2]))
 
@@ -19,7 +19,7 @@ class Failure(Exception):
 
 class Case:
     """
-    name      unique, "group: what is shown"
+    name      unique, "group: subject"
     source    section of the specification, name of an extension or paper
     scene     Scene, seen through its first camera
     expected  numbers, or a function that gives them; by default the mean color of the picture
@@ -31,7 +31,7 @@ class Case:
     sky       (suffix, bytes) of an environment, black unless given: the studio is left out. Lights
               are as bright as the asset says while the scene has less than pi lux; above that they
               are dimmed (docs/bake.md, What is drawn)
-    limit     which limit of the renderer (docs/bake.md, What is drawn) the case shows: it must not agree
+    limit     the limit of the renderer (docs/bake.md, What is drawn) the case shows: it must not agree
     """
 
     def __init__(self, name, source, scene, expected, *, measure=None, most=None, near=0.0,

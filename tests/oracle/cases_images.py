@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What textures, vertex colors and coverage say of a point."""
+"""Textures, vertex colors and coverage at a point."""
 import copy
 import math
 
@@ -128,7 +128,7 @@ def texture_transform():
                srgb(texel(2, 1)))
 
 
-# One texel for all of a wall, so that each slot is seen alone.
+# One texel for a whole wall, so that each slot is tested separately.
 
 BYTES = (200, 120, 60, 150)
 R, G, B, A = (byte / 255 for byte in BYTES)

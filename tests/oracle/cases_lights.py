@@ -114,7 +114,7 @@ def spot():
     yield case("scale does not count", 25, cone, 0.3, 0.7, more={"scale": [4, 1, 0.5]})
 
 
-# Normals of what is transformed: by the inverse of the transposed matrix.
+# Normals of transformed objects: by the inverse transpose of the matrix.
 
 def transformed_normal(scale, rotation, normal):
     return rotated(normalize(tuple(n / s for n, s in zip(normal, scale))), rotation)

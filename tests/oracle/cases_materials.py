@@ -69,7 +69,7 @@ def appendix_b():
 
 @group
 def conserving():
-    """The default mode: what it does to diffuse light is documented, and nothing else."""
+    """The default mode: it changes diffuse light as documented, and nothing else."""
     for roughness in (0.5, 0.8):
         for place in ("mirror", "same side", "grazing"):
             # Its curves of albedos are fits: half a percent of the diffuse light.

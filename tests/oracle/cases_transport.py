@@ -84,7 +84,7 @@ def furnaces():
                     1 - dielectric_fresnel(p.v_h)[0], diffuse_brdf(COLOR)), c)))
 
 
-# Skies that vary with height alone.
+# Skies that vary with height only.
 
 ROWS = 64
 
@@ -213,7 +213,7 @@ def area_lamps():
 
 @group
 def shadows():
-    """A plate above the right half of a wall, and how much of a picture lies in its shadow."""
+    """A plate above the right half of a wall, and the part of a picture in its shadow."""
     half, view = 0.25, 75
     reach = half / math.cos(math.radians(view))  # of the picture on the wall
     for polar, azimuth, height in ((45, 0, 0.3), (60, 180, 0.2), (30, 50, 0.9)):
@@ -294,7 +294,7 @@ def thin_walls():
             math.cos(math.radians(view)), ior=ior)[0])
         yield Case(f"thin wall: view {view}, factor {factor}, metallic {metallic}, ior {ior}",
                    source, scene, scaled(through, product(COLOR, behind)), most=1, **MANY)
-    # Two walls: between them light goes back and forth. R + T^2 / (1 - R^2) R..., in white light.
+    # Two walls: light is reflected between them. R + T^2 / (1 - R^2) R..., in white light.
     scene = Scene()
     for z in (0, -0.5):
         scene.draw(quad(20), glass(COLOR, doubleSided=True), translation=[0, 0, z])

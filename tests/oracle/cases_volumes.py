@@ -72,7 +72,7 @@ def channel_centroid(channel):
 @group
 def refraction():
     """A small lamp behind a slab, seen from aside. Without the weight of the specular layer there
-    are no ghosts; rays bend by the index alone."""
+    are no ghosts; rays bend by the index only."""
     thick, depth, half = 1.0, 1.6, 0.25
 
     def shift(ior, view):
@@ -120,7 +120,7 @@ def total_reflection():
         scene.draw(quad(3), lamp((0.5, 1, 0.25)), translation=[0, -3, 0],
                    rotation=turn((1, 0, 0), -90))
         scene.seen_from((-1, 0, 0), at=(-1, -0.1, 0.1))
-        # Both faces, and light that goes back and forth between them.
+        # Both faces, and light that is reflected between them.
         part = passed**2 / (1 - (1 - passed)**2)
         yield Case(f"prism: total reflection{name}", "KHR_materials_volume, Implementation", scene,
                    tuple(part * c for c in (0.5, 1, 0.25)), most=1, bounces=32, **MANY)
@@ -143,7 +143,7 @@ def balls():
 
 
 def medium(albedo_colors, anisotropy=0.0, sigma=1.0):
-    """By KHR_materials_volume_scatter, with an index of 1 and without a surface of its own."""
+    """By KHR_materials_volume_scatter, with an index of 1 and without surface reflection."""
     return volume(1.0, 1, 1 / sigma, (math.exp(-1),) * 3, {
         **NO_SPECULAR, "volume_scatter": {"multiscatterColorFactor": list(albedo_colors),
                                           "scatterAnisotropy": anisotropy}})
@@ -178,7 +178,7 @@ def media():
                lambda: tuple(slab_of_medium(single_scatter_albedo(c), 3,
                                             math.cos(math.radians(30))) for c in colors), **deep)
     for anisotropy in (-0.5, 0.0, 0.7):
-        # Lit from above alone; its front face looks up.
+        # Lit from above only; its front faces up.
         scene = Scene()
         scene.draw(box(40, 40, 1), medium(colors, anisotropy), rotation=turn((1, 0, 0), -90))
         scene.seen_from(direction(70, 90))

@@ -6,7 +6,7 @@
 
 Each case writes an asset, draws it with `gltfx bake` to an OpenEXR file and compares linear
 numbers of the picture with a formula. Formulas are written out here from the texts that each case
-names, and share nothing with the renderer. Needs Python alone.
+names, and share nothing with the renderer. Needs only Python.
 """
 import argparse
 import concurrent.futures

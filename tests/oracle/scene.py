@@ -191,7 +191,7 @@ NO_SPECULAR = {"specular": {"specularFactor": 0}}
 
 
 def lambert(base_color=(1, 1, 1), extensions=None, **more):
-    """Diffuse alone: without the weight of its specular layer, a dielectric is its base."""
+    """Diffuse only: without the weight of its specular layer, a dielectric is its base."""
     return material(base_color, extensions={**NO_SPECULAR, **(extensions or {})}, **more)
 
 

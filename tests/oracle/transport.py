@@ -94,7 +94,7 @@ def exponential_integral(order, x):
 def slab_of_medium(albedo, thickness, mu):
     """The radiance towards mu of an isotropically scattering slab between two skies of radiance 1.
     Schwarzschild and Milne: S(t) = w / 2 (integral of E1(|t - x|) S(x) + E2(t) + E2(T - t));
-    the singularity is taken out by the integral of E1 alone."""
+    the singularity is removed by the integral of E1."""
     points = gauss_legendre(40, 0, thickness)
     inside = [2 - exponential_integral(2, t) - exponential_integral(2, thickness - t)
               for t, _ in points]

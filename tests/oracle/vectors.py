@@ -43,7 +43,7 @@ def turn(axis, degrees):
 
 def facing(target):
     """The shortest rotation of +z to a direction other than -z. Cameras and lights look along
-    their own -z, so one that stands in that direction looks at the origin."""
+    their own -z, so one in that direction looks at the origin."""
     x, y, z = normalize(target)
     length = math.sqrt(2 + 2 * z)
     return [-y / length, x / length, 0.0, length / 2]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page does in a browser. Each check gets a fresh page and throws where something is wrong.
+// Behaviour of the page in a browser. Each check gets a fresh page and throws on failure.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { BREAKERS } from "./hostile.mjs";
@@ -18,7 +18,7 @@ async function open(context, url) {
   return page;
 }
 
-/** Opens what is folded, so that it is looked at as well. */
+/** Opens folded parts, so that they are checked as well. */
 async function unfold(page) {
   for (const fold of await page.locator(".fold > summary").all()) await fold.click();
   for (let i = 0; i < Math.min(4, await rows(page)); ++i) {
@@ -189,7 +189,7 @@ async function addressHoldsTheState(browser, url) {
   const linked = await open(context, url + "#asset=" + encodeURIComponent(path));
   assert.equal(await linked.locator("#list details[open] .path-line bdi").textContent(), path);
   assert.match(await shownCount(linked), /^\d+ assets$/);
-  // What stands in an address is text, whatever it is.
+  // Anything in an address is text.
   const wild = await open(context, url + "#verdict=%3Cb%3E&order=x&rule=<b id=none>&text=<i id=none onerror=window.broken=1>&asset=no");
   assert.match(await shownCount(wild), /^0 of /);
   assert.equal(await wild.evaluate(() => window.broken), undefined);

@@ -12,7 +12,7 @@ export const BREAKERS = [
   "javascript:window.broken=1",
 ];
 
-/** Writes one asset for each text, and says where. */
+/** Writes one asset for each text; returns the paths. */
 export function writeHostile(folder) {
   const place = join(folder, "<b>hostile</b>&amp;");
   mkdirSync(place, { recursive: true });

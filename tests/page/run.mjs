@@ -4,7 +4,7 @@
 //   node run.mjs PROGRAM MODULES [--speed]
 //
 // MODULES is a node_modules with html-validate, playwright-core and axe-core. The browser is
-// `chromium`, or what the environment's CHROMIUM names; without one, what needs it is skipped.
+// `chromium`, or the program in the environment's CHROMIUM; without one, its checks are skipped.
 import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # capture.zsh FOLDER LINE: what zsh offers at the end of LINE, a word each line, with the completion
-# functions of FOLDER. A shell in a terminal of its own completes; compadd tells what it is given.
+# functions of FOLDER. A shell in a new terminal completes; compadd prints its arguments.
 zmodload zsh/zpty || exit 1
 zpty shell zsh -f -i
 zpty -w shell "PROMPT=; RPROMPT=; unsetopt zle_bracketed_paste 2>/dev/null; fpath=(${(q)1} \$fpath)"

@@ -16,12 +16,12 @@ program, asset = (os.path.abspath(word) for word in sys.argv[1:3])
 def read(terminal):
     try:
         return os.read(terminal, 4096)
-    except OSError:  # the program is gone
+    except OSError:  # the program has ended
         return b""
 
 
 def interrupted(folder):
-    """What the terminal shows, and how the program ended."""
+    """The text on the terminal, and how the program ended."""
     words = [program, "bake", asset, "-o", os.path.join(folder, "a.png"), "--size", "4096",
              "--quality", "final", "--samples", "256", "--denoise", "off"]
     child, terminal = pty.fork()

@@ -1,12 +1,12 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Deletes every deletable object of assets, one run each, and checks what is left by a walk of its own.
+"""Deletes every deletable object of assets, one run each, and checks the rest by an independent walk.
 
     tests/program/renumber_walk.py build/dev/bin/gltfx FOLDER...   [--jobs N] [--most N] [--groups N]
 
 Every object of a copy of the asset gets a mark in its extras. After `gltfx edit --delete ... --cascade`
 each object that is left has the same content as before, and each of its references leads to the
-object with the same mark as before. Which members are references stands here, written from the texts of
+object with the same mark as before. The members that are references are listed here, written from the texts of
 glTF and of the extensions, and not read from the schema files of gltfx. An object that is gone was
 asked for, or referred to something that is gone. The number of objects is printed; the exit code says
 whether all is well.
@@ -159,7 +159,7 @@ def target_list(document, path, target):
 
 
 def leads_to(document, holder, key, kind):
-    """The mark of the object that a reference leads to; of a pointer the marks on its way and what it names."""
+    """The mark of the object of a reference; for a pointer, the marks on its path and its target."""
     if kind == "pointer":
         way, rest = [], document
         for step in holder[key].split("/")[1:]:
@@ -197,7 +197,7 @@ def objects(document):
 
 
 def is_map(path):
-    """Objects whose members are no properties: names of attributes, or of extensions."""
+    """Objects whose members are not properties: names of attributes, or of extensions."""
     return bool(path) and (path[-1] in ("attributes", "extensions", "properties", "uniforms", "values", "classes",
                                         "enums") or (len(path) > 1 and path[-2] == "targets"))
 
@@ -223,7 +223,7 @@ def deletable(document):
 
 
 class Walked:
-    """What a walk over a document finds, once for all questions about it."""
+    """The results of a walk over a document, shared by all checks."""
 
     def __init__(self, document):
         self.document = document
@@ -259,7 +259,7 @@ class Walked:
 
 
 def check(before, after, pointer):
-    """What is wrong after the deletion of `pointer`, of what was walked; empty: nothing."""
+    """The errors after the deletion of `pointer`, by the walk; empty: none."""
     wrong = []
     old, new = before.marked, after.marked
     if new.keys() - old.keys() or after.repeated:
@@ -385,7 +385,7 @@ def write(path, document, binary):
 
 
 def copy_files(document, source, target):
-    """What the asset refers to."""
+    """The files that the asset refers to."""
     for array in ("buffers", "images"):
         for element in document.get(array, []):
             uri = urllib.parse.unquote(element.get("uri", "data:"))
@@ -396,7 +396,7 @@ def copy_files(document, source, target):
 
 
 def bytes_of(document, binary, view):
-    """What a buffer view of the BIN chunk holds."""
+    """The bytes of a buffer view of the BIN chunk."""
     if binary is None or view.get("buffer") != 0 or "uri" in document["buffers"][0]:
         return None
     begin = view.get("byteOffset", 0)
@@ -462,7 +462,7 @@ def walk(gltfx, path, most, groups):
                 now = Walked(after[0])
                 if len(run) == 1:
                     wrong += check(walked, now, run[0])
-                else:  # all but who had a reason to go
+                else:  # all except those with a reason for deletion
                     wrong += dangling(walked, now) + unlike(walked, now)
                 result["wrong"] += [f"{run}: {w}" for w in wrong]
     return result

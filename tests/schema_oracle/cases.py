@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Valid values and faults, made from the schema file of an extension; jsonschema says which is which."""
+"""Valid and invalid values, made from the schema file of an extension; jsonschema tells them apart."""
 import copy
 import json
 import re
@@ -11,11 +11,11 @@ STRINGS = ["x", "x1", "A", "_FEATURE_ID_0", "r", "rgba", "image/png", "1.0", "20
            "https://example.org/x", "https://vrm.dev/x", "video/mp4", "GEOD", "0"]
 ODD = [None, True, False, -1, 0, 0.5, 1, 2, 1e9, "", "x", "?", [], [1], [-1], [0.5], ["x"], [[1]], [{}], {},
        {"x": 1}]
-FREE_NAMES = ["x", "POSITION"]  # of members that a schema does not list; the second one is asked for elsewhere
+FREE_NAMES = ["x", "POSITION"]  # of members that a schema does not list; the second one is required elsewhere
 MOST_REPEATS = 40  # elements that an array is made too long with
 
 
-# Of all formats this one alone is checked.
+# The only format that is checked.
 FORMATS = jsonschema.FormatChecker(formats=[])
 
 
@@ -65,7 +65,7 @@ class Examples:
         self.schemas, self.oracle = schemas, oracle
 
     def of(self, schema, document, depth=0):
-        """Valid values, the fullest first; none where there is no guess that fits."""
+        """Valid values, the fullest first; none if no guess fits."""
         flat, owner = self.schemas.flat(schema, document)
         guesses = self.guesses(flat, owner, depth)
         return [each for each in guesses if self.oracle.valid(schema, document["$id"], each)]

@@ -33,7 +33,7 @@ function reportOfProgram(folder, name, profile) {
   return execFileSync(program, argumentsFor(name, profile), { cwd: folder, encoding: "utf8", maxBuffer: 1 << 30 });
 }
 
-// The file behind a URI of reports, which is percent-encoded; null when there is none.
+// The file of a URI in reports, which is percent-encoded; null when there is none.
 function resource(folder, uri) {
   try {
     return readFileSync(join(folder, decodeURIComponent(uri)));
@@ -42,7 +42,7 @@ function resource(folder, uri) {
   }
 }
 
-// Only a command line knows folders, and which URIs lead out of one.
+// Only a command line has folders, and URIs that lead out of one.
 function isPlain(uri) {
   return uri !== "" && !decodeURIComponent(uri).split("/").includes("..");
 }

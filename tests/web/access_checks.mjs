@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page for those who use a keyboard, a screen reader, the dark or a narrow window.
+// The page with a keyboard, a screen reader, a dark theme or a narrow window.
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { archive } from "./archives.mjs";
@@ -115,7 +115,7 @@ async function worksByKeyboard(one, url, native) {
 }
 
 async function followsTheSystem(one, url) {
-  if (one.name !== "chromium") return; // only its debugger sets what the system prefers
+  if (one.name !== "chromium") return; // only its debugger sets system preferences
   const page = await open(one, url);
   const paper = async (value) => {
     await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value }]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chromium and Firefox, and what a test does on the page.
+// Chromium and Firefox, and actions of tests on the page.
 import { spawnSync } from "node:child_process";
 import { existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
 import { dirname, join, relative } from "node:path";
@@ -11,7 +11,7 @@ const BROWSERS = [
 
 const MOST_WAITS = 3000; // of 20 ms: what does not come by then never does
 
-/** Starts what is installed: [{name, browser, downloads}]. */
+/** Starts the installed browsers: [{name, browser, downloads}]. */
 export async function startBrowsers(puppeteer, folder) {
   const started = [];
   for (const [name, kind, program] of BROWSERS) {
@@ -41,7 +41,7 @@ export async function startBrowsers(puppeteer, folder) {
   return started;
 }
 
-/** A fresh page. It keeps the requests it makes and what it complains of. */
+/** A fresh page. It records its requests and errors. */
 export async function open(one, url, { width = 1280, height = 900, scheme = "light" } = {}) {
   const page = await one.browser.newPage();
   page.requests = [];

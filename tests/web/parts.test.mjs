@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of the page that need no browser and no engine: what an archive and what is dropped consist of.
+// Parts of the page that need no browser and no engine: contents of archives and of drops.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openFolder } from "../../tools/web/files.mjs";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the page shows and gives is what the native program prints and writes.
+// The page shows and offers what the native program prints and writes.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -21,7 +21,7 @@ const FILES = [
 
 const whole = ({ text, cutLeft, cutRight }) => `${cutLeft ? "…" : ""}${text}${cutRight ? "…" : ""}`;
 
-/** A folder of assets, and what the native program says of it. */
+/** A folder of assets, and the output of the native program for it. */
 export class Assets {
   constructor(program, root, place) {
     this.program = program;
@@ -129,7 +129,7 @@ async function findingsOfFiles(one, url, native) {
   const all = await shown(page);
   assert.deepEqual(Object.keys(all), ["lamp.gltf", "tumbler.glb"]);
   assert.deepEqual(all["lamp.gltf"], native.findings("assets/tour/lamp.gltf"));
-  // Without its files the lamp has more to be said of; a dropped .glb needs none.
+  // Without its files the lamp has more findings; a dropped .glb needs none.
   assert.equal(await drop(page, [["lamp.gltf", readFileSync(paths[0])]]), "6 errors.");
   assert.equal(await drop(page, [["tumbler.glb", readFileSync(paths[3])]]), "No errors.");
   await page.close();

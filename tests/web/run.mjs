@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of tools/web in browsers, beside the native program.
+// The page of tools/web in browsers, compared with the native program.
 //
 //   node run.mjs PROGRAM MODULES ENGINE_FOLDER
 //
 // MODULES is a node_modules with puppeteer-core, axe-core and html-validate; ENGINE_FOLDER has gltfx.wasm.
-// The browsers are `chromium` and `firefox-esr`, or what the environment's CHROMIUM and FIREFOX name.
+// The browsers are `chromium` and `firefox-esr`, or the programs in the environment's CHROMIUM and FIREFOX.
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";

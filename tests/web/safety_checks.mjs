@@ -127,7 +127,7 @@ const REFUSED = [
   ["ratio", archive(entry({ size: 100 << 20 })), "its size is wrong", "ratio/a.gltf"],
 ];
 
-// Archives whose file turns out to be other than was said when it is read.
+// Archives with a file that differs from its declaration when it is read.
 const LYING = [
   [
     "more",
@@ -215,7 +215,7 @@ async function canBeStopped(one, url) {
   }
   assert.equal((await page.$$("#list > li")).length, 1);
   assert.equal(await page.$eval("#downloads", (element) => element.hidden), true);
-  // The next drop starts anew, and one that comes before the end takes the place of the last.
+  // The next drop starts a new run, and a drop before the end replaces the last one.
   assert.equal(await drop(page, three), "None of 3 assets has errors.");
   await page.evaluate(() => {
     document.getElementById("get-html").click();
@@ -233,7 +233,7 @@ async function canBeStopped(one, url) {
   await page.close();
 }
 
-/** From a server: the page is the one file it asks for. */
+/** From a server: the page is the only requested file. */
 async function nothingIsAsked(one, file, native) {
   const asked = [];
   const server = createServer((request, response) => {
@@ -322,7 +322,7 @@ async function namesWhatItDoesNotGet(one, url) {
   await page.close();
 }
 
-/** References to what is not the asset's own: the findings are those of the program, and nothing else is read. */
+/** References to files outside of the asset's folder: the findings are those of the program, and nothing else is read. */
 async function referencesCannotLeadOut(one, url, native) {
   const page = await open(one, url);
   const folder = join(native.place, "paths", "asset");

@@ -2,7 +2,7 @@
 // Makes KTX2 images of ETC1S and UASTC, and what Binomial's transcoder decodes them to:
 //   node make_truth.mjs MODULES FOLDER [few]
 // MODULES has the npm packages ktx2-encoder, with the encoder, and three, with the transcoder. FOLDER gets
-// NAME.ktx2 and, for each level, NAME.LEVEL.png in RGBA. `few` makes the small set beside this file.
+// NAME.ktx2 and, for each level, NAME.LEVEL.png in RGBA. `few` makes the small set in this folder.
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import path from 'node:path';
@@ -15,7 +15,7 @@ const inside = (...names) => path.resolve(modules, 'node_modules', ...names);
 const { encodeToKTX2 } = await import(pathToFileURL(inside('ktx2-encoder/dist/node/index.js')));
 const transcoder = await loadTranscoder();
 
-// A script of another age, which is no module although its package says so.
+// An old script, which is not a module although its package says so.
 async function loadTranscoder() {
   const source = inside('three/examples/jsm/libs/basis/basis_transcoder');
   const copy = path.resolve(folder, 'basis_transcoder.cjs');
