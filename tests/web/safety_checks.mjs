@@ -322,7 +322,7 @@ async function namesWhatItDoesNotGet(one, url) {
   await page.close();
 }
 
-/** References to files outside of the asset's folder: the findings are those of the program, and nothing else is read. */
+/** References to files outside of the asset's folder: findings are those of the program, nothing else is read. */
 async function referencesCannotLeadOut(one, url, native) {
   const page = await open(one, url);
   const folder = join(native.place, "paths", "asset");
