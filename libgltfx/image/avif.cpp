@@ -2,7 +2,7 @@
 // AVIF (AV1 Image File Format 1.1) to the items of its meta box: boxes of ISO/IEC 14496-12, items
 // and properties of ISO/IEC 23008-12. The checks: boxes are inside the file, there is a primary
 // item of AV1 or a grid of such items, and it has an extent. Not checked, with the reason:
-// - where the data of items lie, the AV1 in them: they must be decoded, which `--pixels` does;
+// - the places of the data of items, the AV1 in them: they must be decoded, which `--pixels` does;
 // - profiles, essential flags, properties of other items, brands beyond the first known: readers
 //   ignore them;
 // - tracks of animations: their presence is reported.

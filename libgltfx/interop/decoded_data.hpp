@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Decodes for tinygltf what it does not decode itself.
+/// Decodes data that tinygltf does not decode itself.
 #pragma once
 
 #include "interop/notes.hpp"

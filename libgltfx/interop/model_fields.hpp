@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The mapping of members of glTF to fields of tinygltf, for both directions. `Io` is a
-/// ModelReader, which fills the fields, or a ModelWriter, which writes what is not the default;
-/// their functions take the member's name, the field and, where there is one, the default. For
-/// files that include <tiny_gltf.h>.
+/// ModelReader, which fills the fields, or a ModelWriter, which writes values other than the
+/// default; their functions take the member's name, the field and, where there is one, the default.
+/// For files that include <tiny_gltf.h>.
 #pragma once
 
 #include <array>

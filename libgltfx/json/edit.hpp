@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Changes to a JSON text that leave every other byte as it is.
+/// Changes to a JSON text that keep all other bytes.
 #pragma once
 
 #include <compare>
@@ -21,7 +21,7 @@ struct Edit {
   friend bool operator==(const Edit&, const Edit&) = default;
 };
 
-/// `text` with all edits made, in one pass. Precondition: they are sorted by place, lie inside the
+/// `text` with all edits made, in one pass. Precondition: they are sorted by place, are inside the
 /// text and do not overlap, as Editor::take() gives them.
 std::string apply_edits(std::string_view text, std::span<const Edit> edits);
 

@@ -38,8 +38,8 @@ void blur_row(const float* from, float* to, std::size_t count, int radius) {
   }
 }
 
-// Means over squares of 2 * radius + 1 pixels, cut off at the edges. Columns are summed up anew for
-// each row, so that the result does not depend on where the plane begins.
+// Means over squares of 2 * radius + 1 pixels, cut off at the edges. Columns are summed again for
+// each row, so that the result does not depend on the start of the plane.
 void blur(Plane& plane, std::size_t width, std::size_t height, int radius) {
   Plane rows(plane.size());
   for (std::size_t y = 0; y < height; ++y) {

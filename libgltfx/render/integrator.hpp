@@ -33,7 +33,7 @@ struct PathSample {
   Rgb reflected;      ///< by mirrors and gloss of the first surface
   Rgb scattered;      ///< otherwise, by surfaces and media
   Rgb emitted;        ///< by the first surface
-  Rgb background;     ///< as far as it is visible, without shadow
+  Rgb background;     ///< its visible part, without shadow
   double shadow = 0;  ///< part of the background that shadow takes away
   double alpha = 0;   ///< 1 on the scene, 0 beside it, between them where both are visible
   Features features;

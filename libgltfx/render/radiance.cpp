@@ -218,8 +218,8 @@ bool russian_roulette(PathState& path) {
 }
 
 // How a path splits at the first surface (J. Arvo and D. Kirk, Particle Transport and Image
-// Synthesis, 1990). Mirrors and gloss get a branch of their own: reflections are sharp, but would
-// get few paths by their albedo. Transmitted light varies most, and gets several branches.
+// Synthesis, 1990). Mirrors and gloss get a separate branch: reflections are sharp, but would get
+// few paths by their albedo. Transmitted light varies most, and gets several branches.
 struct Splitting {
   double reflecting;  // probability
   bool apart;         // mirrors and gloss

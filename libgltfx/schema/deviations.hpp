@@ -24,8 +24,8 @@ struct Deviations {
   /// Specification: null is of the wrong type. Seen: TYPE_MISMATCH with UNDEFINED_PROPERTY.
   bool null_counts_as_missing = false;
 
-  /// Khronos: `"extras": null` is no extras. Specification ("Properties Reference"): extras should
-  /// be an object. Seen: no NON_OBJECT_EXTRAS for null.
+  /// Khronos: `"extras": null` counts as absent. Specification ("Properties Reference"): extras
+  /// should be an object. Seen: no NON_OBJECT_EXTRAS for null.
   bool null_extras_are_allowed = false;
 
   /// Khronos: a value that is not an index in a map of indices (attributes) is INVALID_INDEX and

@@ -53,7 +53,7 @@ struct Slot {
   std::string channels;  ///< subset of "rgba", in that order
   bool srgb = false;
   std::string scaled_by;  ///< property of the same object that multiplies the texel; may be empty
-  /// Channels with a property of their own that multiplies them: {"g", "roughnessFactor"}.
+  /// Channels with a separate property that multiplies them: {"g", "roughnessFactor"}.
   std::vector<std::pair<std::string, std::string>> factors;
 };
 
@@ -189,11 +189,12 @@ struct UpgradeStep {
     place,  ///< to the object that carries the extension
   };
   Kind kind = Kind::move;
-  std::string from;        ///< member; of a copy a path of members, "pbrMetallicRoughness/x"
-  std::string to;          ///< member of the successor's object; of a place a path from the host
-  std::string otherwise;   ///< JSON text to write if there is no `from`; empty: none
-  std::uint64_t take = 0;  ///< that many numbers of a list, the first ones; 0: the value as it is
-  std::string swizzle;     ///< "r>a": the texture needs an image whose A is the old R
+  std::string from;       ///< member; of a copy a path of members, "pbrMetallicRoughness/x"
+  std::string to;         ///< member of the successor's object; of a place a path from the host
+  std::string otherwise;  ///< JSON text to write if there is no `from`; empty: none
+  std::uint64_t take =
+      0;                ///< number of elements to take from the start of a list; 0: the whole value
+  std::string swizzle;  ///< "r>a": the texture needs an image whose A is the old R
   bool accept_index = false;             ///< a bare index means {"index": n}
   std::vector<std::string> generations;  ///< that have the step; empty: all
 };

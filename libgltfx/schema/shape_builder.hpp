@@ -15,7 +15,7 @@ class ShapeBuilder {
  public:
   explicit ShapeBuilder(Build& build) : build_(build) {}
 
-  /// The name of what is made from a schema, and whether it is a branch of a combinator, in which
+  /// The name of the result of a schema, and whether it is a branch of a combinator, in which
   /// `properties` do not make other members unknown.
   struct Where {
     std::string type_name;

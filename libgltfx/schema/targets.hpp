@@ -25,7 +25,7 @@ class Targets {
     json::NodeId node = json::kNoNode;
     std::uint64_t size = 0;
     UsedElements used;
-    std::vector<bool> holes;  ///< elements that are no objects; empty when there are none
+    std::vector<bool> holes;  ///< elements that are not objects; empty when there are none
     /// By shape: whether elements have what it requires; filled by has_member().
     std::unordered_map<ShapeId, std::vector<bool>> having;
     bool is_array = false;

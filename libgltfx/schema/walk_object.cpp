@@ -69,7 +69,7 @@ void Walker::enter_object(Frame& frame) {
   if (!has_others) frame.at = document_.next(frame.node);  // nothing to do in that stage
 }
 
-// Sorts the members by property. Names that the type does not know are reported at once.
+// Sorts the members by property. Unknown names are reported at once.
 void Walker::gather(Frame& frame) {
   const bool typed = frame.type != kNone;
   const TypePlan& plan = typed ? tables_.types[frame.type] : no_type();

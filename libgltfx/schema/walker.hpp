@@ -53,9 +53,8 @@ class Walker {
     bool again = false;          ///< further, or below such a frame
     MemberVisitor::Calls calls;  ///< of CheckOptions::members
     bool constrained = false;
-    bool unset = false;  ///< an array that counts as absent
-    std::vector<ExtensionId>
-        siblings;              ///< Mode::extensions: those the Set knows, in document order
+    bool unset = false;                 ///< an array that counts as absent
+    std::vector<ExtensionId> siblings;  ///< Mode::extensions: those in the Set, in document order
     std::vector<bool> judged;  ///< by sibling: its relations were checked; repeats are skipped
   };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::string_view kProgramExamples = R"(Examples:
   gltfx validate model.glb           validate an asset
   gltfx validate assets/ --jobs 4    validate a folder
-  gltfx fix assets/ --in-place       fix what is surely fixable
+  gltfx fix assets/ --in-place       apply safe fixes
   gltfx upgrade assets/ --in-place   upgrade legacy extensions
   gltfx bake model.glb -o model.png  render a preview
   gltfx report assets/ -o r.html     write an HTML page
@@ -58,7 +58,7 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
 )";
 
 constexpr std::string_view kEditExamples = R"(Examples:
-  gltfx edit model.gltf --delete /meshes/3   dry run: what goes, what refers
+  gltfx edit model.gltf --delete /meshes/3   dry run: what is deleted, what refers
   gltfx edit model.gltf --delete /nodes/7 --cascade --diff
   gltfx edit model.glb --delete /animations/0 --delete /animations/2 -o new.glb
   gltfx edit model.glb --delete /materials/1 --cascade --in-place --backup
@@ -158,7 +158,7 @@ std::string_view help_examples(std::string_view verb) {
 std::string help_footer(std::string_view verb) {
   std::string footer = fmt::format("{}\nExit codes (4 before 2 before 3 before 1):\n{}",
                                    help_examples(verb), exit_code_table());
-  footer.pop_back();  // CLI11 ends the help with a line break of its own
+  footer.pop_back();  // CLI11 ends the help with a line break
   return footer;
 }
 

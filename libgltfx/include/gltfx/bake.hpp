@@ -31,7 +31,7 @@ bool can_bake();
 /// asset; the studio when it has none.
 enum class BakeLights : std::uint8_t { studio, asset, both };
 
-/// How much work goes into a picture.
+/// The amount of work for a picture.
 enum class BakeQuality : std::uint8_t {
   draft,     ///< 4 samples; surfaces that are not seen themselves are lit by an open sky
   standard,  ///< up to 44 samples on average, fewer if the picture has little noise
@@ -54,7 +54,7 @@ enum class BakeInterior : std::uint8_t {
 
 /// Pictures of something other than light, each in a file of its own.
 enum class BakeLayer : std::uint8_t {
-  albedo,    ///< base colour of what is seen first
+  albedo,    ///< base colour of the first visible surface
   normal,    ///< in the world: -1 to 1 stored as 0 to 1, in EXR unchanged
   depth,     ///< near is white; in EXR metres along the ray
   material,  ///< a colour for each; in EXR its index
@@ -161,12 +161,12 @@ struct BakedPixels {
 struct BakeReport {
   std::string path;                         ///< as the user named it
   BakeProblem problem = BakeProblem::none;  ///< why there is no picture, if so
-  std::string error;                        ///< what the problem is, one sentence
+  std::string error;                        ///< the problem, one sentence
   FileReport validation;                    ///< with a picture, errors that did not prevent it
-  std::vector<std::string> notes;           ///< what is drawn differently or not at all, sentences
-  std::vector<std::string> written;         ///< paths of files
-  bool embedded = false;                    ///< the asset has the picture now
-  BakedPixels pixels;                       ///< the first picture
+  std::vector<std::string> notes;    ///< parts that are drawn differently or not at all, sentences
+  std::vector<std::string> written;  ///< paths of files
+  bool embedded = false;             ///< the asset has the picture now
+  BakedPixels pixels;                ///< the first picture
 };
 
 /// Outcome for an asset in memory. Owns all its data. `bytes` and `files` are those of the asset

@@ -37,7 +37,7 @@ struct RuleDescription {
   std::string_view why;      ///< one paragraph: what goes wrong in practice
   std::string_view help;     ///< how to fix it, one or two sentences
   std::string_view section;  ///< of the specification or an extension; empty: a rule of gltfx alone
-  std::string_view link;     ///< URL of the section; empty where there is none
+  std::string_view link;     ///< URL of the section; empty: none
   std::string_view bad;      ///< smallest asset that raises the rule, as `example_bytes` reads it
   std::string_view good;     ///< the same asset, fixed: raises nothing
   std::string_view fix_does;  ///< what the fix changes, one paragraph; empty: there is none

@@ -47,7 +47,7 @@ std::string_view edit_problem_name(EditProblem problem);
 struct EditOutcome {
   std::string path;                         ///< as the user named it
   EditProblem problem = EditProblem::none;  ///< why it was not processed, if so
-  std::string error;                        ///< what the problem is, one sentence
+  std::string error;                        ///< the problem, one sentence
   bool changes = false;                     ///< the new file differs from the old one
   bool written = false;                     ///< the new bytes are durable at `written_to`
   std::string written_to;                   ///< path of the file that was written; may be empty

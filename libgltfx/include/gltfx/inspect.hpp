@@ -90,8 +90,8 @@ struct ImageFacts {
   std::string color_space;     ///< in which the slots read it: "sRGB", "linear", "both", or empty
   std::uint64_t textures = 0;  ///< that name it
   std::uint64_t bytes = 0;     ///< as it is stored
-  /// With all mipmaps: four bytes a texel of what a graphics card cannot keep compressed, one or
-  /// half a byte of what it can.
+  /// With all mipmaps: four bytes per texel for formats that a graphics card cannot keep
+  /// compressed, one or half a byte for others.
   std::uint64_t gpu_bytes = 0;
 };
 
@@ -181,7 +181,7 @@ struct InspectOptions {
 struct InspectReport {
   std::string path;                  ///< as the user named it
   std::string error;                 ///< why there are no facts, one sentence; else empty
-  std::optional<AssetFacts> facts;   ///< where there is no error
+  std::optional<AssetFacts> facts;   ///< set if there is no error
   std::vector<UpgradeFact> upgrade;  ///< legacy objects, in the order of the document
   std::string upgrade_problem;       ///< why no upgrade is possible; else empty
 };

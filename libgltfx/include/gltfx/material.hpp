@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// The material of glTF 2.0 and its extensions at one point of a surface, and what it does to
-/// light: evaluate, sample and integrate (specification, Appendix B, and the texts of the material
+/// The material of glTF 2.0 and its extensions at one point of a surface, and its effect on light:
+/// evaluate, sample and integrate (specification, Appendix B, and the texts of the material
 /// extensions).
 ///
 /// Directions are unit vectors that point away from the surface, in a frame with the shading
@@ -88,9 +88,9 @@ struct Material {
 /// KHR_materials_specular: IOR 0.
 Material specular_glossiness(const Rgb& diffuse, const Rgb& specular, double glossiness);
 
-/// Adds the first generation of KHR_materials_translucency: what goes through is tinted by the
-/// base colour. (Later generations have a colour of their own and need no conversion: their
-/// factor and colour are diffuse_transmission and diffuse_transmission_color.)
+/// Adds the first generation of KHR_materials_translucency: the base colour tints transmitted
+/// light. (Later generations have a colour of their own and need no conversion: their factor and
+/// colour are diffuse_transmission and diffuse_transmission_color.)
 void add_translucency(Material& material, double factor);
 
 /// How literally the specifications are implemented.
@@ -113,7 +113,7 @@ struct Random3 {
   double lobe = 0, u = 0, v = 0;  ///< which lobe, and where in it
 };
 
-/// A direction to which a path goes on.
+/// A direction in which a path continues.
 struct MaterialSample {
   Vec3d l;         ///< away from the surface
   Rgb weight;      ///< f |cos| / pdf

@@ -21,7 +21,7 @@ namespace gltfx {
 struct PagePicture {
   std::string uri;         ///< a data URI that a browser can show; empty: no picture
   std::uint32_t size = 0;  ///< pixels along each side
-  std::string problem;     ///< one sentence where there is none; empty: none was requested
+  std::string problem;     ///< one sentence if there is no picture; empty: none was requested
 };
 
 /// Everything on the page about one asset. Owns its text.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Whole verbs as functions: what the command line does, for programs.
+/// The verbs of the command line as functions.
 #pragma once
 
 #include <gltfx/bake.hpp>
@@ -90,9 +90,10 @@ void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, 
 /// The bytes of an example of a rule after that rule's fix alone, as they would be written.
 std::string fix_example(const RuleDescription& rule, std::string_view example);
 
-/// Deletes what the options name from the asset at `path`: every index and JSON pointer to an
-/// object after a deleted one is renumbered. A file is changed whole or not at all, only after the
-/// new bytes were validated. Never throws. Safe to call from several threads for different files.
+/// Deletes the values that the options name from the asset at `path`: every index and JSON pointer
+/// to an object after a deleted one is renumbered. A file is changed whole or not at all, only
+/// after the new bytes were validated. Never throws. Safe to call from several threads for
+/// different files.
 DeleteReport delete_objects(const std::string& path, const DeleteOptions& options);
 
 /// The same for an asset in memory, as upgrade_bytes().
@@ -103,7 +104,7 @@ EditedBytes<DeleteReport> delete_objects_in_bytes(MemoryAsset asset, const Delet
 void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
                              unsigned jobs, const std::function<void(DeleteReport&&)>& consume);
 
-/// Draws the file at `path` and writes what the options ask for. Never throws; files are written
+/// Draws the file at `path` and writes pictures as the options say. Never throws; files are written
 /// whole or not at all. Safe to call from several threads for different files.
 BakeReport bake_file(const std::string& path, const BakeOptions& options = {});
 

@@ -61,7 +61,7 @@ struct Feature {
   std::string title;  ///< noun phrase: "instanced meshes"
   std::string lost;   ///< clause: "all instances but one are missing"
   std::string help;   ///< imperative: what an author can do; may be empty
-  FeatureEffect effect = FeatureEffect::picture;  ///< what is lost
+  FeatureEffect effect = FeatureEffect::picture;  ///< the kind of loss
 };
 
 /// A measured version of a target.
@@ -76,7 +76,7 @@ struct TargetChoice {
 /// The range that contains a version, or null if it was not measured.
 const TargetRange* outcome_of(const std::vector<TargetRange>& ranges, std::size_t version);
 
-/// The targets that the library knows, sorted by name. Read once; static storage.
+/// The built-in targets, sorted by name. Read once; static storage.
 const std::vector<std::shared_ptr<const Target>>& builtin_targets();
 
 /// The features that targets are measured by, by name. Read once; static storage.

@@ -49,7 +49,8 @@ struct ToTinygltfOptions {
 
 /// How a model becomes an asset.
 struct FromTinygltfOptions {
-  /// Put bytes of buffers and images into the .gltf itself, as data URIs, whatever their `uri`.
+  /// Put bytes of buffers and images into the .gltf itself, as data URIs, independent of their
+  /// `uri`.
   bool embed = false;
   unsigned jobs = 0;  ///< threads; 0: one a core
   /// What is known of glTF; null: the built-in set. Shared with other threads, never changed.
@@ -93,7 +94,7 @@ TinygltfReport to_tinygltf(const MemoryAsset& asset, tinygltf::Model& model,
 /// into the same folder or below it. They are validated before anything is written, and each is
 /// replaced whole or not at all, the asset itself last. Buffers without a `uri` become the BIN
 /// chunk (the first one of a GLB) or files beside the asset; pixels become PNG files, or WebP ones
-/// where they were WebP; images in a buffer view are taken from there, whatever the pixels.
+/// where they were WebP; images in a buffer view are taken from there and their pixels are ignored.
 /// `Material::values` and `additionalValues` are ignored. Never throws.
 TinygltfReport from_tinygltf(const tinygltf::Model& model, const std::string& path,
                              const FromTinygltfOptions& options = {});

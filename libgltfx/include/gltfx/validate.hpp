@@ -24,8 +24,9 @@ class Set;
 }
 class ResultCache;
 
-/// What is reported. `standard`: all errors, warnings and infos. `khronos`: what the Khronos
-/// validator reports, unfolded. `strict`: hints too, and everything decoded that a rule needs.
+/// The set of reported findings. `standard`: all errors, warnings and infos. `khronos`: what the
+/// Khronos validator reports, unfolded. `strict`: hints too, and everything decoded that a rule
+/// needs.
 enum class Profile : std::uint8_t { standard, khronos, strict };
 
 /// Severity of a Git LFS pointer in place of a file: info or error.
@@ -54,7 +55,7 @@ struct LineRange {
 
 /// Options of a validation.
 struct ValidateOptions {
-  Profile profile = Profile::standard;  ///< what is reported
+  Profile profile = Profile::standard;  ///< the set of reported findings
   /// Nothing: `needed` in the strict profile, otherwise `headers`. The khronos profile never
   /// decodes.
   std::optional<PixelLevel> pixels;
