@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One asset, unfolded. Built when somebody opens it.
+// One asset, unfolded. Built when it is opened.
 
 const SEVERITIES = ["error", "warning", "info", "hint"];
 const FINDINGS_AT_ONCE = 20;
@@ -26,7 +26,7 @@ function excerpt(finding) {
       make("mark", {}, part(caret, caret + width) || " "), part(caret + width), cutRight ? "…" : ""));
 }
 
-/** Where a line does not fit, what is meant shall be seen. */
+/** Scrolls a line that does not fit to its marked part. */
 function scrollToMark(line) {
   const mark = line.querySelector("mark");
   if (mark.offsetLeft + mark.offsetWidth > line.offsetLeft + line.clientWidth) {
@@ -54,7 +54,7 @@ function findingItem(finding) {
       rule ? make("p", {}, rule.summary + ". " + rule.why) : null));
 }
 
-/** The findings that the filter lets through, some at a time. */
+/** The findings that pass the filter, some at a time. */
 function findingsPart(asset, matches) {
   const shown = asset.findings.filter(matches)
     .sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity));
@@ -199,7 +199,7 @@ function problemsPart(facts) {
   return make("section", {}, make("h4", {}, "Not read"), facts.problems.map((one) => make("p", {}, isolated(one))));
 }
 
-/** Where a browser has no clipboard for the page, the path is selected instead. */
+/** If the browser gives the page no clipboard, the path is selected instead. */
 function pathLine(asset) {
   const path = make("bdi.mono", {}, visible(asset.path));
   const button = make("button", { type: "button" }, "Copy path");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 "use strict";
-// Elements and numbers. Text of assets comes in by textContent alone: it never becomes markup.
+// Elements and numbers. Text of assets is set by textContent only: it never becomes markup.
 
 /** An element: classes after the name ("p.note.soft"), attributes, then children or texts. */
 function make(name, attributes, ...children) {
@@ -18,7 +18,7 @@ function make(name, attributes, ...children) {
 const UNSEEN = new RegExp("[\\p{Cc}\\p{Cf}\\p{Co}\\p{Zl}\\p{Zp}\\p{Default_Ignorable_Code_Point}" +
   "\\p{Noncharacter_Code_Point}\\u2800]", "gu");
 
-/** Text of an asset with what cannot be seen, or turns lines around, as escapes. */
+/** Text of an asset with invisible and reordering characters as escapes. */
 function visible(text) {
   return text.replace(UNSEEN, (sign) => {
     const hex = sign.codePointAt(0).toString(16);
@@ -26,7 +26,7 @@ function visible(text) {
   });
 }
 
-/** Text of an asset, kept apart from the direction of what stands around it. */
+/** Text of an asset, isolated from the text direction around it. */
 function isolated(text) {
   return make("bdi", {}, visible(text));
 }
@@ -59,7 +59,7 @@ function shortCount(number) {
   return (number / size).toFixed(number / size < 99.95 ? 1 : 0) + " " + unit;
 }
 
-/** A table in a box of its own that scrolls. Columns: [title, isNumber]. */
+/** A table in a scrolling box. Columns: [title, isNumber]. */
 function table(caption, columns, rows) {
   const head = columns.map(([title, number]) => make(number ? "th.num" : "th", { scope: "col" }, title));
   const body = rows.map((row) =>
@@ -69,7 +69,7 @@ function table(caption, columns, rows) {
   return make("div.scroll", { tabindex: "0", role: "group", "aria-label": caption }, content);
 }
 
-/** Parts of a whole as a bar; who does not see it has the legend. Parts: [class, words, amount]. */
+/** Parts of a whole as a bar, with a legend as the alternative. Parts: [class, words, amount]. */
 function bar(parts) {
   const shown = parts.filter(([, , amount]) => amount > 0);
   const line = make("div.bar", { "aria-hidden": "true" }, shown.map(([kind, , amount]) => {
@@ -82,7 +82,7 @@ function bar(parts) {
   return [line, legend];
 }
 
-/** A link to another site, where the address is one. */
+/** A link to another site, if the address is valid. */
 function link(address, text) {
   const safe = typeof address === "string" && /^https:\/\//.test(address);
   return safe ? make("a", { href: address, rel: "noreferrer" }, text) : make("span", {}, text);

@@ -6,7 +6,7 @@ const ROWS_AT_ONCE = 50;
 const byId = (id) => document.getElementById(id);
 const state = { text: "", path: "", verdict: "all", rule: "", order: "worst" };
 
-// --- What the list is filtered and sorted by ---
+// --- Filter and order of the list ---
 
 const VERDICTS = [
   ["all", "any", () => true],
@@ -47,7 +47,7 @@ function verdictOf(asset) {
   return errors > 0 ? "error" : warnings > 0 ? "warning" : infos + hints > 0 ? "info" : "good";
 }
 
-/** What the text is looked for in; put together once. */
+/** The text that the search covers; built once. */
 function words(asset) {
   if (asset.words === undefined) {
     const found = [];
@@ -129,7 +129,7 @@ function showMore() {
   byId("more").hidden = list.childElementCount >= shown.length;
 }
 
-/** Why a rule has no assets, where that is known. */
+/** Why a rule has no assets, if known. */
 function nothingFound() {
   const nowhere = state.rule && !report.assets.some((asset) => asset.findings.some((one) => one.code === state.rule));
   return nowhere ? ": " + visible(state.rule) + " found nothing" : "";
@@ -144,7 +144,7 @@ function refresh() {
     : grouped(shown.length) + " of " + all + nothingFound();
 }
 
-// --- The address: what is filtered and open, for links to it ---
+// --- The address: filter and open asset, for links ---
 
 /** A plus sign is itself, as in paths: a blank is %20. */
 function addressOf(words) {
@@ -163,7 +163,7 @@ function writeAddress() {
   if (address !== location.hash.slice(1)) history.replaceState(null, "", address ? "#" + address : "#assets");
 }
 
-/** Opens the asset with that path, if the filter lets it through. */
+/** Opens the asset with that path, if it passes the filter. */
 function openAsset(path) {
   const place = shown.findIndex((asset) => asset.path === path);
   if (place < 0) return;
@@ -173,7 +173,7 @@ function openAsset(path) {
   folded.scrollIntoView();
 }
 
-/** A link to a rule holds even where the rule found nothing. */
+/** A link to a rule works even if the rule found nothing. */
 function offerRule(code) {
   if (Array.from(byId("rule").options).some((one) => one.value === code)) return;
   byId("rule").append(make("option", { value: code }, visible(code) + " (0)"));
@@ -193,7 +193,7 @@ function readAddress() {
   else if (words.has("rule")) byId("assets").scrollIntoView();
 }
 
-/** Another link on the page, but for the one that skips to the assets as they are. */
+/** Another link on the page, except the one that skips to the assets. */
 function followLink() {
   if (location.hash !== "#assets") readAddress();
 }
@@ -228,7 +228,7 @@ function fillSummary() {
     make("dl.figures", {}, figures.map(([name, value]) => make("div", {}, make("dt", {}, name), make("dd", {}, value)))));
 }
 
-/** Per rule: findings, and assets that have some. */
+/** Per rule: findings, and assets with findings. */
 function ruleCounts() {
   const counts = new Map();
   for (const asset of report.assets) {
@@ -258,7 +258,7 @@ function extensionCounts() {
   return [...counts.values()].sort((a, b) => b.assets - a.assets || (a.name < b.name ? -1 : 1));
 }
 
-/** What targets refuse or ignore: a severity, the words after the name of the target, and assets by target. */
+/** Features that targets refuse or ignore: a severity, the words after the name of the target, and assets by target. */
 function targetLosses() {
   const losses = new Map();
   for (const asset of report.assets) {
