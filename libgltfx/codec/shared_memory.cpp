@@ -18,8 +18,7 @@ namespace {
 constexpr std::uint64_t kMostPopulated = std::uint64_t{64} << 20U;
 
 UniqueFd create_unnamed_file() {
-  const char* folder =
-      std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe): not changed in this program
+  const char* folder = std::getenv("TMPDIR");  // NOLINT(concurrency-mt-unsafe): never changed here
   if (folder != nullptr && *folder != '\0') {
     UniqueFd fd(::open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
     if (fd) return fd;
