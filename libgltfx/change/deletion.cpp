@@ -54,7 +54,7 @@ class DeletionPlanner {
     if (auto why = find_doubt()) return Error{*std::move(why)};
     take_out();
     renumber();
-    if (auto why = settle_bin()) return Error{*std::move(why)};
+    if (auto why = resolve_bin()) return Error{*std::move(why)};
     if (auto why = remove_names()) return Error{*std::move(why)};
     note_doubtful();
     deletion_.change.edits = editor_.take();
@@ -147,7 +147,7 @@ class DeletionPlanner {
   }
 
   // The first buffer of a GLB is its BIN chunk if it has no URI (glTF 2.0 section 4.4.3.3).
-  Reason settle_bin() {
+  Reason resolve_bin() {
     if (container_ == nullptr || !container_->bin) return std::nullopt;
     const json::NodeId buffers = tree_.member(document().root(), "buffers");
     const json::NodeId first = buffers == json::kNoNode ? buffers : tree_.element(buffers, 0);

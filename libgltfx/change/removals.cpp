@@ -39,7 +39,7 @@ json::NodeId Removals::container(Place place) const {
 std::optional<std::string> Removals::remove(std::span<const Place> places) {
   for (const Place& place : places) waiting_.push_back({place, {}, true});
   for (std::size_t next = 0; next < waiting_.size(); ++next) {
-    if (auto why = settle(waiting_[next])) return why;
+    if (auto why = resolve(waiting_[next])) return why;
   }
   waiting_.clear();
   return std::nullopt;
@@ -120,7 +120,7 @@ bool Removals::falls(json::NodeId object, const Step& step) const {
   return !has_alternative(set.shape(set.type(type).shape), object, value);
 }
 
-std::optional<std::string> Removals::settle(Step step) {
+std::optional<std::string> Removals::resolve(Step step) {
   const Tree& tree = graph_.tree();
   while (!is_gone(step.place)) {
     const json::NodeId holder = container(step.place);

@@ -56,7 +56,7 @@ class Removals {
     bool asked = false;
   };
 
-  std::optional<std::string> settle(Step step);
+  std::optional<std::string> resolve(Step step);
   std::optional<std::string> find_position_obstacle(Place place) const;
   json::NodeId container(Place place) const;
   bool empties(Place place) const;

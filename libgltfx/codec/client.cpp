@@ -69,7 +69,7 @@ std::variant<T, DecodeError> result_of(Pool& pool, const Job& job, std::span<con
 
 }  // namespace
 
-std::uint64_t errors_by_chance() { return chances; }
+std::uint64_t transient_errors() { return chances; }
 
 struct Client::State {
   explicit State(Settings given)

@@ -222,6 +222,6 @@ class Client {
 /// How often, since this process began, a worker had no result for a reason other than the bytes
 /// alone: missing memory or time, a crash, no worker. Results made meanwhile may differ on another
 /// machine. Thread-safe.
-std::uint64_t errors_by_chance();
+std::uint64_t transient_errors();
 
 }  // namespace gltfx::codec

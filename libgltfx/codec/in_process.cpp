@@ -22,7 +22,7 @@ DecodeError no_images() { return {ErrorKind::unavailable, "This build does not d
 
 }  // namespace
 
-std::uint64_t errors_by_chance() { return 0; }
+std::uint64_t transient_errors() { return 0; }
 
 struct Client::State {
   Settings settings;

@@ -22,7 +22,7 @@ namespace container {
 struct Mapping {
   std::atomic<std::uintptr_t> begin{0};  ///< 0: free
   std::atomic<std::uintptr_t> end{0};
-  std::atomic<bool> torn{false};
+  std::atomic<bool> truncated{false};
   std::atomic<std::size_t> read{0};  ///< bytes since its pages were released
   Mapping* next = nullptr;           ///< set before it is listed, never changed
 
@@ -101,16 +101,16 @@ std::uintptr_t address_of(const void* memory) { return reinterpret_cast<std::uin
 
 std::shared_ptr<const void> own_mapping(void* start, std::size_t length) {
   Mapping* const mapping = take_entry();
-  mapping->torn = false;
+  mapping->truncated = false;
   mapping->read = 0;
   mapping->end = address_of(start) + length;
   mapping->begin = address_of(start);
   return {start, Unmap{mapping, length}};
 }
 
-bool is_torn(const Bytes& bytes) {
+bool is_truncated(const Bytes& bytes) {
   const Mapping* const mapping = mapping_of(bytes);
-  return mapping != nullptr && mapping->torn;
+  return mapping != nullptr && mapping->truncated;
 }
 
 ReadMeter::ReadMeter(const Bytes& bytes) : mapping_(mapping_of(bytes)) {}
@@ -134,7 +134,7 @@ bool repair_mapping(const void* address) noexcept {
   const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
   const std::uintptr_t into_page = fault % page;
   void* const begin = const_cast<char*>(static_cast<const char*>(address) - into_page);
-  mapping->torn = true;
+  mapping->truncated = true;
   void* const rest = ::mmap(begin, mapping->end - (fault - into_page), PROT_READ,
                             MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0);
   errno = error;

@@ -16,7 +16,7 @@ std::shared_ptr<const void> own_mapping(void* start, std::size_t length);
 
 /// Whether the mapped file became shorter while it was read and repair_mapping() was called. False
 /// for bytes that are not a mapping.
-bool is_torn(const Bytes& bytes);
+bool is_truncated(const Bytes& bytes);
 
 /// Bounds how much of a mapped file is resident during reading: after every few megabytes read by
 /// any thread, all of its pages are released. Repeated reads come from the system's cache. No

@@ -150,10 +150,10 @@ void read_ktx2_descriptor(Ktx2Reading& reading) {
   const Ktx2Range range = reading.descriptor;
   if (range.length == 0) {
     // A wrong index has been reported.
-    const bool told = std::any_of(file.errors.begin(), file.errors.end(), [](const auto& error) {
-      return error.code == Code::KTX2_INDEX_INVALID;
-    });
-    if (!told) bad("The image has no data format descriptor.");
+    const bool reported =
+        std::any_of(file.errors.begin(), file.errors.end(),
+                    [](const auto& error) { return error.code == Code::KTX2_INDEX_INVALID; });
+    if (!reported) bad("The image has no data format descriptor.");
     return;
   }
   Cursor at = reading.within(range);

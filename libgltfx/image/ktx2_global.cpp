@@ -82,7 +82,7 @@ class ImageCheck {
   void check_flags(std::uint32_t flags, std::size_t index, std::uint64_t image) {
     constexpr std::uint32_t kInterFrame = 2;
     const bool wrong = (flags & ~kInterFrame) != 0 || (flags != 0 && image == 0);
-    if (!wrong || std::exchange(told_, true)) return;
+    if (!wrong || std::exchange(reported_, true)) return;
     reading_.tolerated_error(Code::KTX2_GLOBAL_DATA_INVALID,
                              "The flags of image " + std::to_string(image) + " of level " +
                                  std::to_string(index) + " are " + std::to_string(flags) +
@@ -91,7 +91,7 @@ class ImageCheck {
 
   Ktx2Reading& reading_;
   bool two_;
-  bool told_ = false;
+  bool reported_ = false;
 };
 
 // After the descriptions of images, one after the other.

@@ -72,7 +72,7 @@ class Counter {
     for (const graph::IndexUse& use : graph_.indices()) {
       if (use.array == "/bufferViews") place(use);
     }
-    for (Store& store : stores_) settle(store);
+    for (Store& store : stores_) resolve(store);
     return std::move(count_);
   }
 
@@ -208,7 +208,7 @@ class Counter {
     if (begin < end) store.parts.push_back({begin, end, owner});
   }
 
-  void settle(Store& store) {
+  void resolve(Store& store) {
     std::stable_sort(store.parts.begin(), store.parts.end(),
                      [](const Store::Part& a, const Store::Part& b) { return a.begin < b.begin; });
     std::uint64_t covered = 0;

@@ -43,16 +43,16 @@ class Collector {
     if (size == 0) return;
     if (!piece.old) return add(piece.text.substr(from, size));
     const auto begin = piece.span.begin + static_cast<std::uint32_t>(from);
-    settle(begin);
+    resolve(begin);
     at_ = begin + static_cast<std::uint32_t>(size);
   }
   std::vector<Edit> finish(std::size_t end) {
-    settle(static_cast<std::uint32_t>(end));
+    resolve(static_cast<std::uint32_t>(end));
     return std::move(edits_);
   }
 
  private:
-  void settle(std::uint32_t begin) {
+  void resolve(std::uint32_t begin) {
     if (begin != at_ || !pending_.empty()) edits_.push_back({{at_, begin}, std::move(pending_)});
     pending_.clear();
   }
@@ -214,7 +214,7 @@ void Editor::refill(NodeId container, const Change& change) {
 
 // An item is removed with the comma before it; the first items are removed with the comma after
 // them.
-void Editor::settle(NodeId container, const Change& change) {
+void Editor::resolve(NodeId container, const Change& change) {
   const std::vector<Item> all = items(container, change);
   const auto is_kept = [](const Item& item) { return item.kept; };
   const auto first = std::find_if(all.begin(), all.end(), is_kept);
@@ -237,7 +237,7 @@ void Editor::settle(NodeId container, const Change& change) {
   if (gone || !text.empty()) add(end, all.back().end, std::move(text));
 }
 
-void Editor::settle_changes() {
+void Editor::resolve_changes() {
   std::sort(removed_.begin(), removed_.end());
   std::stable_sort(added_.begin(), added_.end(),
                    [](const Addition& a, const Addition& b) { return a.container < b.container; });
@@ -252,7 +252,7 @@ void Editor::settle_changes() {
                                       changes.begin());
     };
     const auto added_here = added.first(count(added));
-    settle(container, {removed.first(count(removed)), added_here});
+    resolve(container, {removed.first(count(removed)), added_here});
     for (Addition& addition : added_here) addition.text = {};  // it is in an edit now
     removed = removed.subspan(count(removed));
     added = added.subspan(added_here.size());
@@ -262,7 +262,7 @@ void Editor::settle_changes() {
 }
 
 std::vector<Edit> Editor::take() {
-  settle_changes();
+  resolve_changes();
   std::stable_sort(edits_.begin(), edits_.end(), [](const Edit& a, const Edit& b) {
     if (a.span.begin != b.span.begin) return a.span.begin < b.span.begin;
     return a.span.end > b.span.end;

@@ -99,9 +99,9 @@ class Editor {
     std::uint32_t end;
     bool kept;
   };
-  void settle_changes();
+  void resolve_changes();
   std::vector<Item> items(NodeId container, const Change& change) const;
-  void settle(NodeId container, const Change& change);
+  void resolve(NodeId container, const Change& change);
   void refill(NodeId container, const Change& change);
   void add(std::uint32_t begin, std::uint32_t end, std::string text);
 

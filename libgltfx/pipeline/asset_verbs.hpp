@@ -30,7 +30,7 @@ struct Validation {
 Validation validate_path(const std::string& path, const ValidateOptions& options);
 
 /// An upgrade that is not written.
-struct Rehearsal {
+struct UpgradeDryRun {
   UpgradeReport report;
   /// The asset as it would be written, new images included; nothing where nothing changes, or there
   /// is a problem.
@@ -39,14 +39,14 @@ struct Rehearsal {
 
 /// As upgrade_file() without output; does not throw. `options` ask for no output; their schemas are
 /// those that the asset was validated with. Large documents of both assets are forgotten.
-Rehearsal rehearse_upgrade(validate::ValidatedAsset& asset, const UpgradeOptions& options);
+UpgradeDryRun dry_run_upgrade(validate::ValidatedAsset& asset, const UpgradeOptions& options);
 
 /// The same for an asset that was not validated yet: that happens where it names something legacy.
 /// Throws where memory is missing; the asset is not to be used then.
-UpgradeReport rehearse_upgrade(model::OpenedAsset& asset, const UpgradeOptions& options);
+UpgradeReport dry_run_upgrade(model::OpenedAsset& asset, const UpgradeOptions& options);
 
 /// As inspect_file(), without what an upgrade would do. An upgrade holds two documents: it is
-/// rehearsed before there are facts to hold beside them.
+/// tried before there are facts to hold beside them.
 InspectReport inspect_asset(const model::OpenedAsset& asset, const schema::Set& schemas,
                             unsigned jobs);
 

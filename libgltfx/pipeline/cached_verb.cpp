@@ -59,7 +59,7 @@ CacheEntry::CacheEntry(const std::string& path, const AssetBounds& bounds, Resul
       options_key_(options),
       path_key_(path_key(path, cache.folder(), options)) {}
 
-std::optional<std::string> CacheEntry::as_it_was() {
+std::optional<std::string> CacheEntry::find_unchanged() {
   state_ = state_now();
   if (!state_) return std::nullopt;
   if (const auto bytes = store_.find(path_key_)) {

@@ -24,8 +24,8 @@
 
 namespace gltfx {
 
-/// Calls in this order: as_it_was(); with the container opened after it, by_content(); with the
-/// result that was made of it, keep().
+/// Calls in this order: find_unchanged(); with the container opened after it, by_content(); with
+/// the result that was made of it, keep().
 class CacheEntry {
  public:
   /// `options`: the key of all that the result depends on besides files. Path, bounds and cache
@@ -36,7 +36,7 @@ class CacheEntry {
   /// The result of an earlier run when neither the asset nor a file it refers to changed since, as
   /// far as the file system tells. Otherwise waits until a later change of the asset can be seen by
   /// its times (some hundredths of a second for a file that was just written).
-  std::optional<std::string> as_it_was();
+  std::optional<std::string> find_unchanged();
   /// The result of an earlier run over the same bytes, wherever they lay.
   std::optional<std::string> by_content(const container::Container& opened,
                                         const container::Resolver& resolver);
@@ -80,7 +80,7 @@ template <class Verb>
 typename Verb::Report cached(const std::string& path, const AssetBounds& bounds, ResultCache& cache,
                              const Hash128& key, const Verb& verb) {
   CacheEntry kept(path, bounds, cache, key);
-  if (const auto bytes = kept.as_it_was()) {
+  if (const auto bytes = kept.find_unchanged()) {
     if (auto report = verb.unpack(*bytes, nullptr)) return *std::move(report);
   }
   auto opened = verb.open();
@@ -93,9 +93,9 @@ typename Verb::Report cached(const std::string& path, const AssetBounds& bounds,
   opened->record(lookups);
   // A report that a missing or interrupted decoder shaped may differ in the next run, even where
   // no finding says so.
-  const std::uint64_t chances = codec::errors_by_chance();
+  const std::uint64_t chances = codec::transient_errors();
   auto report = verb.run(*std::move(opened));
-  if (codec::errors_by_chance() != chances) return report;
+  if (codec::transient_errors() != chances) return report;
   if (const auto packed = verb.pack(report)) kept.keep(*packed, resolver, *lookups);
   return report;
 }

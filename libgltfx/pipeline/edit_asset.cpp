@@ -89,7 +89,7 @@ std::optional<Draft> carry_out(const EditedFile& file, change::Change change, co
   }
   auto draft = change::apply(old, change, std::move(now));
   if (!draft) return refuse(draft.error().message);
-  validate::ValidatedAsset after(*std::move(draft), default_judgement(file.schemas));
+  validate::ValidatedAsset after(*std::move(draft), default_validation(file.schemas));
   if (auto why = proof(after)) return refuse(*std::move(why));
   after.forget_large_document();
   std::optional<Draft> proven(

@@ -108,7 +108,7 @@ std::string fix_example(const RuleDescription& rule, std::string_view example) {
   resolver.add("leaf/map.png", container::Bytes::from_string(*container::decode_base64(kPicture)));
   model::OpenedAsset asset(name, std::move(container), std::move(resolver));
   const FixedAsset fixed =
-      fix_in_rounds({std::move(asset), fix_judgement(schemas, {})}, options, schemas);
+      fix_in_rounds({std::move(asset), fix_validation(schemas, {})}, options, schemas);
   const container::Container& after = fixed.after.asset().container();
   if (!fixed.changes) return std::string(after.bytes.text());
   const auto pieces = change::rewrite(after);

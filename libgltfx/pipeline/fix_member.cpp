@@ -42,14 +42,14 @@ OpenedAsset FixMember::take_opened() {
   return std::exchange(old_->asset, std::move(fresh));
 }
 
-ValidateOptions FixMember::judgement() const {
-  return fix_judgement(schemas_, asked_of(old_->asset, options_));
+ValidateOptions FixMember::validation() const {
+  return fix_validation(schemas_, asked_of(old_->asset, options_));
 }
 
 void FixMember::plan(const FileGuard& guard) {
   if (!is_sound()) return;
   fixed_.reset();
-  fixed_.emplace(fix_in_rounds({take_opened(), judgement()}, options_, schemas_, guard));
+  fixed_.emplace(fix_in_rounds({take_opened(), validation()}, options_, schemas_, guard));
   if (const auto obstacle = find_obstacle(fixed_->after.asset())) {
     return fail(EditProblem::unreadable, obstacle->message);
   }
@@ -148,9 +148,9 @@ bool FixMember::is_worse_with(const NewContents& contents) const {
   for (const change::ReplacedFile& file : replaced_by(contents)) {
     resolver.add(file.path, file.after, file.state);
   }
-  const validate::ValidatedAsset now(std::move(before), judgement());
+  const validate::ValidatedAsset now(std::move(before), validation());
   const validate::ValidatedAsset then({path(), old_->asset.container(), std::move(resolver)},
-                                      judgement());
+                                      validation());
   return !worse_codes(findings_by_code(now.report()), then.report()).empty();
 }
 

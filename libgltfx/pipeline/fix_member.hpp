@@ -74,7 +74,7 @@ class FixMember {
 
  private:
   bool is_in_place() const;
-  ValidateOptions judgement() const;
+  ValidateOptions validation() const;
   model::OpenedAsset opened() const;
   model::OpenedAsset take_opened();
   void use(const model::OpenedAsset& asset);

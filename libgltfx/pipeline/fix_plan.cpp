@@ -81,8 +81,8 @@ ValidateOptions asked_of(const OpenedAsset& asset, const FixOptions& options) {
   return options.validation ? options.validation(asset.name()) : ValidateOptions();
 }
 
-ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas,
-                              const ValidateOptions& asked) {
+ValidateOptions fix_validation(const std::shared_ptr<const schema::Set>& schemas,
+                               const ValidateOptions& asked) {
   ValidateOptions options;
   options.inline_suppressions = asked.inline_suppressions;
   options.profile = Profile::strict;

@@ -24,8 +24,8 @@ ValidateOptions asked_of(const model::OpenedAsset& asset, const FixOptions& opti
 
 /// How the verb judges: all that headers of images tell, hints too, but for what the asset may
 /// suppress.
-ValidateOptions fix_judgement(const std::shared_ptr<const schema::Set>& schemas,
-                              const ValidateOptions& asked);
+ValidateOptions fix_validation(const std::shared_ptr<const schema::Set>& schemas,
+                               const ValidateOptions& asked);
 
 /// Changes of one asset by fixes, and which sites they are about, by position.
 struct PlannedFixes {

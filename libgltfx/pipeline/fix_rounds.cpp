@@ -220,7 +220,7 @@ class Rounds {
     if (trial) {
       accept(*std::move(trial));
     } else {
-      settle(made, shared, trial.error().message);
+      resolve(made, shared, trial.error().message);
     }
     return true;
   }
@@ -280,7 +280,7 @@ class Rounds {
     const bool was_read = !asset_.asset().document().empty() && !names_the_same_files(planned);
     const Names names = declared(planned);
     forget_document();
-    ValidatedAsset next(*std::move(changed), fix_judgement(schemas_, asked_));
+    ValidatedAsset next(*std::move(changed), fix_validation(schemas_, asked_));
     const auto worse =
         worse_codes(findings_by_code(asset_.report()), next.report(), least_that_counts(planned));
     // What could not be read could not be found.
@@ -298,8 +298,8 @@ class Rounds {
   }
 
   // Takes over as many of the fixes as bring nothing new, and drops the others.
-  void settle(const Positions& made, const std::vector<json::NodeId>& shared,
-              const std::string& why) {
+  void resolve(const Positions& made, const std::vector<json::NodeId>& shared,
+               const std::string& why) {
     std::vector<Positions> groups = parts_of(made, asset_.sites(), shared);
     if (groups.size() == 1) return drop(made, why);
     std::vector<bool> good(asset_.sites().size());

@@ -32,9 +32,9 @@ struct FixedAsset {
 /// which the first round found.
 using FileGuard = std::function<std::optional<std::string>(const change::ReplacedFile& file)>;
 
-/// `before` was judged by fix_judgement(). Where all fixes together bring a new finding, those that
-/// do so are looked for by halves and left out, in a bounded number of trials. Without a guard any
-/// file may be changed.
+/// `before` was judged by fix_validation(). Where all fixes together bring a new finding, those
+/// that do so are looked for by halves and left out, in a bounded number of trials. Without a guard
+/// any file may be changed.
 FixedAsset fix_in_rounds(validate::ValidatedAsset before, const FixOptions& options,
                          const std::shared_ptr<const schema::Set>& schemas,
                          const FileGuard& guard = nullptr);

@@ -68,7 +68,7 @@ class Proposals {
       : validated_(validated),
         planned_(planned),
         schemas_(asked.schemas ? asked.schemas : schema::builtin_set()),
-        judgement_(fix_judgement(schemas_, asked)) {}
+        validation_(fix_validation(schemas_, asked)) {}
 
   // What the fixes of one rule come to, where they are edits of the text alone.
   std::shared_ptr<const ProposedFix> propose(const RuleDescription& rule) {
@@ -83,7 +83,7 @@ class Proposals {
     if (planned.change.sound_chunks || !planned.change.replaced.empty()) return nullptr;
     auto changed = change::apply(asset, planned.change);
     if (!changed) return nullptr;
-    const ValidatedAsset after(*std::move(changed), judgement_);
+    const ValidatedAsset after(*std::move(changed), validation_);
     if (!worse_codes(before(), after.report()).empty()) return nullptr;
     return proposed_fix(std::string(rule.fix_does), asset, planned.change.edits);
   }
@@ -92,7 +92,7 @@ class Proposals {
   const FindingsByCode& before() {
     if (!before_) {
       const model::OpenedAsset& asset = validated_.asset();
-      const ValidatedAsset again({asset.name(), asset.container(), asset.resolver()}, judgement_);
+      const ValidatedAsset again({asset.name(), asset.container(), asset.resolver()}, validation_);
       before_ = findings_by_code(again.report());
     }
     return *before_;
@@ -101,7 +101,7 @@ class Proposals {
   const ValidatedAsset& validated_;
   const std::vector<bool>& planned_;
   std::shared_ptr<const schema::Set> schemas_;
-  ValidateOptions judgement_;
+  ValidateOptions validation_;
   std::optional<FindingsByCode> before_;
 };
 

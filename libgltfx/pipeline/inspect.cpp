@@ -20,7 +20,7 @@ UpgradeFact fact_of(UpgradeAction&& action) {
   fact.pointer = std::move(action.pointer);
   fact.from = std::move(action.from);
   if (!action.removed) fact.to = std::move(action.to);
-  fact.outcome = action.removed ? "removed" : upgrade_fate_name(action.fate);
+  fact.outcome = action.removed ? "removed" : upgrade_outcome_name(action.outcome);
   fact.done = action.done;
   fact.notes = std::move(action.notes);
   return fact;
@@ -62,7 +62,7 @@ InspectReport inspect_opened(const std::string& path, Result<model::OpenedAsset>
   UpgradeOptions wanted;
   wanted.root = options.root;
   wanted.schemas = schemas;
-  UpgradeReport upgrade = rehearse_upgrade(*asset, wanted);
+  UpgradeReport upgrade = dry_run_upgrade(*asset, wanted);
   give_back_memory();
   InspectReport report = collect(*asset, *schemas, options.jobs);
   add_upgrade(std::move(upgrade), report);

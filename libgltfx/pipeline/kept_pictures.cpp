@@ -48,8 +48,8 @@ KeptPictures::KeptPictures(const std::string& path, const ValidateOptions& optio
 }
 
 void KeptPictures::look_up() {
-  chances_ = codec::errors_by_chance();
-  if (entry_) known_ = entry_->as_it_was();
+  chances_ = codec::transient_errors();
+  if (entry_) known_ = entry_->find_unchanged();
 }
 
 void KeptPictures::look_up(model::OpenedAsset& asset) {
@@ -71,7 +71,7 @@ bool KeptPictures::recall(PageAsset& page) const {
 }
 
 void KeptPictures::keep(const PageAsset& page) {
-  if (!lookups_ || codec::errors_by_chance() != chances_) return;
+  if (!lookups_ || codec::transient_errors() != chances_) return;
   std::string kept;
   append(kept, page.picture);
   if (page.upgraded) append(kept, *page.upgraded);

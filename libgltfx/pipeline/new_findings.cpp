@@ -26,10 +26,10 @@ Diagnostics serious_findings(const FileReport& report) {
 
 Diagnostics serious_findings(const validate::ValidatedAsset& asset,
                              const std::shared_ptr<const schema::Set>& schemas) {
-  if (asset.judged_by_default()) return serious_findings(asset.report());
+  if (asset.validated_by_default()) return serious_findings(asset.report());
   const model::OpenedAsset& opened = asset.asset();
   model::OpenedAsset again(opened.name(), opened.container(), opened.resolver());
-  return serious_findings(validate::validate(again, default_judgement(schemas)));
+  return serious_findings(validate::validate(again, default_validation(schemas)));
 }
 
 ByCode count_by_code(const Diagnostics& findings, Severity severity) {
@@ -73,7 +73,7 @@ std::vector<std::string> warnings_of(const Diagnostics& before, const Diagnostic
 
 }  // namespace
 
-ValidateOptions default_judgement(const std::shared_ptr<const schema::Set>& schemas) {
+ValidateOptions default_validation(const std::shared_ptr<const schema::Set>& schemas) {
   ValidateOptions options;
   options.jobs = 1;
   options.schemas = schemas;

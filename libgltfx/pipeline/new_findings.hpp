@@ -26,6 +26,6 @@ NewFindings new_findings(const validate::ValidatedAsset& before,
                          const std::shared_ptr<const schema::Set>& schemas);
 
 /// Default options for one of many files.
-ValidateOptions default_judgement(const std::shared_ptr<const schema::Set>& schemas);
+ValidateOptions default_validation(const std::shared_ptr<const schema::Set>& schemas);
 
 }  // namespace gltfx

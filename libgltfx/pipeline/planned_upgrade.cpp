@@ -40,7 +40,7 @@ PlannedUpgrade without_plan(PlannedUpgrade planned, EditProblem problem, std::st
 
 bool is_lossless(const std::vector<UpgradeAction>& actions) {
   return std::all_of(actions.begin(), actions.end(), [](const UpgradeAction& action) {
-    return !action.is_due() || (action.fate == UpgradeFate::safe && !action.lossy);
+    return !action.is_due() || (action.outcome == UpgradeOutcome::safe && !action.lossy);
   });
 }
 
@@ -63,9 +63,9 @@ bool is_free(const OpenedAsset& asset, const std::string& output, const std::str
 }
 
 // Makes new images and finds a place for all that is added.
-Result<change::Change> settle(upgrade::Plan& plan, const OpenedAsset& asset,
-                              const std::string& output, const model::AssetBytes& bytes,
-                              upgrade::Pictures& pictures) {
+Result<change::Change> resolve(upgrade::Plan& plan, const OpenedAsset& asset,
+                               const std::string& output, const model::AssetBytes& bytes,
+                               upgrade::Pictures& pictures) {
   std::vector<change::Additions::Image>& images = plan.change.additions.images();
   for (std::size_t i = 0; i < images.size(); ++i) {
     const upgrade::ImageJob& job = plan.images[i];
@@ -251,7 +251,7 @@ PlannedUpgrade plan_upgrade(const validate::ValidatedAsset& validated,
   if (options.strict && !is_lossless(report.actions)) {
     return refuse("not everything can be upgraded without loss (--strict)");
   }
-  auto placed = settle(plan, asset, options.output, bytes, pictures);
+  auto placed = resolve(plan, asset, options.output, bytes, pictures);
   if (!placed) return refuse(placed.error().message);
   planned.change = *std::move(placed);
   for (const change::NewFile& file : planned.change.files) report.new_files.push_back(file.path);

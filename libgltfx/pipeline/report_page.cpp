@@ -84,14 +84,13 @@ void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
   UpgradeOptions upgrade;
   upgrade.root = options.root;
   upgrade.schemas = schemas;
-  Rehearsal rehearsal = rehearse_upgrade(asset, upgrade);
+  UpgradeDryRun dry_run = dry_run_upgrade(asset, upgrade);
   give_back_memory();
   page.inspection = inspect_asset(asset.asset(), *schemas, jobs);
-  add_upgrade(std::move(rehearsal.report), page.inspection);
+  add_upgrade(std::move(dry_run.report), page.inspection);
   if (bake == nullptr || kept.recall(page)) return;
   page.picture = picture_of(bake_asset(std::move(asset), *bake));
-  if (rehearsal.after)
-    page.upgraded = picture_of(bake_asset(std::move(rehearsal.after->asset), *bake));
+  if (dry_run.after) page.upgraded = picture_of(bake_asset(std::move(dry_run.after->asset), *bake));
   kept.keep(page);
 }
 

@@ -218,13 +218,13 @@ double mean_radiance(const EnvironmentImage& image) {
 void note_disagreement(const EnvironmentLight& light, const EnvironmentImage& image,
                        SceneNotes& notes) {
   const auto& [r, g, b] = light.irradiance[0];
-  const double told = (double{r} + g + b) / 3 * 0.282095 / std::numbers::pi * light.intensity;
+  const double stated = (double{r} + g + b) / 3 * 0.282095 / std::numbers::pi * light.intensity;
   const double drawn = mean_radiance(image);
-  if (drawn <= 0 || (told > drawn * 0.8 && told < drawn * 1.25)) return;
+  if (drawn <= 0 || (stated > drawn * 0.8 && stated < drawn * 1.25)) return;
   notes.add(
       fmt::format("The irradiance of the image-based light is {:.2f} times that of its images, "
                   "which are drawn.",
-                  told / drawn));
+                  stated / drawn));
 }
 
 }  // namespace

@@ -145,17 +145,17 @@ void SceneNotes::add(std::string sentence) {
   }
 }
 
-void SceneNotes::add(const std::string& place, const std::string& fate) {
-  Kind& kind = kinds_[fate];
+void SceneNotes::add(const std::string& place, const std::string& outcome) {
+  Kind& kind = kinds_[outcome];
   if (kind.count++ == 0) kind.first = place;
 }
 
 std::vector<std::string> SceneNotes::take() {
-  for (const auto& [fate, kind] : kinds_) {
+  for (const auto& [outcome, kind] : kinds_) {
     if (kind.count == 1) {
-      add(fmt::format("{} {}.", kind.first, fate));
+      add(fmt::format("{} {}.", kind.first, outcome));
     } else {
-      add(fmt::format("{} {}, and {} more like it.", kind.first, fate, kind.count - 1));
+      add(fmt::format("{} {}, and {} more like it.", kind.first, outcome, kind.count - 1));
     }
   }
   if (more_ > 0) sentences_.push_back(fmt::format("{} more notes were left out.", more_));

@@ -24,8 +24,8 @@ class SceneNotes {
  public:
   /// A sentence of its own.
   void add(std::string sentence);
-  /// Something with a place that shares its fate with others: "Image 3", "is not there".
-  void add(const std::string& place, const std::string& fate);
+  /// Something with a place that shares its outcome with others: "Image 3", "is not there".
+  void add(const std::string& place, const std::string& outcome);
 
   /// All of them; those beyond a few dozen are counted.
   std::vector<std::string> take();

@@ -82,11 +82,11 @@ std::string find_undrawn(const std::vector<UpgradeAction>& actions) {
 }
 
 /// What has to hold of the new asset.
-class Judge {
+class Verifier {
  public:
   /// `actions`: of the upgrade.
-  Judge(const ValidatedAsset& before, const SchemaSet& schemas, const UpgradeOptions& options,
-        const std::vector<UpgradeAction>& actions)
+  Verifier(const ValidatedAsset& before, const SchemaSet& schemas, const UpgradeOptions& options,
+           const std::vector<UpgradeAction>& actions)
       : before_(before),
         schemas_(schemas),
         obstacle_(options.verify ? find_undrawn(actions) : std::string()) {
@@ -120,7 +120,7 @@ class Judge {
 
 // With findings only: nothing else is to be held beside the new document.
 ValidatedAsset validated(OpenedAsset asset, const SchemaSet& schemas) {
-  ValidatedAsset validated(std::move(asset), default_judgement(schemas));
+  ValidatedAsset validated(std::move(asset), default_validation(schemas));
   validated.forget_views();
   validated.forget_info();
   return validated;
@@ -135,13 +135,14 @@ UpgradeReport written(UpgradeReport report, bool succeeded) {
 }
 
 // Judged alike whether it is written or not.
-Rehearsal carry_out(const ValidatedAsset& before, const FileState& state, PlannedUpgrade planned,
-                    const SchemaSet& schemas, const UpgradeOptions& options, FolderIndex& folders) {
+UpgradeDryRun carry_out(const ValidatedAsset& before, const FileState& state,
+                        PlannedUpgrade planned, const SchemaSet& schemas,
+                        const UpgradeOptions& options, FolderIndex& folders) {
   UpgradeReport& report = planned.report;
-  const Judge judge(before, schemas, options, report.actions);
+  const Verifier verifier(before, schemas, options, report.actions);
   auto after = carry_out(
       {before, state, options, schemas, folders}, std::move(planned.change),
-      [&](const ValidatedAsset& draft) { return judge.find_error(draft, report); }, report,
+      [&](const ValidatedAsset& draft) { return verifier.find_error(draft, report); }, report,
       std::move(planned.now));
   const bool done = after.has_value();
   return {written(std::move(report), done), std::move(after)};
@@ -153,7 +154,8 @@ UpgradeReport copy(const OpenedAsset& asset, const FileState& state, UpgradeRepo
   return written(std::move(report), copied);
 }
 
-Rehearsal upgrade_opened(EditedAsset opened, const UpgradeOptions& options, FolderIndex& folders) {
+UpgradeDryRun upgrade_opened(EditedAsset opened, const UpgradeOptions& options,
+                             FolderIndex& folders) {
   OpenedAsset& asset = opened.asset;
   const FileState& state = opened.state;
   const std::string path = asset.name();
@@ -182,28 +184,28 @@ UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& option
 
 }  // namespace
 
-Rehearsal rehearse_upgrade(ValidatedAsset& asset, const UpgradeOptions& options) {
-  Rehearsal rehearsal;
-  rehearsal.report = guarded(asset.asset().name(), [&] {
+UpgradeDryRun dry_run_upgrade(ValidatedAsset& asset, const UpgradeOptions& options) {
+  UpgradeDryRun dry_run;
+  dry_run.report = guarded(asset.asset().name(), [&] {
     if (auto report = find_old_container(asset.asset(), options)) return *std::move(report);
     const SchemaSet schemas = schemas_of(options);
     const auto forget = [&asset] { asset.forget_large_document(); };
     PlannedUpgrade planned = plan_upgrade(asset, options, schemas, forget);
     if (!planned.report.changes) return std::move(planned.report);
     FolderIndex folders;
-    Rehearsal tried = carry_out(asset, {}, std::move(planned), schemas, options, folders);
-    rehearsal.after = std::move(tried.after);
+    UpgradeDryRun tried = carry_out(asset, {}, std::move(planned), schemas, options, folders);
+    dry_run.after = std::move(tried.after);
     return std::move(tried.report);
   });
-  return rehearsal;
+  return dry_run;
 }
 
-UpgradeReport rehearse_upgrade(OpenedAsset& asset, const UpgradeOptions& options) {
+UpgradeReport dry_run_upgrade(OpenedAsset& asset, const UpgradeOptions& options) {
   if (auto report = find_old_container(asset, options)) return *std::move(report);
   const SchemaSet schemas = schemas_of(options);
   if (!upgrade::names_legacy(asset.document(), *schemas)) return report_on(asset.name());
   ValidatedAsset before = validated(std::move(asset), schemas);
-  UpgradeReport report = rehearse_upgrade(before, options).report;
+  UpgradeReport report = dry_run_upgrade(before, options).report;
   asset = before.take_asset();
   return report;
 }
@@ -217,7 +219,7 @@ EditedBytes<UpgradeReport> upgrade_bytes(MemoryAsset asset, const UpgradeOptions
   return edit_bytes<UpgradeReport>(
       std::move(asset), options, [&](EditedAsset opened, UpgradeReport& report) {
         FolderIndex folders;
-        Rehearsal upgraded = upgrade_opened(std::move(opened), options, folders);
+        UpgradeDryRun upgraded = upgrade_opened(std::move(opened), options, folders);
         report = std::move(upgraded.report);
         return std::move(upgraded.after);
       });

@@ -47,8 +47,8 @@ bool asks_for_upgrade(const Diagnostic& finding) {
 }
 
 // The place of the first finding that names an extension of which the plan upgrades something.
-std::optional<std::size_t> first_mended(const FileReport& report, const json::Document& document,
-                                        const upgrade::Plan& plan) {
+std::optional<std::size_t> first_fixed(const FileReport& report, const json::Document& document,
+                                       const upgrade::Plan& plan) {
   for (std::size_t i = 0; i < report.diagnostics.size(); ++i) {
     const Diagnostic& finding = report.diagnostics[i];
     if (!asks_for_upgrade(finding)) continue;
@@ -87,13 +87,13 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
   if (!is_sound(asset.container(), asset.parsed())) return;
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
   const upgrade::Plan plan = upgrade::make_plan(asset.document(), *schemas, {});
-  const auto finding = first_mended(validated.report(), asset.document(), plan);
+  const auto finding = first_fixed(validated.report(), asset.document(), plan);
   if (!finding || plan.change.edits.empty()) return;
   change::Change change;
   change.edits = plan.change.edits;
   auto fixed = change::apply(asset, change);
   if (!fixed) return;
-  const validate::ValidatedAsset after(*std::move(fixed), default_judgement(schemas));
+  const validate::ValidatedAsset after(*std::move(fixed), default_validation(schemas));
   if (!new_findings(validated, after, schemas).error.empty()) return;
   validated.propose(*finding, proposed_fix(description_of(plan), asset, plan.change.edits));
 }

@@ -216,7 +216,7 @@ bool correct_stride(Fixing& fixing, std::uint32_t index) {
 
 }  // namespace
 
-bool mend_stride(Fixing& fixing, std::uint32_t index) {
+bool fix_stride(Fixing& fixing, std::uint32_t index) {
   const auto [view, is_new] = fixing.table<CorrectedStrides>().views.try_emplace(index, false);
   if (is_new) return view->second = correct_stride(fixing, index);
   if (!view->second) return false;

@@ -62,6 +62,6 @@ std::vector<const model::Primitive*> primitives_with(Fixing& fixing, std::uint32
 bool remove_stride(Fixing& fixing, std::uint32_t view);
 /// Corrects the byteStride of a buffer view that nobody can follow, 0 or less than an element:
 /// where packed elements fill the view, or there is only one.
-bool mend_stride(Fixing& fixing, std::uint32_t view);
+bool fix_stride(Fixing& fixing, std::uint32_t view);
 
 }  // namespace gltfx::validate

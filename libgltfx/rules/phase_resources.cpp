@@ -168,14 +168,15 @@ void load_buffers(const Context& context, Sink& sink, FileReport& report, Resour
   }
 }
 
-// What a bufferView holds is torn with its buffer.
-bool is_torn_file(const Context& context, json::NodeId object, bool buffer,
-                  const std::optional<Bytes>& bytes) {
-  if (!bytes || !container::is_torn(*bytes)) return false;
+// What a bufferView holds is truncated with its buffer.
+bool is_truncated_file(const Context& context, json::NodeId object, bool buffer,
+                       const std::optional<Bytes>& bytes) {
+  if (!bytes || !container::is_truncated(*bytes)) return false;
   return buffer || context.document.find(object, "uri") != json::kNoNode;
 }
 
-void report_torn(const Context& context, model::RootArray array, std::size_t index, Sink& sink) {
+void report_truncated(const Context& context, model::RootArray array, std::size_t index,
+                      Sink& sink) {
   report_element(
       sink, context, array, index, Code::IO_ERROR,
       "The file became shorter while it was read; the missing bytes are treated as zeros.");
@@ -250,17 +251,17 @@ const RuleGroup& buffers_rules() {
   return group;
 }
 
-void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink) {
+void check_truncated(const Context& context, const model::ResourceData& resources, Sink& sink) {
   const auto& buffers = context.asset.elements(model::RootArray::buffers);
   for (std::size_t i = 0; i < resources.buffers.size(); ++i) {
-    if (is_torn_file(context, buffers[i], true, resources.buffers[i])) {
-      report_torn(context, model::RootArray::buffers, i, sink);
+    if (is_truncated_file(context, buffers[i], true, resources.buffers[i])) {
+      report_truncated(context, model::RootArray::buffers, i, sink);
     }
   }
   const auto& images = context.asset.elements(model::RootArray::images);
   for (std::size_t i = 0; i < resources.images.size(); ++i) {
-    if (is_torn_file(context, images[i], false, resources.images[i].bytes)) {
-      report_torn(context, model::RootArray::images, i, sink);
+    if (is_truncated_file(context, images[i], false, resources.images[i].bytes)) {
+      report_truncated(context, model::RootArray::images, i, sink);
     }
   }
 }

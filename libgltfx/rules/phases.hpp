@@ -42,7 +42,7 @@ struct Resources {
 Resources load_resources(const Context& context, Sink& sink, FileReport& report);
 
 /// Files that became shorter while phases read them; to be called behind those.
-void check_torn(const Context& context, const model::ResourceData& resources, Sink& sink);
+void check_truncated(const Context& context, const model::ResourceData& resources, Sink& sink);
 
 /// The media type of the report; empty for JSON text without a root object.
 std::string mime_type(const container::Container& container, bool has_root);

@@ -12,7 +12,7 @@ bool is_unlimited(const Budgets& budgets) {
 }
 
 // Taken apart by name: a member that is added to the options has to be decided upon here.
-bool judges_by_default(const ValidateOptions& options) {
+bool validates_by_default(const ValidateOptions& options) {
   const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, searched, max_issues,
                changed_lines, propose_fixes, targets, jobs, select, ignore, severity, schemas,
                cache] = options;
@@ -34,12 +34,12 @@ bool judges_by_default(const ValidateOptions& options) {
 ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, const ValidateOptions& options)
     : asset_(std::move(asset)),
       report_(validate(asset_, options, &sites_)),
-      by_default_(judges_by_default(options)) {}
+      by_default_(validates_by_default(options)) {}
 
 ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, FileReport report,
                                const ValidateOptions& options)
     : asset_(std::move(asset)),
       report_(std::move(report)),
-      by_default_(judges_by_default(options)) {}
+      by_default_(validates_by_default(options)) {}
 
 }  // namespace gltfx::validate

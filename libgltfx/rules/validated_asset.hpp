@@ -30,7 +30,7 @@ class ValidatedAsset {
   /// For what is said of findings beside them.
   FileReport& report() { return report_; }
   /// Whether the report has all errors and warnings that default options give.
-  bool judged_by_default() const { return by_default_; }
+  bool validated_by_default() const { return by_default_; }
   /// Says how a finding, by its place in the report, can be fixed.
   void propose(std::size_t finding, std::shared_ptr<const ProposedFix> fix) {
     report_.diagnostics[finding].fix = std::move(fix);

@@ -60,7 +60,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   for (const DataRule& rule : data_rules()) {
     if (!rule.additional || !context.deviations.no_additional_rules) rule.check(phase);
   }
-  check_torn(context, resources.data, sink);
+  check_truncated(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
   check_targets(context, resources.data, sink);
   check_budgets(context, resources.data, *report.info, resources.listed, sink);
@@ -146,7 +146,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
     const bool earlier = additions && !earlier_interactivity(document).empty();
     OutsideInteractivity outside_forms(forms);
     OutsideInteractivity outside_links(links);
-    Sink& heard_links = earlier ? static_cast<Sink&>(outside_links) : links;
+    Sink& reported_links = earlier ? static_cast<Sink&>(outside_links) : links;
     std::optional<LinkOrder> order;
     if (deviations.reading_order) order.emplace(links);
     container::OpenedFiles files(opened.resolver());
@@ -158,7 +158,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
                     options,
                     {},
                     earlier ? static_cast<Sink&>(outside_forms) : forms,
-                    order ? static_cast<Sink&>(*order) : heard_links};
+                    order ? static_cast<Sink&>(*order) : reported_links};
     if (order) context.order = &*order;
     DataUris data_uris(context.uri_reading());
     context.data_uris = &data_uris;

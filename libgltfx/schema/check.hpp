@@ -26,7 +26,7 @@ enum class Part : std::uint8_t {
 
 /// How a member is treated.
 enum class Reading : std::uint8_t {
-  judge,  ///< the walk checks it
+  check,  ///< the walk checks it
   keep,   ///< the walk does not check it
   drop,   ///< the member is hidden
 };

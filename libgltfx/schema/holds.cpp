@@ -22,17 +22,17 @@ bool Holds::holds(ShapeId id, Value value, int depth) {
   const bool container = kind == json::Kind::object || kind == json::Kind::array;
   // Shallow shapes are fast to check again and not cached.
   if (!container || set_.walk_tables().shapes[id].shallow) {
-    return judge(set_.shape(id), value, depth);
+    return check(set_.shape(id), value, depth);
   }
   const std::uint64_t key = (std::uint64_t{id} << 32) | value.node;
   const auto known = known_.find(key);
   if (known != known_.end()) return known->second;
-  const bool answer = judge(set_.shape(id), value, depth);
+  const bool answer = check(set_.shape(id), value, depth);
   known_.emplace(key, answer);
   return answer;
 }
 
-bool Holds::judge(const Shape& shape, Value value, int depth) {
+bool Holds::check(const Shape& shape, Value value, int depth) {
   if (shape.never || !values_.has_type(value, shape.types)) return false;
   const auto equal = [&](const Literal& literal) { return values_.equals(value, literal); };
   if (!shape.literals.empty() &&

@@ -27,7 +27,7 @@ class Holds {
   static constexpr std::size_t kMostKnown = 1U << 12U;
   static constexpr int kDepth = 100;
   bool holds(ShapeId shape, Value value, int depth);
-  bool judge(const Shape& shape, Value value, int depth);
+  bool check(const Shape& shape, Value value, int depth);
   bool combinators(const Shape& shape, Value value, int depth);
   bool number(const Shape& shape, Value value) const;
   bool text(const Shape& shape, Value value) const;

@@ -133,7 +133,7 @@ void ShapeBuilder::run() {
     jobs_.pop_back();
     work(job);
   }
-  settle_derived();
+  resolve_derived();
 }
 
 void ShapeBuilder::work(const Job& job) {
@@ -174,7 +174,7 @@ void ShapeBuilder::derive(const Job& job) {
   derived_.push_back(std::move(kept));
 }
 
-void ShapeBuilder::settle_derived() {
+void ShapeBuilder::resolve_derived() {
   std::unordered_map<ShapeId, std::size_t> waiting;
   for (std::size_t i = 0; i < derived_.size(); ++i) waiting.emplace(derived_[i].shape, i);
   for (std::size_t i = 0; i < derived_.size(); ++i) {

@@ -44,7 +44,7 @@ class ShapeBuilder {
   bool has_constraints(Site schema) const;
   void work(const Job& job);
   void derive(const Job& job);
-  void settle_derived();
+  void resolve_derived();
   void copy_base(const Job& job);
   void read_keyword(Keyword keyword, Site value, const Where& where, Shape& shape,
                     Members& members);

@@ -186,10 +186,10 @@ void Walker::numbers(ShapeId items, json::NodeId node, const Shape& shape, Step 
     if (simple) {
       const ShapePlan& plan = tables_.shapes[items];
       if (!(number >= plan.low && number <= plan.high && std::isfinite(number)))
-        judge(items, value, {path, index});
+        check(items, value, {path, index});
     } else if (items != kNone) {
       if (bad_element(items, value, path, index, reported)) continue;
-      judge(items, value, {path, index});
+      check(items, value, {path, index});
     }
     if (shape.unique_items && !seen.insert(number)) {
       report({path, index}, Code::DUPLICATE_ELEMENTS, at.number().span,

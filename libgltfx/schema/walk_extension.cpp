@@ -48,7 +48,7 @@ void Walker::extensions_step(Frame& frame) {
       if (id != kNone && std::find(known.begin(), known.end(), id) == known.end())
         frame.siblings.push_back(id);
     }
-    frame.judged.assign(frame.siblings.size(), false);
+    frame.checked.assign(frame.siblings.size(), false);
   }
   while (frame.at < end) {
     const json::KeyId key = document_.node(frame.at).next;
@@ -132,8 +132,8 @@ ShapeId Walker::shape_on(const Frame& frame, ExtensionId id, const Path& path, j
 void Walker::neighbours(Frame& frame, ExtensionId id, const Path& path, json::NodeId node) {
   const auto sibling = std::find(frame.siblings.begin(), frame.siblings.end(), id);
   const auto at = static_cast<std::size_t>(sibling - frame.siblings.begin());
-  if (frame.judged[at]) return;
-  frame.judged[at] = true;
+  if (frame.checked[at]) return;
+  frame.checked[at] = true;
   if (!deviations().no_additional_rules) {
     exclusions(frame, id, path, node);
     companions(frame, id, path, node);

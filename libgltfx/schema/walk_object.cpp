@@ -169,7 +169,7 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
     // Kept numbers are bounds, which are not references.
     if (reading == Reading::keep && document_.kind(node) != json::Kind::number_array)
       result_.has_open_references = true;
-    if (reading != Reading::judge) return false;
+    if (reading != Reading::check) return false;
   }
   unset_ = false;
   const bool pushed = value(plan.shape, node, {Step::Kind::member});

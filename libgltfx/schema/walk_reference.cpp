@@ -169,7 +169,7 @@ void Walker::further(ShapeId id, Value value, const Path& path, bool walked) {
   if (walked) {
     pending_.push_back(id);
   } else if (values_.kind(value) != json::Kind::number_array) {
-    judge(id, value, path);
+    check(id, value, path);
   } else if (!holds_(id, value)) {
     report(path, Code::CONDITION_MISMATCH, values_.span(value),
            name_of(path) + " does not have the required form.");

@@ -100,27 +100,27 @@ bool Walker::in_full(ShapeId id, json::NodeId node, Step step) {
   const bool is_container =
       kind == json::Kind::object || kind == json::Kind::array || kind == json::Kind::number_array;
   if (!is_container || shape.never) {
-    judge(id, {node}, path);
+    check(id, {node}, path);
     return false;
   }
-  if (!judge_type(id, {node}, path)) return false;
+  if (!check_type(id, {node}, path)) return false;
   if (kind != json::Kind::object) return array(id, node, step);
   if (!tables_.shapes[id].members) return false;
   return walk(id, node, step, Mode::object);
 }
 
 // All checks of a shape for a scalar.
-void Walker::judge(ShapeId id, Value value, const Path& path) {
+void Walker::check(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (shape.never) {
     report(path, Code::CONDITION_MISMATCH, values_.span(value),
            name_of(path) + " is not allowed here.");
     return;
   }
-  if (!judge_type(id, value, path)) return;
-  if (!shape.literals.empty()) judge_literals(id, value, path);
-  if (values_.kind(value) == json::Kind::number) judge_number(id, value, path);
-  if (values_.kind(value) == json::Kind::string) judge_text(id, value, path);
+  if (!check_type(id, value, path)) return;
+  if (!shape.literals.empty()) check_literals(id, value, path);
+  if (values_.kind(value) == json::Kind::number) check_number(id, value, path);
+  if (values_.kind(value) == json::Kind::string) check_text(id, value, path);
   if (tables_.shapes[id].combined) combine(id, value, path, false);
 }
 
@@ -131,7 +131,7 @@ bool Walker::may_be_absent(const Path& path) const {
   return property == nullptr || !property->required;
 }
 
-bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
+bool Walker::check_type(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   if (values_.has_type(value, shape.types)) return true;
   if (shape.ref) discard_reference(id);
@@ -143,7 +143,7 @@ bool Walker::judge_type(ShapeId id, Value value, const Path& path) {
   return false;
 }
 
-void Walker::judge_literals(ShapeId id, Value value, const Path& path) {
+void Walker::check_literals(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   const auto equal = [&](const Literal& literal) { return values_.equals(value, literal); };
   if (std::any_of(shape.literals.begin(), shape.literals.end(), equal)) return;
@@ -189,7 +189,7 @@ bool Walker::is_added(ShapeId shape, Value value) const {
   });
 }
 
-void Walker::judge_number(ShapeId id, Value value, const Path& path) {
+void Walker::check_number(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   const double number = values_.number(value).value;
   const bool is_reference = shape.ref.has_value() && values_.has_type(value, kInteger);
@@ -224,7 +224,7 @@ void Walker::judge_number(ShapeId id, Value value, const Path& path) {
   if (is_reference) refer(id, static_cast<std::uint64_t>(number), value, path);
 }
 
-void Walker::judge_text(ShapeId id, Value value, const Path& path) {
+void Walker::check_text(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   std::string buffer;
   const std::string_view text = document_.string(value.node, buffer);

@@ -55,7 +55,7 @@ class Walker {
     bool constrained = false;
     bool unset = false;                 ///< an array that counts as absent
     std::vector<ExtensionId> siblings;  ///< Mode::extensions: those in the Set, in document order
-    std::vector<bool> judged;  ///< by sibling: its relations were checked; repeats are skipped
+    std::vector<bool> checked;  ///< by sibling: its relations were checked; repeats are skipped
   };
 
   /// The position of a value below the current frame.
@@ -103,12 +103,12 @@ class Walker {
   // walk_value.cpp: true when a frame was pushed
   bool value(ShapeId shape, json::NodeId node, Step step);
   bool in_full(ShapeId shape, json::NodeId node, Step step);
-  void judge(ShapeId shape, Value value, const Path& path);
+  void check(ShapeId shape, Value value, const Path& path);
   bool may_be_absent(const Path& path) const;
-  bool judge_type(ShapeId id, Value value, const Path& path);
-  void judge_literals(ShapeId id, Value value, const Path& path);
-  void judge_number(ShapeId id, Value value, const Path& path);
-  void judge_text(ShapeId id, Value value, const Path& path);
+  bool check_type(ShapeId id, Value value, const Path& path);
+  void check_literals(ShapeId id, Value value, const Path& path);
+  void check_number(ShapeId id, Value value, const Path& path);
+  void check_text(ShapeId id, Value value, const Path& path);
   bool is_added(ShapeId shape, Value value) const;
   bool is_small_index(json::NodeId node, std::uint64_t& index) const;
 

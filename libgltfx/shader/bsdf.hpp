@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The operators that mix lobes, with the names of the specification (Appendix B and the texts of
 /// the material extensions). Nodes hold their operands by value, and refer to the evaluated
-/// parameters of the surface (Seen).
+/// parameters of the surface (Prepared).
 ///
 /// Decisions where the texts are ambiguous or contradict themselves:
 ///
@@ -62,7 +62,7 @@ struct CoatFrame {
   Vec3d out_of(const Vec3d& w) const { return w.x * x + w.y * y + w.z * z; }
 };
 
-/// A coat seen from v.
+/// A coat prepared from v.
 struct SeenCoat {
   CoatFrame frame;
   Vec3d v;  ///< in that frame; below its horizon nothing is reflected

@@ -28,7 +28,7 @@ struct ThinFilm {
   double most = 1;
 };
 
-/// iridescent_fresnel: reflectance of a film on a base with `base_f0`, seen under a cosine.
+/// iridescent_fresnel: reflectance of a film on a base with `base_f0`, prepared under a cosine.
 Rgb iridescent_fresnel(double outside_ior, double film_ior, const Rgb& base_f0, double thickness,
                        double cosine);
 

@@ -21,12 +21,12 @@ double relative_ior(const Material& m, int channel) {
 
 Vec3d in_front(const Vec3d& v) { return {v.x, v.y, std::max(std::fabs(v.z), kGrazing)}; }
 
-Seen see(const Material& m, const Vec3d& v, const ShaderOptions& options) {
+Prepared prepare(const Material& m, const Vec3d& v, const ShaderOptions& options) {
   const double eta = relative_ior(m, options.channel);
   return {m, in_front(v), v.z >= 0 ? eta : 1 / eta, options.mode};
 }
 
-SeenLayers see_layers(const Material& m, const Vec3d& v, ShaderMode mode) {
+PreparedLayers see_layers(const Material& m, const Vec3d& v, ShaderMode mode) {
   if (v.z >= 0 || m.clearcoat_normal == Vec3d(0, 0, 1)) return {m, in_front(v), mode};
   Material mirror = m;
   mirror.clearcoat_normal.x = -m.clearcoat_normal.x;
@@ -43,23 +43,23 @@ template <class Graph>
 }
 
 Bsdf::Bsdf(const Material& m, const Vec3d& v, const ShaderOptions& options)
-    : flipped_(v.z < 0), seen_(see(m, v, options)) {
+    : flipped_(v.z < 0), prepared_(prepare(m, v, options)) {
   if (is_core(m)) {
-    core_.emplace(core_graph(m, seen_));
+    core_.emplace(core_graph(m, prepared_));
   } else {
     layers_.emplace(see_layers(m, v, options.mode));
-    full_.emplace(material_graph(m, seen_, *layers_));
+    full_.emplace(material_graph(m, prepared_, *layers_));
   }
 }
 
 Evaluation Bsdf::evaluate(const Vec3d& l) const {
   if (std::fabs(l.z) < kGrazing) return {};
-  const Directions d(seen_.v, flipped_ ? mirrored(l) : l);
+  const Directions d(prepared_.v, flipped_ ? mirrored(l) : l);
   return core_ ? in_one_piece(*core_, d) : in_one_piece(*full_, d);
 }
 
 Rgb Bsdf::straight_transmittance() const {
-  const Directions d(seen_.v, -seen_.v, Measure::delta);
+  const Directions d(prepared_.v, -prepared_.v, Measure::delta);
   return (core_ ? in_one_piece(*core_, d) : in_one_piece(*full_, d)).f * d.l.z;
 }
 
@@ -78,9 +78,9 @@ std::optional<BsdfSample> Bsdf::sample(const Random3& random) const {
 
 template <class Nodes>
 std::optional<BsdfSample> Bsdf::sample(const Nodes& graph, const Random3& random) const {
-  const Proposal p = graph.sample(seen_.v, random);
+  const Proposal p = graph.sample(prepared_.v, random);
   if (!p.valid || std::fabs(p.l.z) < kGrazing) return std::nullopt;
-  const Directions d(seen_.v, p.l, p.measure);
+  const Directions d(prepared_.v, p.l, p.measure);
   const auto [f, reflected, pdf] = in_one_piece(graph, d);
   if (!(pdf > 0)) return std::nullopt;
   const double scale = d.l.z / pdf;
@@ -91,7 +91,7 @@ std::optional<BsdfSample> Bsdf::sample(const Nodes& graph, const Random3& random
 
 Albedo Bsdf::integrate(int resolution) const {
   const auto albedo = [&](const auto& graph) {
-    Integration integration(graph, seen_.v, resolution);
+    Integration integration(graph, prepared_.v, resolution);
     visit_node(graph, integration, 1);
     return integration.albedo();
   };

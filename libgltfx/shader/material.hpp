@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A material seen from one direction. Values that do not depend on the light are computed once for
-/// all light samples and the BSDF sample at a hit.
+/// A material prepared from one direction. Values that do not depend on the light are computed once
+/// for all light samples and the BSDF sample at a hit.
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -12,16 +12,16 @@
 
 namespace gltfx::shader {
 
-/// The parameters of a surface, seen from v (v.z > 0). `eta`: IOR behind the surface
+/// The parameters of a surface, prepared from v (v.z > 0). `eta`: IOR behind the surface
 /// over that on the viewer's side.
-struct Seen {
+struct Prepared {
   Vec3d v;
   double eta;
   SeenFacets alpha;
   Fresnel ior, metal_f0;
   EnergyCompensation held;
 
-  Seen(const Material& m, const Vec3d& viewer, double relative_ior, ShaderMode mode)
+  Prepared(const Material& m, const Vec3d& viewer, double relative_ior, ShaderMode mode)
       : v(viewer),
         eta(relative_ior),
         alpha(microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation), v),
@@ -31,11 +31,11 @@ struct Seen {
 };
 
 /// The parameters of layers that extensions add on top.
-struct SeenLayers {
+struct PreparedLayers {
   SheenScaling sheen;
   SeenCoat coat;
 
-  SeenLayers(const Material& m, const Vec3d& v, ShaderMode mode)
+  PreparedLayers(const Material& m, const Vec3d& v, ShaderMode mode)
       : sheen(m.sheen_color, m.sheen_roughness, v, mode),
         coat(m.clearcoat_normal, m.clearcoat_roughness, v) {}
 };
@@ -46,58 +46,58 @@ inline bool is_core(const Material& m) {
          max_value(m.sheen_color) <= 0 && m.clearcoat == 0;
 }
 
-/// The core material as a graph of nodes (Appendix B). They refer to `seen`. It equals the graph
-/// below if no extension is used, in a third of the time.
+/// The core material as a graph of nodes (Appendix B). They refer to `prepared`. It equals the
+/// graph below if no extension is used, in a third of the time.
 // clang-format off
-inline auto core_graph(const Material& m, const Seen& seen) {
+inline auto core_graph(const Material& m, const Prepared& prepared) {
   const auto dielectric_brdf = fresnel_mix(
-      seen.ior,
+      prepared.ior,
       /*base*/ diffuse_brdf(m.base_color),
-      /*layer*/ specular_brdf(seen.alpha),
-      seen.v, seen.held);
+      /*layer*/ specular_brdf(prepared.alpha),
+      prepared.v, prepared.held);
 
   const auto metal_brdf = conductor_fresnel(
-      /*f0*/ seen.metal_f0,
-      specular_brdf(seen.alpha),
-      seen.v);
+      /*f0*/ prepared.metal_f0,
+      specular_brdf(prepared.alpha),
+      prepared.v);
 
   return mix(dielectric_brdf, metal_brdf, m.metallic);
 }
 
-/// The material with all extensions as a graph of nodes. They refer to `seen` and `layers`.
-inline auto material_graph(const Material& m, const Seen& seen, const SeenLayers& layers) {
+/// The material with all extensions as a graph of nodes. They refer to `prepared` and `layers`.
+inline auto material_graph(const Material& m, const Prepared& prepared, const PreparedLayers& layers) {
   const bool volume = m.volumetric();
   const double scatter_strength =
       m.scattering == Scattering::unified && !volume ? m.scatter_strength : 0;
 
-  // No text defines rough facets seen from the dense side.
-  const double diffuse_roughness = seen.ior.eta < 1 ? 0 : m.diffuse_roughness;
+  // No text defines rough facets prepared from the dense side.
+  const double diffuse_roughness = prepared.ior.eta < 1 ? 0 : m.diffuse_roughness;
   const auto diffuse_bsdf = mix(
-      rough_diffuse_brdf(m.base_color, diffuse_roughness, seen.v),
-      rough_diffuse_btdf(m.diffuse_transmission_color, diffuse_roughness, seen.v),
+      rough_diffuse_brdf(m.base_color, diffuse_roughness, prepared.v),
+      rough_diffuse_btdf(m.diffuse_transmission_color, diffuse_roughness, prepared.v),
       m.diffuse_transmission);
 
   const auto transmitted_bsdf = mix(
-      specular_btdf(seen.alpha, volume, seen.eta) * m.base_color,
+      specular_btdf(prepared.alpha, volume, prepared.eta) * m.base_color,
       scatter_bsdf(m.scatter_color, m.scatter_anisotropy),
       scatter_strength);
 
   const auto dielectric_brdf = fresnel_mix(
-      seen.ior,
+      prepared.ior,
       /*base*/ mix(diffuse_bsdf, transmitted_bsdf, m.transmission),
-      /*layer*/ specular_brdf(seen.alpha),
-      seen.v, seen.held);
+      /*layer*/ specular_brdf(prepared.alpha),
+      prepared.v, prepared.held);
 
   const auto metal_brdf = conductor_fresnel(
-      /*f0*/ seen.metal_f0,
-      specular_brdf(seen.alpha),
-      seen.v);
+      /*f0*/ prepared.metal_f0,
+      specular_brdf(prepared.alpha),
+      prepared.v);
 
   const auto material = mix(dielectric_brdf, metal_brdf, m.metallic);
 
   const auto sheen_material = sheen_layer(
       m.sheen_color,
-      sheen_brdf(m.sheen_roughness, seen.v, m.sheen_color),
+      sheen_brdf(m.sheen_roughness, prepared.v, m.sheen_color),
       material,
       layers.sheen);
 
@@ -134,16 +134,16 @@ class Bsdf {
   Albedo integrate(int resolution) const;
 
  private:
-  using CoreGraph = decltype(core_graph(std::declval<Material>(), std::declval<Seen>()));
-  using Graph = decltype(material_graph(std::declval<Material>(), std::declval<Seen>(),
-                                        std::declval<SeenLayers>()));
+  using CoreGraph = decltype(core_graph(std::declval<Material>(), std::declval<Prepared>()));
+  using Graph = decltype(material_graph(std::declval<Material>(), std::declval<Prepared>(),
+                                        std::declval<PreparedLayers>()));
   template <class Nodes>
   std::optional<BsdfSample> sample(const Nodes& graph, const Random3& random) const;
 
-  bool flipped_;  // seen from behind: everything is mirrored at the surface
-  Seen seen_;
+  bool flipped_;  // prepared from behind: everything is mirrored at the surface
+  Prepared prepared_;
   std::optional<CoreGraph> core_;  // or else:
-  std::optional<SeenLayers> layers_;
+  std::optional<PreparedLayers> layers_;
   std::optional<Graph> full_;
 };
 

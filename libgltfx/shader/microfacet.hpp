@@ -72,7 +72,7 @@ struct Microfacets {
   }
 };
 
-/// Microfacets seen from v: values that do not depend on the light.
+/// Microfacets prepared from v: values that do not depend on the light.
 struct SeenFacets : Microfacets {
   double v_stretched;
   double visible;  ///< density of normals over the distribution and v.h

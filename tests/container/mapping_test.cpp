@@ -48,19 +48,19 @@ TEST(Mapping, WhatIsCutOffReadsAsZerosAndIsKnown) {
   const Loaded loaded = load_file(open_regular(AT_FDCWD, path.c_str()));
   const std::string_view text = loaded.bytes.text();
   EXPECT_EQ(text[900000], 'x');
-  EXPECT_FALSE(is_torn(loaded.bytes));
+  EXPECT_FALSE(is_truncated(loaded.bytes));
   std::filesystem::resize_file(path, 8192);
   EXPECT_EQ(text[4096], 'x');
   EXPECT_EQ(text[800000], '\0');
-  EXPECT_TRUE(is_torn(loaded.bytes));
-  EXPECT_TRUE(is_torn(loaded.bytes.part(100, 10)));
+  EXPECT_TRUE(is_truncated(loaded.bytes));
+  EXPECT_TRUE(is_truncated(loaded.bytes.part(100, 10)));
 }
 
 TEST(Mapping, OtherMemoryIsNotTouched) {
   const std::string text(100, 'x');
   EXPECT_FALSE(repair_mapping(text.data()));
   EXPECT_FALSE(repair_mapping(nullptr));
-  EXPECT_FALSE(is_torn(Bytes::from_string(text)));
+  EXPECT_FALSE(is_truncated(Bytes::from_string(text)));
 }
 
 TEST(Mapping, SeveralAreKeptApart) {
@@ -73,10 +73,10 @@ TEST(Mapping, SeveralAreKeptApart) {
   const Loaded last = load_file(open_regular(AT_FDCWD, other.c_str()));
   std::filesystem::resize_file(path, 4096);
   EXPECT_EQ(cut.bytes.text().back(), '\0');
-  EXPECT_TRUE(is_torn(cut.bytes));
-  EXPECT_FALSE(is_torn(whole.bytes));
-  EXPECT_FALSE(is_torn(last.bytes));
-  EXPECT_FALSE(is_torn(Bytes::from_string("elsewhere")));
+  EXPECT_TRUE(is_truncated(cut.bytes));
+  EXPECT_FALSE(is_truncated(whole.bytes));
+  EXPECT_FALSE(is_truncated(last.bytes));
+  EXPECT_FALSE(is_truncated(Bytes::from_string("elsewhere")));
   EXPECT_FALSE(repair_mapping(nullptr));
   EXPECT_FALSE(repair_mapping(reinterpret_cast<const void*>(UINTPTR_MAX)));
 }
@@ -91,7 +91,7 @@ TEST(Mapping, AMappingThatIsGoneIsForgotten) {
   }
   EXPECT_FALSE(repair_mapping(address));
   const Loaded again = load_file(open_regular(AT_FDCWD, path.c_str()));
-  EXPECT_FALSE(is_torn(again.bytes));
+  EXPECT_FALSE(is_truncated(again.bytes));
 }
 
 long resident_kib() {
@@ -135,7 +135,7 @@ TEST(Mapping, MetersCountPerFile) {
   ReadMeter(loaded.bytes).add(std::size_t{1} << 30U);
   ReadMeter(other.bytes).add(1);
   EXPECT_EQ(loaded.bytes.text(), other.bytes.text());
-  EXPECT_FALSE(is_torn(loaded.bytes));
+  EXPECT_FALSE(is_truncated(loaded.bytes));
 }
 
 }  // namespace

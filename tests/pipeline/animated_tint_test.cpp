@@ -31,7 +31,7 @@ TEST(AnimatedTint, TheCopyGetsAChannelWithCutValues) {
   scene.animate(kBaseColor, output);
   scene.animate(kBaseColor, output, "STEP", 1);
   const Upgraded result = upgraded(scene);
-  EXPECT_EQ(result.action().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.action().outcome, UpgradeOutcome::safe);
   std::vector<std::size_t> cuts;
   for (std::size_t i = 0; i < 2; ++i) {
     const Json& animation = result.json["animations"][i];
@@ -110,7 +110,7 @@ TEST(AnimatedTint, TransformsOfTheTextureMoveItsCopyByTheSameSampler) {
   scene.animate("/materials/0/pbrMetallicRoughness/baseColorTexture" + inside,
                 scene.add_accessor(bytes_of<float>({0, 0, 1, 1}), kFloat, "VEC2", 2));
   const Upgraded result = upgraded(scene);
-  EXPECT_EQ(result.action().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.action().outcome, UpgradeOutcome::safe);
   const Json& animation = result.json["animations"][0];
   EXPECT_EQ(animation["samplers"].size(), 1U);
   ASSERT_EQ(animation["channels"].size(), 2U);
@@ -128,7 +128,7 @@ TEST(AnimatedTint, WhatIsNoChannelCannotBeFollowed) {
   scene.json()["extensions"]["KHR_interactivity"]["graphs"] = {
       {{"nodes", {{{"configuration", {{"pointer", {{"value", {kBaseColor}}}}}}}}}}};
   const Upgraded result = upgraded(scene);
-  EXPECT_EQ(result.action().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(result.action().outcome, UpgradeOutcome::unsafe);
   EXPECT_THAT(result.action().notes,
               Contains(HasSubstr("something other than an animation channel")));
 }

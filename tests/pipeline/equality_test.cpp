@@ -233,7 +233,7 @@ TEST_P(Equality, UpgradedMaterialsScatterAsTheLegacyOnesDid) {
     const UpgradeReport report = upgrade_file(path, options);
     ASSERT_TRUE(report.written) << report.error;
     for (const UpgradeAction& action : report.actions) {
-      EXPECT_EQ(action.fate, UpgradeFate::safe) << action.pointer;
+      EXPECT_EQ(action.outcome, UpgradeOutcome::safe) << action.pointer;
     }
     std::ifstream in(path, std::ios::binary);
     const Shown before(scene.json());

@@ -26,7 +26,7 @@ BakeOptions quick_legacy() {
 bool loses_nothing(const UpgradeReport& report) {
   return report.written &&
          std::all_of(report.actions.begin(), report.actions.end(), [](const auto& action) {
-           return action.done && !action.lossy && action.fate == UpgradeFate::safe;
+           return action.done && !action.lossy && action.outcome == UpgradeOutcome::safe;
          });
 }
 

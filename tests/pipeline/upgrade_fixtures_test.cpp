@@ -91,7 +91,7 @@ TEST(LegacyFixtures, WhatIsUpgradedOnRequestIsElseOnlyOffered) {
     const UpgradeReport report = upgrade_file((folder() / name).native());
     EXPECT_FALSE(report.changes) << name;
     for (const UpgradeAction& action : report.actions) {
-      EXPECT_EQ(action.fate, UpgradeFate::on_request) << name;
+      EXPECT_EQ(action.outcome, UpgradeOutcome::on_request) << name;
     }
   }
 }

@@ -98,7 +98,7 @@ TEST(UpgradeImages, AlphaIsTheOldRedInEveryTexel) {
     options.generation = "v1";
     const UpgradeReport report = upgrade_file(path.native(), options);
     ASSERT_TRUE(report.written) << map.name << ": " << report.error;
-    EXPECT_EQ(report.actions[0].fate, UpgradeFate::safe) << map.name;
+    EXPECT_EQ(report.actions[0].outcome, UpgradeOutcome::safe) << map.name;
     const Json after = Json::parse(content(path));
     EXPECT_EQ(upgraded_extension(after).dump(),
               R"({"diffuseTransmissionFactor":1.0,"diffuseTransmissionTexture":{"index":1}})")
@@ -237,7 +237,7 @@ TEST(UpgradeImages, AnImageWhoseAlphaIsItsRedIsUsedAgain) {
     const auto path = folder.write("a.gltf", document({mapped()}, {{{"uri", "leaf.png"}}}).dump());
     const UpgradeReport report = upgrade_file(path.native(), in_place());
     ASSERT_TRUE(report.written) << report.error;
-    EXPECT_EQ(report.actions[0].fate, UpgradeFate::safe);
+    EXPECT_EQ(report.actions[0].outcome, UpgradeOutcome::safe);
     EXPECT_EQ(upgraded_extension(Json::parse(content(path)))["diffuseTransmissionTexture"]["index"],
               0);
     EXPECT_THAT(report.new_files, IsEmpty());
@@ -251,7 +251,7 @@ TEST(UpgradeImages, AlphaThatVariesSpeaksForALaterGeneration) {
   const std::string text = document({mapped()}, {{{"uri", "leaf.png"}}}).dump();
   const auto path = folder.write("a.gltf", text);
   const UpgradeReport doubtful = upgrade_file(path.native(), in_place());
-  EXPECT_EQ(doubtful.actions[0].fate, UpgradeFate::unsafe);
+  EXPECT_EQ(doubtful.actions[0].outcome, UpgradeOutcome::unsafe);
   EXPECT_THAT(doubtful.actions[0].notes, Contains(HasSubstr("--generation")));
   EXPECT_EQ(content(path), text);
   UpgradeOptions options = in_place();
@@ -261,8 +261,8 @@ TEST(UpgradeImages, AlphaThatVariesSpeaksForALaterGeneration) {
             0);
   folder.write("b.gltf", text);
   options.generation = "v1";
-  EXPECT_EQ(upgrade_file((folder.path() / "b.gltf").native(), options).actions[0].fate,
-            UpgradeFate::safe);
+  EXPECT_EQ(upgrade_file((folder.path() / "b.gltf").native(), options).actions[0].outcome,
+            UpgradeOutcome::safe);
 }
 
 TEST(UpgradeImages, WhatCannotBeReadIsNamedAndLeftAlone) {
@@ -284,7 +284,7 @@ TEST(UpgradeImages, WhatCannotBeReadIsNamedAndLeftAlone) {
     const auto path = folder.write("a.gltf", text);
     const UpgradeReport report = upgrade_file(path.native(), in_place());
     ASSERT_THAT(report.actions, SizeIs(2));
-    EXPECT_EQ(report.actions[0].fate, UpgradeFate::needs_image) << bytes.substr(0, 20);
+    EXPECT_EQ(report.actions[0].outcome, UpgradeOutcome::needs_image) << bytes.substr(0, 20);
     EXPECT_THAT(report.actions[0].notes, Contains(HasSubstr(says)));
     EXPECT_TRUE(report.actions[1].done);
   }

@@ -103,8 +103,7 @@ TEST_F(Validate, BytesWithoutARootLookNothingUp) {
 TEST_F(Validate, AnAssetInMemoryHasItsResourcesFromAFunction) {
   std::vector<std::string> asked;
   const ReadResource read = [&](const std::string& uri) -> std::optional<std::string> {
-    if (asked.empty() || asked.back() != uri)
-      asked.push_back(uri);  // the rehearsal of a fix repeats
+    if (asked.empty() || asked.back() != uri) asked.push_back(uri);  // the dry run of a fix repeats
     if (uri == "some%20data.bin") return "1234";
     return std::nullopt;
   };

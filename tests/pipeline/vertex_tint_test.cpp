@@ -20,7 +20,7 @@ TEST(VertexTint, OneColourGoesIntoTheFactor) {
   scene.add_uniform(51, 255, 102);
   scene.add_uniform(51, 255, 102);
   const Upgraded result = upgraded(scene);
-  EXPECT_EQ(result.action().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.action().outcome, UpgradeOutcome::safe);
   EXPECT_THAT(result.action().notes,
               Contains(HasSubstr("COLOR_0 is multiplied into diffuseTransmissionColorFactor")));
   EXPECT_EQ(result.extension()["diffuseTransmissionColorFactor"], Json({0.1, 0.25, 0.4}));
@@ -38,7 +38,7 @@ TEST(VertexTint, ShortsAndFloatsAreColoursToo) {
       bytes_of<std::uint16_t>(std::vector<std::uint16_t>(12, 0xFFFF)), kShort, "VEC4", 3);
   const Upgraded white = upgraded(scene);
   EXPECT_EQ(white.extension()["diffuseTransmissionColorFactor"], Json({0.5, 0.25, 1}));
-  EXPECT_EQ(white.action().fate, UpgradeFate::safe);
+  EXPECT_EQ(white.action().outcome, UpgradeOutcome::safe);
 }
 
 TEST(VertexTint, WithoutABaseColourTheFactorIsTheVertexColour) {
@@ -56,7 +56,7 @@ TEST(VertexTint, ColoursThatDifferSplitTheMaterial) {
   scene.add_uniform(0, 255, 0);
   scene.json()["materials"].push_back({{"name", "other"}});
   const Upgraded result = upgraded(scene);
-  EXPECT_EQ(result.action().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.action().outcome, UpgradeOutcome::safe);
   EXPECT_THAT(result.action().notes, Contains(HasSubstr("the material is duplicated (2 copies)")));
   const Json& materials = result.json["materials"];
   ASSERT_EQ(materials.size(), 4U);
@@ -87,7 +87,7 @@ TEST(VertexTint, MappingsOfVariantsFollowTheirPrimitive) {
         {{"material", 1}, {"variants", {0}}}};
   }
   const Upgraded result = upgraded(scene);
-  EXPECT_EQ(result.action().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.action().outcome, UpgradeOutcome::safe);
   const auto mapped = [&](std::size_t primitive) {
     return result.json["meshes"][0]["primitives"][primitive]["extensions"]["KHR_materials_variants"]
                       ["mappings"][0]["material"];
@@ -110,7 +110,7 @@ TEST_P(VertexTintOfDoubtful, ColoursIsALossWithItsReason) {
   scene.add_uniform(51, 51, 51);
   GetParam().spoil(scene);
   const Upgraded result = upgraded(scene);
-  EXPECT_EQ(result.action().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(result.action().outcome, UpgradeOutcome::unsafe);
   EXPECT_THAT(result.action().notes, Contains(HasSubstr(GetParam().reason)));
   EXPECT_FALSE(result.report.written);
 }

@@ -11,7 +11,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-ValidateOptions heard() {
+ValidateOptions enabled() {
   ValidateOptions options;
   options.inline_suppressions = true;
   return options;
@@ -31,14 +31,14 @@ const std::string kUnused = R"({"code": "UNUSED_OBJECT", "reason": "by name"})";
 
 TEST(Suppressions, AreNotHeardUnasked) {
   EXPECT_EQ(verdict(materials(wish(kUnused))), Lines{"UNUSED_OBJECT /materials/0 x3"});
-  ValidateOptions khronos = heard();
+  ValidateOptions khronos = enabled();
   khronos.profile = Profile::khronos;
   EXPECT_EQ(verdict(materials(wish(kUnused)), khronos).size(), 3U);
 }
 
 TEST(Suppressions, LeaveOutWhatIsFoundOnTheObjectBeforeRepeatsAreFolded) {
-  EXPECT_EQ(verdict(materials(wish(kUnused)), heard()), Lines{"UNUSED_OBJECT /materials/0 x2"});
-  EXPECT_EQ(validate_bytes(materials(wish(kUnused)), "a", heard()).left_out, 1U);
+  EXPECT_EQ(verdict(materials(wish(kUnused)), enabled()), Lines{"UNUSED_OBJECT /materials/0 x2"});
+  EXPECT_EQ(validate_bytes(materials(wish(kUnused)), "a", enabled()).left_out, 1U);
 }
 
 TEST(Suppressions, ReachWhatLiesBelowAndNothingBeside) {
@@ -48,7 +48,7 @@ TEST(Suppressions, ReachWhatLiesBelowAndNothingBeside) {
                             R"(}, {"camera": 0, "rotation": [0, 0, 0, 3]}],
       "scene": 0, "scenes": [{"nodes": [0, 1]}],
       "cameras": [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]})";
-  ValidateOptions options = heard();
+  ValidateOptions options = enabled();
   options.select = {"VALUE_NOT_IN_RANGE"};
   EXPECT_EQ(verdict(wrong, options), Lines{"VALUE_NOT_IN_RANGE /nodes/1/rotation/3"});
 }
@@ -56,22 +56,22 @@ TEST(Suppressions, ReachWhatLiesBelowAndNothingBeside) {
 TEST(Suppressions, OfTheRootReachEverything) {
   const std::string text = R"({"asset": {"version": "2.0"}, "extras": )" + wish(kUnused) +
                            R"(, "materials": [{}], "nodes": [{"name": "n", "extras": {}}]})";
-  EXPECT_EQ(verdict(text, heard()), Lines{});
+  EXPECT_EQ(verdict(text, enabled()), Lines{});
 }
 
 TEST(Suppressions, KeysAreReadAsTheyAreMeant) {
-  EXPECT_EQ(verdict(materials(R"({"\u0067ltfx": {"ignore": [)" + kUnused + "]}}"), heard()),
+  EXPECT_EQ(verdict(materials(R"({"\u0067ltfx": {"ignore": [)" + kUnused + "]}}"), enabled()),
             Lines{"UNUSED_OBJECT /materials/0 x2"});
   // Not in extras: anybody's member.
-  EXPECT_EQ(verdict(materials(R"({"a": {"gltfx": {"ignore": [3]}}})"), heard()),
+  EXPECT_EQ(verdict(materials(R"({"a": {"gltfx": {"ignore": [3]}}})"), enabled()),
             Lines{"UNUSED_OBJECT /materials/0 x3"});
 }
 
 TEST(Suppressions, ThatLeaveNothingOutAreNamed) {
   const std::string text = R"({"asset": {"version": "2.0", "extras": )" + wish(kUnused) + "}}";
-  EXPECT_EQ(verdict(text, heard()), Lines{"SUPPRESSION_UNUSED /asset/extras/gltfx/ignore/0"});
+  EXPECT_EQ(verdict(text, enabled()), Lines{"SUPPRESSION_UNUSED /asset/extras/gltfx/ignore/0"});
   // Nobody would hear of it anyway.
-  ValidateOptions options = heard();
+  ValidateOptions options = enabled();
   options.ignore = {"UNUSED_OBJECT"};
   EXPECT_EQ(verdict(text, options), Lines{});
 }
@@ -82,18 +82,18 @@ TEST(Suppressions, ForOtherRunsThanThisOneAreNoMistake) {
     const std::string text = R"({"asset": {"version": "2.0", "extras": )" +
                              wish(R"({"code": ")" + std::string(code) + R"(", "reason": "r"})") +
                              "}}";
-    EXPECT_EQ(verdict(text, heard()), Lines{}) << code;
+    EXPECT_EQ(verdict(text, enabled()), Lines{}) << code;
   }
 }
 
 TEST(Suppressions, WithoutAReasonCountButAreNamed) {
-  EXPECT_EQ(verdict(materials(wish(R"({"code": "UNUSED_OBJECT", "reason": ""})")), heard()),
+  EXPECT_EQ(verdict(materials(wish(R"({"code": "UNUSED_OBJECT", "reason": ""})")), enabled()),
             (Lines{"UNUSED_OBJECT /materials/0 x2",
                    "SUPPRESSION_WITHOUT_REASON /materials/1/extras/gltfx/ignore/0"}));
 }
 
 TEST(Suppressions, ThatAreNotUnderstoodAreNamed) {
-  ValidateOptions options = heard();
+  ValidateOptions options = enabled();
   options.select = {"SUPPRESSION_INVALID"};
   for (const char* extras :
        {R"({"gltfx": 3})", R"({"gltfx": {}})", R"({"gltfx": {"ignore": "UNUSED_OBJECT"}})",
@@ -110,7 +110,7 @@ TEST(Suppressions, ThatAreNotUnderstoodAreNamed) {
 TEST(Suppressions, DoNotReachThemselves) {
   const std::string text =
       materials(wish(kUnused + R"(, {"code": "SUPPRESSION_UNUSED", "reason": "r"})"));
-  EXPECT_EQ(verdict(text, heard()), (Lines{"UNUSED_OBJECT /materials/0 x2"}));
+  EXPECT_EQ(verdict(text, enabled()), (Lines{"UNUSED_OBJECT /materials/0 x2"}));
 }
 
 Lines on_lines(std::vector<LineRange> lines, const std::string& text) {

@@ -61,10 +61,10 @@ TEST(Material, ALeafAgainstTheSun) {
   leaf.diffuse_transmission_color = {0.2, 0.6, 0.1};
   const Vec3d viewer{0, 0, 1};
   const Vec3d sun{0, 0.6, -0.8};
-  const Rgb seen = evaluate(leaf, viewer, sun) * (100000 * 0.8);
+  const Rgb prepared = evaluate(leaf, viewer, sun) * (100000 * 0.8);
   // Lambert, less what the surface reflects.
-  EXPECT_NEAR(seen.y, 0.6 * 0.6 / pi * 80000, 0.06 * seen.y);
-  EXPECT_NEAR(seen.x / seen.y, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(prepared.y, 0.6 * 0.6 / pi * 80000, 0.06 * prepared.y);
+  EXPECT_NEAR(prepared.x / prepared.y, 1.0 / 3, 1e-12);
   EXPECT_NEAR(integrate(leaf, viewer).diffuse_transmit.y, 0.36, 0.025);
   const auto next = sample(leaf, viewer, {0.5, 0.3, 0.7});
   ASSERT_TRUE(next);

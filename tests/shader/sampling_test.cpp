@@ -58,21 +58,21 @@ Histogram integrate(const Density& density) {
 
 // Pearson's test in the cube root form of Wilson and Hilferty: standard deviations above what
 // chance gives. Cells with few samples are taken together.
-double surprise(const Histogram& seen, const Histogram& share, int count) {
+double surprise(const Histogram& prepared, const Histogram& share, int count) {
   double sum = 0;
   int cells = -1;
-  double rest_seen = seen.none;
+  double rest_seen = prepared.none;
   double rest_expected = std::fmax(share.none, 0) * count;
   const auto compare = [&](double observed, double expected) {
     sum += square(observed - expected) / expected;
     ++cells;
   };
-  for (std::size_t i = 0; i < seen.cells.size(); ++i) {
+  for (std::size_t i = 0; i < prepared.cells.size(); ++i) {
     const double expected = share.cells[i] * count;
     if (expected >= 8) {
-      compare(seen.cells[i], expected);
+      compare(prepared.cells[i], expected);
     } else {
-      rest_seen += seen.cells[i];
+      rest_seen += prepared.cells[i];
       rest_expected += expected;
     }
   }
@@ -84,14 +84,14 @@ double surprise(const Histogram& seen, const Histogram& share, int count) {
 template <class Take, class Density>
 void expect_agreement(const Take& take, const Density& density, const std::string& name) {
   Chance chance(5);
-  Histogram seen;
+  Histogram prepared;
   for (int i = 0; i < kSamples; ++i) {
     const std::optional<Vec3d> l = take(chance.three());
-    l ? seen.add(*l) : static_cast<void>(++seen.none);
+    l ? prepared.add(*l) : static_cast<void>(++prepared.none);
   }
   const Histogram share = integrate(density);
   EXPECT_GT(share.none, -0.003) << name << ": the density is above 1 in all";
-  EXPECT_LT(surprise(seen, share, kSamples), 4) << name;
+  EXPECT_LT(surprise(prepared, share, kSamples), 4) << name;
 }
 
 // All leaves of a material, one by one.
@@ -167,9 +167,9 @@ std::vector<Named> materials() {
 TEST(Sampling, LeavesAreTakenWithTheirDensity) {
   for (const Named& named : materials()) {
     const Vec3d v = direction_of_cosine(0.6);
-    const Seen seen(named.material, v, named.material.ior, ShaderMode::conserving);
-    const SeenLayers layers(named.material, v, ShaderMode::conserving);
-    const auto graph = material_graph(named.material, seen, layers);
+    const Prepared prepared(named.material, v, named.material.ior, ShaderMode::conserving);
+    const PreparedLayers layers(named.material, v, ShaderMode::conserving);
+    const auto graph = material_graph(named.material, prepared, layers);
     const LeafTest test{v, named.name};
     visit_node(graph, test, 1);
   }

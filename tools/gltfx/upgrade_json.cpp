@@ -20,8 +20,8 @@ void write_action(Writer& writer, const UpgradeAction& action) {
   writer.member("from", action.from);
   if (!action.to.empty() && !action.removed) writer.member("to", action.to);
   if (!action.generation.empty()) writer.member("generation", action.generation);
-  writer.member("outcome",
-                action.removed ? std::string_view("removed") : upgrade_fate_name(action.fate));
+  writer.member("outcome", action.removed ? std::string_view("removed")
+                                          : upgrade_outcome_name(action.outcome));
   writer.member("done", action.done);
   writer.member("lossy", action.lossy);
   write_long_values(writer, "notes", action.notes);

@@ -16,14 +16,14 @@ namespace gltfx::tool {
 namespace {
 
 std::string outcome(const UpgradeAction& action, bool refused) {
-  const std::string_view fate = upgrade_fate_name(action.fate);
-  if (!action.is_due()) return fmt::format("left alone, {}", fate);
-  if (!action.done && refused && action.fate == UpgradeFate::safe) {
+  const std::string_view outcome = upgrade_outcome_name(action.outcome);
+  if (!action.is_due()) return fmt::format("left alone, {}", outcome);
+  if (!action.done && refused && action.outcome == UpgradeOutcome::safe) {
     return "left alone with the whole file";
   }
-  if (!action.done) return fmt::format("left alone: {}", fate);
+  if (!action.done) return fmt::format("left alone: {}", outcome);
   if (action.removed) return "removed";
-  return fmt::format("to {}, {}", action.to, action.lossy ? "with loss" : fate);
+  return fmt::format("to {}, {}", action.to, action.lossy ? "with loss" : outcome);
 }
 
 // The text of an action, without its place.
@@ -59,9 +59,10 @@ std::vector<ActionGroup> groups_of(const std::vector<UpgradeAction>& actions, bo
 std::string group_text(const ActionGroup& group, const Style& style) {
   constexpr std::size_t kMost = 3;
   const std::size_t count = group.places.size();
-  if (group.first->fate == UpgradeFate::on_request) {
+  if (group.first->outcome == UpgradeOutcome::on_request) {
     return fmt::format("  {} in {}: left alone, {}\n", style.bold(group.first->from),
-                       report::counted(count, "object"), upgrade_fate_name(group.first->fate));
+                       report::counted(count, "object"),
+                       upgrade_outcome_name(group.first->outcome));
   }
   std::string text;
   for (std::size_t i = 0; i < (count > kMost ? 1 : count); ++i) {
@@ -110,7 +111,7 @@ void UpgradeSummary::add(const UpgradeReport& report) {
   done += report.due() - report.left();
   written += report.written ? 1U : 0U;
   for (const UpgradeAction& action : report.actions) {
-    if (action.fate == UpgradeFate::on_request) {
+    if (action.outcome == UpgradeOutcome::on_request) {
       on_request.insert(action.notes.begin(), action.notes.end());
     }
   }

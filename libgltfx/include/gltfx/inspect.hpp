@@ -159,9 +159,9 @@ struct AssetFacts {
 
 /// Outcome of an upgrade for one object.
 struct UpgradeFact {
-  std::string pointer, from, to;   ///< `to` may be empty
-  std::string outcome;             ///< as in upgrade_fate_name(); "removed" when it is only deleted
-  bool done = false;               ///< an upgrade with default options does it
+  std::string pointer, from, to;  ///< `to` may be empty
+  std::string outcome;  ///< as in upgrade_outcome_name(); "removed" when it is only deleted
+  bool done = false;    ///< an upgrade with default options does it
   std::vector<std::string> notes;  ///< as UpgradeAction has them
 };
 

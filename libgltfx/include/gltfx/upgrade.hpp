@@ -14,7 +14,7 @@
 namespace gltfx {
 
 /// Outcome of the upgrade of one object.
-enum class UpgradeFate : std::uint8_t {
+enum class UpgradeOutcome : std::uint8_t {
   safe,          ///< the same picture by the specifications, and no conflict in the file
   unsafe,        ///< something is lost: done on request only
   needs_image,   ///< a channel of an image must move, but the image cannot be read: left alone
@@ -23,7 +23,7 @@ enum class UpgradeFate : std::uint8_t {
   no_successor,  ///< no extension replaces it
 };
 /// "safe", "unsafe", "needs an image", "not possible", "on request", "no successor".
-std::string_view upgrade_fate_name(UpgradeFate fate);
+std::string_view upgrade_outcome_name(UpgradeOutcome outcome);
 
 /// One object of a legacy extension. Owns its text.
 struct UpgradeAction {
@@ -31,7 +31,7 @@ struct UpgradeAction {
   std::string from, to;    ///< names of the extensions
   std::string generation;  ///< the generation that it was read as; empty when there is only one
   std::string decision;    ///< why that generation; empty when there is only one
-  UpgradeFate fate = UpgradeFate::safe;  ///< outcome
+  UpgradeOutcome outcome = UpgradeOutcome::safe;  ///< outcome
   bool lossy = false;              ///< something is lost as a part of what was requested by name
   bool removed = false;            ///< it has no effect: it is deleted without a successor
   bool done = false;               ///< part of the new document
@@ -39,7 +39,7 @@ struct UpgradeAction {
 
   /// Whether it was requested: it is done, or left to do.
   bool is_due() const {
-    return fate != UpgradeFate::on_request && fate != UpgradeFate::no_successor;
+    return outcome != UpgradeOutcome::on_request && outcome != UpgradeOutcome::no_successor;
   }
 };
 

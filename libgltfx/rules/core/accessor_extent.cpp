@@ -34,7 +34,7 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
 }  // namespace
 
 bool is_measurable(const Context& context, const model::Accessor& accessor) {
-  if (!context.deviations.unknown_formats_are_judged) {
+  if (!context.deviations.unknown_formats_are_checked) {
     return accessor.count && accessor.format.known();
   }
   return accessor.count && accessor.format.component != model::ComponentType::none &&

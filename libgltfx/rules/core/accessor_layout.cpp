@@ -64,7 +64,7 @@ void check_sparse(const Context& context, const model::Accessor& accessor, const
   const auto sparse = model::read_sparse(context.asset, accessor);
   if (!sparse) return;
   const bool indexes = model::can_index_elements(sparse->indices.format.component);
-  if (!indexes && !context.deviations.unknown_formats_are_judged) return;
+  if (!indexes && !context.deviations.unknown_formats_are_checked) return;
   const Path at(path, "sparse");
   if (*sparse->count > *accessor.count) {
     report_member(context.link_sink, context, at, accessor.sparse, "count",
@@ -89,14 +89,14 @@ void check_accessors(const Context& context) {
 }
 
 // `place` is the accessor.
-bool mend_small_stride(Fixing& fixing, Span place) {
+bool fix_small_stride(Fixing& fixing, Span place) {
   const std::uint32_t index = fixing.index_of(fixing.node_at(place));
   if (index >= fixing.views().accessors.size()) return false;
   const auto view = fixing.views().accessors[index].buffer_view;
-  return view && mend_stride(fixing, *view);
+  return view && fix_stride(fixing, *view);
 }
 
-constexpr FixEntry kLayoutFixes[] = {{Code::ACCESSOR_SMALL_BYTESTRIDE, mend_small_stride}};
+constexpr FixEntry kLayoutFixes[] = {{Code::ACCESSOR_SMALL_BYTESTRIDE, fix_small_stride}};
 
 }  // namespace
 

@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "model/accessor.hpp"
 #include "rules/context.hpp"
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 #include "rules/finding.hpp"
 
 namespace gltfx::validate {
@@ -102,7 +102,7 @@ void check_accessor(const Context& context, json::NodeId object, const Path& pat
 
 schema::Reading read_offset(const Context& context, json::NodeId object, json::NodeId value,
                             const Path& path) {
-  if (context.document.find(object, "bufferView") != json::kNoNode) return schema::Reading::judge;
+  if (context.document.find(object, "bufferView") != json::kNoNode) return schema::Reading::check;
   context.schema_sink.report(Path(path, "byteOffset"),
                              finding_on(context, value, Code::UNSATISFIED_DEPENDENCY,
                                         "'byteOffset' requires 'bufferView'."));
@@ -145,13 +145,13 @@ schema::Reading read_bound(const Context& context, json::NodeId object, json::No
                            const Path& path) {
   const model::Accessor accessor = model::read_accessor(context.asset, object);
   if (!accessor.format.known()) return schema::Reading::drop;
-  if (!context.document.is_array(value)) return schema::Reading::judge;
+  if (!context.document.is_array(value)) return schema::Reading::check;
   const std::size_t size = context.document.array_size(value);
   const bool integer = model::is_integer(accessor.format.component);
   if (size == model::component_count(accessor.format.type)) {
-    return integer ? read_integers(context, accessor, value, path) : schema::Reading::judge;
+    return integer ? read_integers(context, accessor, value, path) : schema::Reading::check;
   }
-  if (size == 0 && !integer) return schema::Reading::judge;
+  if (size == 0 && !integer) return schema::Reading::check;
   report_bound_length(context, accessor, value, size, path);
   return schema::Reading::drop;
 }

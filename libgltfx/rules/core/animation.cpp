@@ -15,7 +15,7 @@
 #include "model/skin.hpp"
 #include "rules/context.hpp"
 #include "rules/core/animation_output.hpp"
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 #include "rules/core/use.hpp"
 #include "rules/finding.hpp"
 #include "rules/khronos/animation_paths.hpp"
@@ -193,7 +193,7 @@ class AnimationCheck {
   }
 
   bool is_judged(const model::Format& format) const {
-    return format.known() || context_.deviations.unknown_formats_are_judged;
+    return format.known() || context_.deviations.unknown_formats_are_checked;
   }
 
   void check_stride(const AnimationSampler& sampler, std::uint32_t index, std::string_view member,

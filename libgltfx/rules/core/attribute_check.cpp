@@ -5,7 +5,7 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "rules/context.hpp"
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 #include "rules/core/mesh_state.hpp"
 #include "rules/finding.hpp"
 
@@ -43,7 +43,7 @@ std::string format_help(const MeshState& state, const AttributeUse& use) {
 // True when the format is one the attribute may have, or nothing is known of it.
 bool check_format(const MeshState& state, const AttributeUse& use, const Path& path) {
   const model::Format format = use.accessor.format;
-  const bool judged = format.known() && model::is_core_component(format.component);
+  const bool checked = format.known() && model::is_core_component(format.component);
   const FormatList* allowed = state.formats.find(use.attribute, use.target);
   if (allowed == nullptr) {
     if (use.target || format.component != model::ComponentType::uint32) return true;
@@ -54,7 +54,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
   }
   if (format.known() && allows(*allowed, format)) return true;
   // A type that glTF does not have is an error of the accessor, not of its use.
-  if (!judged && !state.context.deviations.unknown_formats_are_judged) return true;
+  if (!checked && !state.context.deviations.unknown_formats_are_checked) return true;
   report(state, use, path, Code::MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT,
          fmt::format("{} is {}; it must be {}.", quoted(use.attribute.name),
                      model::format_text(format), formats_text(*allowed)),

@@ -86,7 +86,7 @@ void check_camera(const Context& context, json::NodeId camera, const Path& path)
 schema::Reading read_projection(const Context& context, json::NodeId camera,
                                 std::string_view name) {
   const bool named = model::string_member(context.document, camera, "type") == name;
-  return named ? schema::Reading::judge : schema::Reading::drop;
+  return named ? schema::Reading::check : schema::Reading::drop;
 }
 schema::Reading read_orthographic(const Context& context, json::NodeId camera, json::NodeId,
                                   const Path&) {

@@ -97,7 +97,7 @@ void check_indices(const Context& context, const Primitive& primitive, const Pat
                             *accessor.buffer_view));
   }
   if (is_index_format(accessor.format)) return;
-  if (!accessor.format.known() && !context.deviations.unknown_formats_are_judged) return;
+  if (!accessor.format.known() && !context.deviations.unknown_formats_are_checked) return;
   report_link(context, at, place, Code::MESH_PRIMITIVE_INDICES_ACCESSOR_INVALID_FORMAT,
               fmt::format("The indices are {}; they must be SCALAR of UNSIGNED_BYTE, "
                           "UNSIGNED_SHORT or UNSIGNED_INT.",

@@ -95,8 +95,8 @@ class GraphCheck {
       const Path path(list, i);
       check_empty(node, index, path);
       check_loop(index, path);
-      const bool judged = node.mesh || context_.deviations.consequences_are_reported;
-      if (node.skin && judged) check_skinned(node, index, path);
+      const bool checked = node.mesh || context_.deviations.consequences_are_reported;
+      if (node.skin && checked) check_skinned(node, index, path);
     }
   }
 

@@ -33,10 +33,11 @@ class NodeCheck {
         report_references(context_, value);
       }
       check(node, path);
-      std::uint32_t told = 0;  // references before this place in the text
+      std::uint32_t reported = 0;  // references before this place in the text
       for (; next != overrides.end() && next->parent == i; ++next) {
-        if (told == 0) told = context_.document.span(node.children).begin;
-        report_references(context_, Span{std::exchange(told, next->span.begin), next->span.begin});
+        if (reported == 0) reported = context_.document.span(node.children).begin;
+        report_references(context_,
+                          Span{std::exchange(reported, next->span.begin), next->span.begin});
         report_override(*next, path);
       }
       report_references(context_, node.children);
@@ -87,8 +88,8 @@ class NodeCheck {
   void report_override(const model::ParentOverride& found, const Path& parent) {
     // A child listed twice by one node is reported as a repeated element. Nor is a loop two errors,
     // one of which is that it meets the tree above it.
-    const bool told = found.parent == found.previous || context_.graph.on_loop(found.child);
-    if (told && !context_.deviations.consequences_are_reported) return;
+    const bool reported = found.parent == found.previous || context_.graph.on_loop(found.child);
+    if (reported && !context_.deviations.consequences_are_reported) return;
     const Path children(parent, "children");
     report_link(context_, Path(children, found.position), found.span, Code::NODE_PARENT_OVERRIDE,
                 fmt::format("The node lists {} as a child, but it is already a child of {}.",

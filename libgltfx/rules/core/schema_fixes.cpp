@@ -12,7 +12,7 @@
 #include "base/codes.hpp"
 #include "graph/extensions.hpp"
 #include "rules/context.hpp"
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 #include "rules/fix_deletion.hpp"
 
 namespace gltfx::validate {

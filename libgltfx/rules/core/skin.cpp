@@ -36,18 +36,18 @@ class SkinCheck {
   void check(const model::Skin& skin, const Path& path) {
     report_references(context_, skin.joints);
     const bool common = have_common_root(skin.joint_nodes);
-    if (!common && may_judge_joints(skin)) {
+    if (!common && may_check_joints(skin)) {
       report(path, "joints", skin.joints, Code::SKIN_NO_COMMON_ROOT, joints_apart(skin));
     }
     check_matrices(skin, path);
     report_references(context_, skin.skeleton_value);
-    const bool told = !common;
-    if (skin.skeleton && (!told || context_.deviations.consequences_are_reported)) {
+    const bool reported = !common;
+    if (skin.skeleton && (!reported || context_.deviations.consequences_are_reported)) {
       check_skeleton(skin, path);
     }
   }
 
-  bool may_judge_joints(const model::Skin& skin) const {
+  bool may_check_joints(const model::Skin& skin) const {
     if (skin.joint_count == 0) return false;
     return context_.deviations.broken_values_are_absent ||
            skin.joint_nodes.size() == skin.joint_count;
@@ -91,8 +91,8 @@ class SkinCheck {
              fmt::format("Buffer view {} contains inverse bind matrices, but has a byteStride.",
                          *accessor.buffer_view));
     }
-    const bool judged = accessor.format.known() || context_.deviations.unknown_formats_are_judged;
-    if (judged && accessor.format != kInverseBindMatrix) {
+    const bool checked = accessor.format.known() || context_.deviations.unknown_formats_are_checked;
+    if (checked && accessor.format != kInverseBindMatrix) {
       report(path, kMember, place, Code::SKIN_IBM_INVALID_FORMAT,
              fmt::format("Accessor {} is {}; it must be {}.", *skin.inverse_bind_matrices,
                          format_text(accessor.format), format_text(kInverseBindMatrix)));

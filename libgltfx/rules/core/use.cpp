@@ -33,8 +33,8 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
   if (!wants_target || first.place != place) return;
   // Indices in a view with a stride have another error, which a target would not fix.
   const bool strided = context.views.buffer_views[view].byte_stride.has_value();
-  const bool told = strided && kind == model::ViewUse::indices;
-  if (told && !context.deviations.consequences_are_reported) return;
+  const bool reported = strided && kind == model::ViewUse::indices;
+  if (reported && !context.deviations.consequences_are_reported) return;
   report_link(
       context, path, place, Code::BUFFER_VIEW_TARGET_MISSING,
       fmt::format("Buffer view {} contains {}, but has no target.", view, model::use_text(kind)),

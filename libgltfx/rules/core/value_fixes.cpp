@@ -16,7 +16,7 @@
 #include "base/text.hpp"
 #include "json/writer.hpp"
 #include "rules/context.hpp"
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 #include "rules/fix_users.hpp"
 #include "schema/home.hpp"
 #include "schema/meant.hpp"
@@ -24,8 +24,8 @@
 namespace gltfx::validate {
 namespace {
 
-struct Judged {
-  explicit Judged(const Fixing& fixing) : values(fixing.document()) {}
+struct TypedValues {
+  explicit TypedValues(const Fixing& fixing) : values(fixing.document()) {}
   const schema::Values values;
 };
 
@@ -60,7 +60,7 @@ bool write_meant(Fixing& fixing, json::NodeId value) {
   const schema::Shape* shape = shape_of(fixing, value);
   if (shape == nullptr) return false;
   const std::string meant =
-      schema::meant_value(fixing.schemas(), fixing.table<Judged>().values, *shape, {value});
+      schema::meant_value(fixing.schemas(), fixing.table<TypedValues>().values, *shape, {value});
   return !meant.empty() && fixing.replace(value, meant);
 }
 
@@ -84,7 +84,7 @@ bool correct_list(Fixing& fixing, json::NodeId list) {
   const schema::Shape* shape = shape_of(fixing, list);
   if (shape == nullptr || shape->items == schema::kNone) return false;
   const schema::Shape& items = fixing.schemas().shape(shape->items);
-  const schema::Values& values = fixing.table<Judged>().values;
+  const schema::Values& values = fixing.table<TypedValues>().values;
   std::vector<std::pair<json::NodeId, std::string>> meant;
   for (const json::NodeId element : fixing.document().elements(list)) {
     if (values.has_type({element}, items.types)) continue;
@@ -173,7 +173,7 @@ bool correct_range(Fixing& fixing, Span place) {
   const std::uint32_t index = fixing.index_of(object);
   const auto& views = fixing.views().buffer_views;
   if (name == "byteStride" && index < views.size() && views[index].node == object) {
-    return mend_stride(fixing, index);
+    return fix_stride(fixing, index);
   }
   return clamp_rounding(fixing, node, place);
 }

@@ -23,8 +23,8 @@ class OutsideInteractivity final : public Sink {
  public:
   explicit OutsideInteractivity(Sink& next) : next_(next) {}
   void report(const Path& path, Finding finding) override {
-    const bool told = finding.code == kEarlierInteractivity || finding.code == kUndeclared;
-    if (told || !is_inside(path)) {
+    const bool reported = finding.code == kEarlierInteractivity || finding.code == kUndeclared;
+    if (reported || !is_inside(path)) {
       next_.report(path, std::move(finding));
     }
   }

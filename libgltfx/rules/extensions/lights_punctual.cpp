@@ -63,7 +63,7 @@ void check_range(const Context& context, json::NodeId light, const Path& path) {
 
 schema::Reading read_spot(const Context& context, json::NodeId light, json::NodeId, const Path&) {
   const bool spot = model::string_member(context.document, light, "type") == "spot";
-  return spot ? schema::Reading::judge : schema::Reading::keep;
+  return spot ? schema::Reading::check : schema::Reading::keep;
 }
 
 // Lights on nodes of an asset that has none. Otherwise the index is reported.

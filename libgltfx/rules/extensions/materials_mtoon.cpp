@@ -67,12 +67,12 @@ void check_outlines_shown(const Context& context) {
                      [&](const ExtensionPlace& place, const Path&) {
                        count += idle_outline(context.document, place.object).empty() ? 0U : 1U;
                      });
-  bool told = count == 0;
+  bool reported = count == 0;
   for_each_extension(context, model::RootArray::materials, kToon,
                      [&](const ExtensionPlace& place, const Path& path) {
                        const std::string_view member = idle_outline(context.document, place.object);
-                       if (told || member.empty()) return;
-                       told = true;
+                       if (reported || member.empty()) return;
+                       reported = true;
                        std::string message = fmt::format(
                            "{} has no effect, because outlineWidthMode is none.", member);
                        if (count > 1)

@@ -38,8 +38,8 @@ void check_unique_variants(const Context& context, json::NodeId mapping, std::ui
     if (!number.is_integer() || number.value < 0) return;
     const auto variant = static_cast<std::uint64_t>(number.value);
     const auto [first, is_new] = seen.emplace(variant, index);
-    const bool told = first->second == index;
-    if (!is_new && (!told || context.deviations.consequences_are_reported)) {
+    const bool reported = first->second == index;
+    if (!is_new && (!reported || context.deviations.consequences_are_reported)) {
       report_link(
           context, Path(array, element), number.span,
           Code::KHR_MATERIALS_VARIANTS_NON_UNIQUE_VARIANT,

@@ -9,13 +9,12 @@
 #include "base/number.hpp"
 #include "model/node.hpp"
 #include "rules/extension_walk.hpp"
+#include "rules/extensions/vrm_humanoid.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/phases.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-constexpr std::string_view kAvatarAnimation = "VRMC_vrm_animation";
 
 struct Weight {
   std::string pointer;

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/node.hpp"
 #include "rules/context.hpp"
 
 namespace gltfx::validate {
+
+inline constexpr std::string_view kAvatarAnimation = "VRMC_vrm_animation";
 
 struct HumanBone {
   std::string name;

@@ -9,7 +9,7 @@ constexpr Deviations kNoDeviations;
 constexpr Deviations all_deviations() {
   Deviations khronos{schema::kKhronosValidator};
   khronos.consequences_are_reported = true;
-  khronos.unknown_formats_are_judged = true;
+  khronos.unknown_formats_are_checked = true;
   khronos.missing_integers_are_minus_one = true;
   khronos.sets_with_gaps_are_empty = true;
   khronos.severity_follows_code = true;

@@ -23,7 +23,7 @@ struct Deviations : schema::Deviations {
   /// Khronos: an accessor of unknown type or component type fits no use. Specification ("Accessor
   /// Data Types"): there is no such accessor. Seen: codes ..._INVALID_FORMAT with
   /// VALUE_NOT_IN_LIST.
-  bool unknown_formats_are_judged = false;
+  bool unknown_formats_are_checked = false;
 
   /// Khronos: an integer that is missing or broken is compared as -1. Specification: silent. Seen:
   /// its source, where -1 stands for unset.

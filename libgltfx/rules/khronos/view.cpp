@@ -58,7 +58,7 @@ class Reader final : public schema::MemberVisitor {
     for (const MemberRuleEntry& entry : known(type).rules->before) {
       if (entry.member == member) return entry.rule(context_, object, value, path);
     }
-    return schema::Reading::judge;
+    return schema::Reading::check;
   }
 
   void behind(const schema::ObjectType& type, std::string_view member, json::NodeId object,

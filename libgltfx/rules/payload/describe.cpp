@@ -10,7 +10,7 @@
 #include "base/codes.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/kernels.hpp"
 

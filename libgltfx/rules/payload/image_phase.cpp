@@ -196,12 +196,12 @@ class ImageCheck {
   }
 
   void check_header(const Header& header) const {
-    const bool judged = !deviations().few_image_formats;
-    if (judged && !header.doubt.empty()) {
+    const bool checked = !deviations().few_image_formats;
+    if (checked && !header.doubt.empty()) {
       resource_.find(Code::IMAGE_DATA_INVALID, "", header.doubt);
       return;
     }
-    if (judged && !header.remark.empty()) {
+    if (checked && !header.remark.empty()) {
       resource_.find(Code::IMAGE_DATA_INVALID, "", header.remark, {},
                      header.readers_differ ? Severity::warning : Severity::info);
     }

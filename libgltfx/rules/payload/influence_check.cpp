@@ -104,7 +104,7 @@ class InfluenceCheck {
     const bool fresh = vertex_.add_joint(static_cast<std::uint64_t>(joint));
     if (!fresh) emit_({InfluenceError::joint_repeated, set, index, joint});
     if (weight < 0) {
-      judged_ = judged_ && !all_weights_;  // its own error makes the sum wrong
+      checked_ = checked_ && !all_weights_;  // its own error makes the sum wrong
       emit_({InfluenceError::negative_weight, set, index, weight});
     } else if (fresh && !all_weights_) {
       vertex_.add_weight(weight);
@@ -112,18 +112,18 @@ class InfluenceCheck {
   }
 
   void finish_vertex(std::uint64_t index) {
-    if (judged_ && !vertex_.is_normalized()) {
+    if (checked_ && !vertex_.is_normalized()) {
       for (std::uint32_t set = 0; set < weights_.size(); ++set) {
         emit_({InfluenceError::wrong_sum, set, index, vertex_.sum()});
       }
     }
     vertex_.begin();
-    judged_ = true;
+    checked_ = true;
   }
 
   std::uint64_t joint_count_;
   bool all_weights_;
-  bool judged_ = true;  ///< the sum of this vertex's weights
+  bool checked_ = true;  ///< the sum of this vertex's weights
   const std::function<void(const Influence&)>& emit_;
   std::vector<Reader> joints_, weights_;
   Vertex vertex_;

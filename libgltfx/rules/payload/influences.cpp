@@ -10,7 +10,7 @@
 #include "base/codes.hpp"
 #include "model/mesh.hpp"
 #include "model/skin.hpp"
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/describe.hpp"
 #include "rules/payload/influence_check.hpp"

@@ -125,7 +125,7 @@ class TextureCheck {
       const std::string_view name = document.key(member.key_id);
       const ImageUse use{phase_, *image, *file};
       check_levels(use, texture, member.value, Path(list, name));
-      if (!told_.emplace(*image, name).second) continue;
+      if (!reported_.emplace(*image, name).second) continue;
       check_payload(use, name);
       check_extents(use, name);
       check_metadata(use);
@@ -134,7 +134,7 @@ class TextureCheck {
 
  private:
   const TexturePhase& phase_;
-  std::map<std::uint32_t, std::string_view> told_;  // one extension brings one kind of image
+  std::map<std::uint32_t, std::string_view> reported_;  // one extension brings one kind of image
 };
 
 // --- A slot that reads it ---

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/phases.hpp"
 
@@ -97,8 +97,8 @@ void check_sparse_indices(DataPhase& phase) {
     const auto sparse = model::read_sparse(phase.context.asset, accessor);
     if (!sparse) continue;
     // A count that is wrong takes bytes for indices that are none.
-    const bool told = *sparse->count > *accessor.count;
-    if (told && !phase.context.deviations.consequences_are_reported) continue;
+    const bool reported = *sparse->count > *accessor.count;
+    if (reported && !phase.context.deviations.consequences_are_reported) continue;
     check_indices(phase, i, *sparse);
   }
 }

@@ -153,11 +153,11 @@ std::string why_hidden(const TexturePhase& phase, const TextureSlot& slot) {
 
 // One finding for each factor, on the first of the textures that it hides.
 void check_factors(const TexturePhase& phase) {
-  std::set<std::pair<json::NodeId, std::string_view>> told;
+  std::set<std::pair<json::NodeId, std::string_view>> reported;
   const bool removable = unseen_user(phase.context).empty();
   for (const TextureSlot& slot : phase.slots) {
     if (slot.channels.empty() || !slot.effective.empty()) continue;
-    if (!told.emplace(factor_owner(slot), slot.hidden_by).second) continue;
+    if (!reported.emplace(factor_owner(slot), slot.hidden_by).second) continue;
     report_slot(phase.context, phase.sink, slot, Code::TEXTURE_FACTOR_ZERO,
                 fmt::format("{} has no effect because {}.", slot.property, why_hidden(phase, slot)),
                 fmt::format("set {}{}", slot.hidden_by.empty() ? "the factors" : slot.hidden_by,

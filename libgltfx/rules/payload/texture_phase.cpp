@@ -26,12 +26,12 @@ class PixelNeeds {
       : context_(context),
         resources_(resources),
         slots_(slots),
-        hints_(heard(Code::TEXTURE_CONSTANT) || heard(Code::TEXTURE_ALPHA_OPAQUE)),
-        normal_maps_(heard(Code::NORMAL_MAP_NOT_UNIT) || heard(Code::NORMAL_MAP_INWARD) ||
-                     heard(Code::NORMAL_MAP_FLAT)),
-        coverage_(heard(Code::MATERIAL_ALPHA_MISSING)),
-        alpha_(heard(Code::TEXTURE_ALPHA_CONSTANT)),
-        equal_(heard(Code::TEXTURE_CHANNELS_EQUAL)) {}
+        hints_(enabled(Code::TEXTURE_CONSTANT) || enabled(Code::TEXTURE_ALPHA_OPAQUE)),
+        normal_maps_(enabled(Code::NORMAL_MAP_NOT_UNIT) || enabled(Code::NORMAL_MAP_INWARD) ||
+                     enabled(Code::NORMAL_MAP_FLAT)),
+        coverage_(enabled(Code::MATERIAL_ALPHA_MISSING)),
+        alpha_(enabled(Code::TEXTURE_ALPHA_CONSTANT)),
+        equal_(enabled(Code::TEXTURE_CHANNELS_EQUAL)) {}
 
   std::vector<PixelSource::Request> find() {
     const PixelLevel level = pixel_level(context_.options);
@@ -49,7 +49,7 @@ class PixelNeeds {
   }
 
  private:
-  bool heard(Code code) const { return is_enabled(context_.options, code); }
+  bool enabled(Code code) const { return is_enabled(context_.options, code); }
 
   void add(const TextureSlot& slot) {
     const bool normal = slot.normal_map && normal_maps_;
@@ -70,7 +70,7 @@ class PixelNeeds {
   // Images that are read as sRGB and as linear are only invalid when they have other values than 0
   // and 1.
   void add_conflicts() {
-    if (!heard(Code::TEXTURE_COLOR_SPACE_CONFLICT)) return;
+    if (!enabled(Code::TEXTURE_COLOR_SPACE_CONFLICT)) return;
     std::map<std::uint32_t, std::array<bool, 2>> read;
     for (const TextureSlot& slot : slots_) {
       if (slot.effective.colors() == 0) continue;

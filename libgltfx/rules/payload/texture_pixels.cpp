@@ -181,13 +181,13 @@ void check_normal_map(const TexturePhase& phase, const TextureSlot& slot, std::u
 
 void check_pixels(const TexturePhase& phase) {
   check_decoded(phase);
-  std::set<std::uint32_t> told;
+  std::set<std::uint32_t> reported;
   for (const TextureSlot& slot : phase.slots) {
     const std::uint32_t index = slot.images.front();
     const codec::Image* image = phase.pixels.of(index);
     if (image == nullptr) continue;
     check_normal_map(phase, slot, index, *image);
-    if (told.insert(index).second) check_constant(phase, slot, index, *image);
+    if (reported.insert(index).second) check_constant(phase, slot, index, *image);
   }
 }
 

@@ -27,7 +27,7 @@ constexpr std::array kColors{'r', 'g', 'b'};
 // The first slots that read each colour channel of one image, as sRGB and as linear.
 struct Readers {
   std::array<const TextureSlot*, 3> srgb{}, linear{};
-  bool told = false;
+  bool reported = false;
 };
 
 // 0 and 1 are the same in both.
@@ -57,8 +57,8 @@ void check_color_space(const TexturePhase& phase, const TextureSlot& slot, std::
     const TextureSlot*& own = slot.srgb ? readers.srgb[i] : readers.linear[i];
     const TextureSlot* other = slot.srgb ? readers.linear[i] : readers.srgb[i];
     if (own == nullptr) own = &slot;
-    if (other == nullptr || readers.told || is_two_level(phase, image, i)) continue;
-    readers.told = true;
+    if (other == nullptr || readers.reported || is_two_level(phase, image, i)) continue;
+    readers.reported = true;
     report_conflict(phase, slot, *other, image, kColors[i]);
   }
 }

@@ -122,7 +122,7 @@ UpgradeAction old_format(const UpgradeOptions& options, std::string pointer,
   UpgradeAction action;
   action.pointer = std::move(pointer);
   action.from = "glTF " + version;
-  action.fate = limited ? UpgradeFate::no_successor : UpgradeFate::impossible;
+  action.outcome = limited ? UpgradeOutcome::no_successor : UpgradeOutcome::impossible;
   action.notes.emplace_back("glTF 1.0 is not supported; convert it with gltf-pipeline:");
   action.notes.emplace_back("npx gltf-pipeline -i OLD -o NEW");
   return action;

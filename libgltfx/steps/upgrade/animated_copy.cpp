@@ -105,19 +105,19 @@ std::uint64_t add_sampler(Context& context, const Follower& follower, const Rgb&
 /// Looks for the channels of one copied value.
 class Search {
  public:
-  Search(Context& context, const Carrier& carrier, const std::vector<std::string>& from,
+  Search(Context& context, const Host& host, const std::vector<std::string>& from,
          const std::vector<std::string>& to, std::uint64_t take)
       : context_(context),
         document_(context.document),
-        carrier_(carrier),
+        host_(host),
         from_(from),
         to_(to),
         take_(take) {}
 
   Result<std::vector<Follower>> run() {
     std::vector<Follower> followers;
-    const std::string index = std::to_string(carrier_.index);
-    for (const graph::PointerUse* use : context_.pointers.below(carrier_.array, index, from_)) {
+    const std::string index = std::to_string(host_.index);
+    for (const graph::PointerUse* use : context_.pointers.below(host_.array, index, from_)) {
       if (graph::Pointers::is_template(*use)) return Error{"a graph references all elements"};
       auto follower = follower_of(*use);
       if (!follower) return follower.error();
@@ -181,7 +181,7 @@ class Search {
 
   Context& context_;
   const json::Document& document_;
-  const Carrier& carrier_;
+  const Host& host_;
   const std::vector<std::string>& from_;
   const std::vector<std::string>& to_;
   std::uint64_t take_;
@@ -189,11 +189,11 @@ class Search {
 
 }  // namespace
 
-Result<std::vector<Follower>> find_followers(Context& context, const Carrier& carrier,
+Result<std::vector<Follower>> find_followers(Context& context, const Host& host,
                                              const std::vector<std::string>& from,
                                              const std::vector<std::string>& to,
                                              std::uint64_t take) {
-  return Search(context, carrier, from, to, take).run();
+  return Search(context, host, from, to, take).run();
 }
 
 void follow(Context& context, const Follower& follower, const Rgb& tint) {

@@ -27,7 +27,7 @@ struct Follower {
 /// The channels that lead to, or below, `from` in an element of a root array, with their new target
 /// below `to` there. An Error, the end of a sentence, when something else than a channel of an
 /// animation may change the value, or its values cannot be cut.
-Result<std::vector<Follower>> find_followers(Context& context, const Carrier& carrier,
+Result<std::vector<Follower>> find_followers(Context& context, const Host& host,
                                              const std::vector<std::string>& from,
                                              const std::vector<std::string>& to,
                                              std::uint64_t take);

@@ -51,7 +51,7 @@ std::uint64_t split_material(Context& context, MaterialSplit split) {
   return index;
 }
 
-void settle_splits(Context& context) {
+void resolve_splits(Context& context) {
   for (const MaterialSplit& split : context.splits) {
     context.plan.change.additions.add_element(
         "materials", with_member(edited(context, split.material), split.member, split.json));
@@ -83,7 +83,7 @@ std::vector<MaterialUse> Context::uses_of(std::uint64_t material) {
   return find_material_uses(asset, *graph, material);
 }
 
-std::string Carrier::pointer() const {
+std::string Host::pointer() const {
   if (array.empty()) return {};
   return single ? fmt::format("/{}", array) : fmt::format("/{}/{}", array, index);
 }
@@ -94,25 +94,25 @@ std::uint64_t Context::size_of(json::NodeId array) {
   return known->second;
 }
 
-bool Context::is_pointed_at(const Carrier& carrier, std::span<const std::string> path) const {
+bool Context::is_pointed_at(const Host& host, std::span<const std::string> path) const {
   if (pointers.all().empty()) return false;
   std::vector<std::string> steps;
-  if (!carrier.array.empty()) steps.emplace_back(carrier.array);
-  if (!carrier.array.empty() && !carrier.single) steps.push_back(std::to_string(carrier.index));
+  if (!host.array.empty()) steps.emplace_back(host.array);
+  if (!host.array.empty() && !host.single) steps.push_back(std::to_string(host.index));
   steps.insert(steps.end(), path.begin(), path.end());
   if (steps.size() < 2) return false;
   return pointers.lead_below(steps[0], steps[1], std::span(steps).subspan(2));
 }
 
-bool Context::has_beside(const Carrier& carrier, const std::string& extension) const {
-  if (given.contains({carrier.host, extension})) return true;
-  const json::NodeId value = document.find(carrier.extensions, extension);
+bool Context::has_beside(const Host& host, const std::string& extension) const {
+  if (given.contains({host.node, extension})) return true;
+  const json::NodeId value = document.find(host.extensions, extension);
   return value != json::kNoNode && gone.count(value) == 0;
 }
 
-std::optional<MemberSource> Context::find_taken_over(const Carrier& carrier,
+std::optional<MemberSource> Context::find_taken_over(const Host& host,
                                                      std::string_view path) const {
-  const auto [first, last] = takeovers.equal_range(carrier.host);
+  const auto [first, last] = takeovers.equal_range(host.node);
   for (auto at = last; at != first;) {
     const Takeover& takeover = (--at)->second;
     const auto& steps = takeover.extension->upgrade.steps;
@@ -127,10 +127,10 @@ std::optional<MemberSource> Context::find_taken_over(const Carrier& carrier,
   return std::nullopt;
 }
 
-MemberSource Context::source_of(const Carrier& carrier, const std::string& path) const {
-  if (auto elsewhere = find_taken_over(carrier, path)) return *std::move(elsewhere);
+MemberSource Context::source_of(const Host& host, const std::string& path) const {
+  if (auto elsewhere = find_taken_over(host, path)) return *std::move(elsewhere);
   std::vector<std::string> steps = split_path(path);
-  const json::NodeId value = find_path(document, carrier.host, steps);
+  const json::NodeId value = find_path(document, host.node, steps);
   return {value, std::move(steps)};
 }
 

@@ -37,33 +37,33 @@ struct MaterialSplit {
 /// Plans a copy. Gives its index in the root's materials.
 std::uint64_t split_material(Context& context, MaterialSplit split);
 /// Adds the copies, when all edits of the plan are known.
-void settle_splits(Context& context);
+void resolve_splits(Context& context);
 
 /// An object with extensions, one of which is legacy.
-struct Carrier {
+struct Host {
   /// Member of the root it stands in: "materials", "asset"; empty: root. A name of the schema Set.
   std::string_view array;
   std::uint64_t index = 0;              ///< there
   bool single = false;                  ///< it is that member itself, which is no array
   schema::TypeId type = schema::kNone;  ///< of the host
-  json::NodeId host = json::kNoNode;
+  json::NodeId node = json::kNoNode;
   json::NodeId extensions = json::kNoNode;  ///< its member of that name
   json::NodeId object = json::kNoNode;      ///< the legacy extension's value there
 
   std::string pointer() const;  ///< "/materials/3"
 };
 
-/// A legacy object whose values became members of its carrier.
+/// A legacy object whose values became members of its host.
 struct Takeover {
   json::NodeId object = json::kNoNode;
   const schema::Extension* extension = nullptr;  ///< of the legacy object
   std::string_view generation;                   ///< as which it was read
 };
 
-/// Where a member of a carrier comes from in this run.
+/// Where a member of a host comes from in this run.
 struct MemberSource {
   json::NodeId value = json::kNoNode;  ///< kNoNode: it is gone, so that its default holds
-  std::vector<std::string> path;       ///< of the value, from the carrier
+  std::vector<std::string> path;       ///< of the value, from the host
 };
 
 /// State of one plan. Keeps references to all it is made of.
@@ -97,17 +97,16 @@ struct Context {
   /// Members to take out of objects of extensions, by the host; settled at the end, because an
   /// object that loses all of them goes itself.
   std::map<json::NodeId, std::vector<json::NodeId>> dropped;
-  /// Values of legacy objects that are extensions of their carriers no more.
+  /// Values of legacy objects that are extensions of their hosts no more.
   std::unordered_set<json::NodeId> gone;
-  /// Extensions that carriers have got, by the carrier's object: of each the legacy object that
+  /// Extensions that hosts have got, by the host's object: of each the legacy object that
   /// became it, or kNoNode.
   std::map<std::pair<json::NodeId, std::string_view>, json::NodeId> given;
   /// Values that are in the document no more, each with the legacy object that took it out. Where
   /// one stands there twice, the first counts.
   std::vector<std::pair<json::NodeId, json::NodeId>> taken_out;
-  std::multimap<json::NodeId, Takeover>
-      takeovers;                             ///< by the carrier's object, the last one counts
-  std::set<std::string, std::less<>> names;  ///< see interned()
+  std::multimap<json::NodeId, Takeover> takeovers;  ///< by the host's object, the last one counts
+  std::set<std::string, std::less<>> names;         ///< see interned()
   std::unordered_map<json::NodeId, std::uint64_t> sizes;  ///< of arrays that somebody asked for
   std::optional<graph::Graph> graph;                      ///< made when it is needed
   std::vector<MaterialSplit> splits;
@@ -118,14 +117,14 @@ struct Context {
   std::map<std::pair<json::NodeId, std::uint64_t>, std::uint64_t> cut_samplers;
   std::map<json::NodeId, std::uint64_t> added_samplers;
 
-  /// Whether an animation or graph points to what lies at `path` from a carrier, or below it.
-  bool is_pointed_at(const Carrier& carrier, std::span<const std::string> path) const;
-  /// Whether a carrier has an extension, as far as this run has come.
-  bool has_beside(const Carrier& carrier, const std::string& extension) const;
-  /// Where a member of a carrier has got its value from a legacy object: that value.
-  std::optional<MemberSource> find_taken_over(const Carrier& carrier, std::string_view path) const;
-  /// The value of a member of a carrier ("pbrMetallicRoughness/baseColorFactor"), likewise.
-  MemberSource source_of(const Carrier& carrier, const std::string& path) const;
+  /// Whether an animation or graph points to what lies at `path` from a host, or below it.
+  bool is_pointed_at(const Host& host, std::span<const std::string> path) const;
+  /// Whether a host has an extension, as far as this run has come.
+  bool has_beside(const Host& host, const std::string& extension) const;
+  /// Where a member of a host has got its value from a legacy object: that value.
+  std::optional<MemberSource> find_taken_over(const Host& host, std::string_view path) const;
+  /// The value of a member of a host ("pbrMetallicRoughness/baseColorFactor"), likewise.
+  MemberSource source_of(const Host& host, const std::string& path) const;
   /// The same text, which lives as long as this.
   std::string_view interned(std::string_view name) { return *names.emplace(name).first; }
   /// Number of elements of an array, which is counted once.

@@ -4,17 +4,17 @@
 namespace gltfx::upgrade {
 
 bool ConversionContext::is_pointed_at(std::string_view path) const {
-  return context.is_pointed_at(carrier, split_path(path));
+  return run.is_pointed_at(host, split_path(path));
 }
 
 bool ConversionContext::is_own_pointed_at(std::string_view member) const {
   const std::vector<std::string> path{"extensions", extension.name, std::string(member)};
-  return context.is_pointed_at(carrier, path);
+  return run.is_pointed_at(host, path);
 }
 
 void ConversionContext::drop(std::string_view name) const {
   const json::NodeId value = member(name);
-  if (value != json::kNoNode) context.editor.remove(carrier.object, value - 1);
+  if (value != json::kNoNode) run.editor.remove(host.object, value - 1);
 }
 
 std::unique_ptr<Conversion> make_conversion(std::string_view name) {

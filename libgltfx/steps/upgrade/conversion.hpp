@@ -15,18 +15,16 @@ namespace gltfx::upgrade {
 
 /// What a conversion works with. Keeps references.
 struct ConversionContext {
-  Context& context;
-  const Carrier& carrier;
+  Context& run;
+  const Host& host;
   const schema::Extension& extension;
   const schema::Extension& successor;
   Placements& placements;
   UpgradeAction& action;
 
   /// A member of the legacy object, or kNoNode.
-  json::NodeId member(std::string_view name) const {
-    return context.document.find(carrier.object, name);
-  }
-  /// Whether an animation or graph points to a member of the carrier's object, or below it.
+  json::NodeId member(std::string_view name) const { return run.document.find(host.object, name); }
+  /// Whether an animation or graph points to a member of the host's object, or below it.
   bool is_pointed_at(std::string_view path) const;
   /// As above, to a member of the legacy object.
   bool is_own_pointed_at(std::string_view member) const;
@@ -39,15 +37,15 @@ class Conversion {
   using Problem = std::optional<std::string>;
   virtual ~Conversion() = default;
   /// Whether the object becomes part of the successor that stands beside it, which then keeps its
-  /// name: judge() and apply() put it there, and the object itself goes.
+  /// name: prepare() and apply() put it there, and the object itself goes.
   virtual bool joins(const ConversionContext&) { return false; }
   /// Why the object has no effect and can go, if so; or what takes its place elsewhere, where its
   /// schema knows no successor. Then apply() makes that.
   virtual Problem reason_to_go(const ConversionContext&) { return std::nullopt; }
   /// Why it cannot be done, if so; otherwise fills placements and notes.
-  virtual Problem judge(const ConversionContext& bench) = 0;
+  virtual Problem prepare(const ConversionContext& context) = 0;
   /// Makes the changes inside the legacy object, whose name others change.
-  virtual void apply(const ConversionContext& bench) = 0;
+  virtual void apply(const ConversionContext& context) = 0;
 };
 
 /// Null for an empty name. Precondition: the schema vocabulary knows the name.

@@ -28,43 +28,42 @@ struct Scene {
 
 class RootTranslation : public Conversion {
  public:
-  Problem reason_to_go(const ConversionContext& bench) override {
-    if (find(bench)) return std::nullopt;
+  Problem reason_to_go(const ConversionContext& context) override {
+    if (find(context)) return std::nullopt;
     if (translation_ == "[0,0,0]") return "no effect: center is 0";
     const double rounding = largest_rounding();
-    bench.action.notes.push_back(
+    context.action.notes.push_back(
         fmt::format("readers that add it in single precision round positions by up to {} m",
                     number_text(rounding)));
-    if (rounding > kMostRounding) bench.action.fate = UpgradeFate::unsafe;
+    if (rounding > kMostRounding) context.action.outcome = UpgradeOutcome::unsafe;
     return fmt::format(
         "its center, with Z up, becomes the translation of {} above the scenes",
         parents_.size() == 1 ? "a new node" : fmt::format("{} new nodes", parents_.size()));
   }
 
-  Problem judge(const ConversionContext& bench) override { return find(bench); }
+  Problem prepare(const ConversionContext& context) override { return find(context); }
 
-  void apply(const ConversionContext& bench) override {
+  void apply(const ConversionContext& context) override {
     if (translation_ == "[0,0,0]") return;
-    const json::Document& document = bench.context.document;
+    const json::Document& document = context.run.document;
     const json::NodeId nodes = document.find(document.root(), "nodes");
     for (const json::NodeId roots : parents_) {
-      bench.context.editor.append_element(
-          nodes,
-          fmt::format(R"({{"translation":{},"children":{}}})", translation_, document.raw(roots)));
+      context.run.editor.append_element(nodes, fmt::format(R"({{"translation":{},"children":{}}})",
+                                                           translation_, document.raw(roots)));
     }
     for (const Scene& scene : scenes_) {
-      bench.context.editor.replace(scene.object, scene.roots, fmt::format("[{}]", scene.parent));
+      context.run.editor.replace(scene.object, scene.roots, fmt::format("[{}]", scene.parent));
     }
   }
 
  private:
   // Fills the members, or tells why it cannot be done.
-  Problem find(const ConversionContext& bench) {
+  Problem find(const ConversionContext& context) {
     scenes_.clear();
     parents_.clear();
     center_.clear();
-    const json::Document& document = bench.context.document;
-    const json::NodeId center = bench.member("center");
+    const json::Document& document = context.run.document;
+    const json::NodeId center = context.member("center");
     if (center != json::kNoNode && document.kind(center) == json::Kind::number_array) {
       for (json::NumberCursor at(document, center); at.valid(); at.advance()) {
         center_.push_back(at.number().value);
@@ -75,14 +74,14 @@ class RootTranslation : public Conversion {
     }
     translation_ = fmt::format("[{},{},{}]", number_text(center_[0]), number_text(center_[2]),
                                number_text(center_[1] == 0 ? 0 : -center_[1]));
-    return find_scenes(bench);
+    return find_scenes(context);
   }
 
   // Scenes with the same list of roots share the new node; a root that two lists have in another
   // company would get two parents.
-  Problem find_scenes(const ConversionContext& bench) {
-    const model::Asset& asset = bench.context.asset;
-    const json::Document& document = bench.context.document;
+  Problem find_scenes(const ConversionContext& context) {
+    const model::Asset& asset = context.run.asset;
+    const json::Document& document = context.run.document;
     std::unordered_map<std::string_view, std::uint64_t> by_roots;
     std::unordered_map<std::uint32_t, std::uint64_t> by_root;
     for (const json::NodeId object : asset.elements(model::RootArray::scenes)) {

@@ -56,82 +56,84 @@ Distance distance_of(const json::Document& document, json::NodeId object, std::s
 
 class Scattering : public Conversion {
  public:
-  Problem reason_to_go(const ConversionContext& bench) override {
-    const json::Document& document = bench.context.document;
-    if (bench.member("scatterDistance") == json::kNoNode) {
+  Problem reason_to_go(const ConversionContext& context) override {
+    const json::Document& document = context.run.document;
+    if (context.member("scatterDistance") == json::kNoNode) {
       return "no effect: without scatterDistance light does not scatter";
     }
-    const json::NodeId color = bench.member("scatterColor");
+    const json::NodeId color = context.member("scatterColor");
     if (color == json::kNoNode) return "no effect: without scatterColor light does not scatter";
     const auto value = color_of(document, color);
     if (value && is_all(*value, 1))
       return "no effect: with a white scatterColor light does not scatter";
-    if (value && is_all(*value, 0) && bench.context.options.unsafe) {
+    if (value && is_all(*value, 0) && context.run.options.unsafe) {
       return "a black scatterColor is treated as the default, which does not scatter light";
     }
     return std::nullopt;
   }
 
-  Problem judge(const ConversionContext& bench) override {
+  Problem prepare(const ConversionContext& context) override {
     for (const char* name : {"scatterDistance", "scatterColor"}) {
-      if (bench.is_own_pointed_at(name)) {
+      if (context.is_own_pointed_at(name)) {
         return fmt::format("its {} is animated, but the new values depend on it", name);
       }
     }
-    const json::Document& document = bench.context.document;
-    const Distance distance = distance_of(document, bench.carrier.object, "scatterDistance");
-    const auto color = color_of(document, bench.member("scatterColor"));
+    const json::Document& document = context.run.document;
+    const Distance distance = distance_of(document, context.host.object, "scatterDistance");
+    const auto color = color_of(document, context.member("scatterColor"));
     if (!distance.metres) return "its scatterDistance is invalid; see 'gltfx validate'";
     if (!color) return "its scatterColor is invalid; see 'gltfx validate'";
     if (is_all(*color, 0)) {
       return "a black scatterColor with a finite scatterDistance is ambiguous: infinite density, "
              "or the default without scattering; --unsafe uses the default";
     }
-    note_black(bench, *color, "scatterColor");
-    const json::NodeId volume = model::object_member(document, bench.carrier.extensions, kVolume);
+    note_black(context, *color, "scatterColor");
+    const json::NodeId volume = model::object_member(document, context.host.extensions, kVolume);
     if (volume == json::kNoNode) return fmt::format("the material has no {}", kVolume);
-    if (bench.successor.name == kWithThinMode) {
-      if (Problem problem = judge_thin_mode(bench, volume)) return problem;
+    if (context.successor.name == kWithThinMode) {
+      if (Problem problem = check_thin_mode(context, volume)) return problem;
     }
-    return judge_volume(bench, volume, coefficient(*color, *distance.metres));
+    return check_volume(context, volume, coefficient(*color, *distance.metres));
   }
 
-  void apply(const ConversionContext& bench) override {
-    bench.drop("scatterDistance");
-    bench.drop("scatterColor");
-    json::Editor& editor = bench.context.editor;
-    if (bench.successor.name == kWithThinMode) {
-      editor.append_member(bench.carrier.object, "scatterStrengthFactor", "1");
+  void apply(const ConversionContext& context) override {
+    context.drop("scatterDistance");
+    context.drop("scatterColor");
+    json::Editor& editor = context.run.editor;
+    if (context.successor.name == kWithThinMode) {
+      editor.append_member(context.host.object, "scatterStrengthFactor", "1");
     }
-    editor.append_member(bench.carrier.object, "multiscatterColorFactor",
+    editor.append_member(context.host.object, "multiscatterColorFactor",
                          color_json(medium_.multi_scatter_color));
   }
 
  private:
-  static void note_black(const ConversionContext& bench, const Rgb& color, std::string_view name) {
+  static void note_black(const ConversionContext& context, const Rgb& color,
+                         std::string_view name) {
     if (*std::min_element(color.begin(), color.end()) >= 1e-6) return;
-    bench.action.lossy = true;
-    bench.action.notes.push_back(fmt::format(
+    context.action.lossy = true;
+    context.action.notes.push_back(fmt::format(
         "a channel of {} is 0, which means infinite density; it is replaced by 1e-6", name));
   }
 
   // That extension scatters in a volume only where there is one and light gets in by transmission;
   // otherwise it is a thin sheet, which is another picture.
-  static Problem judge_thin_mode(const ConversionContext& bench, json::NodeId volume) {
-    for (const schema::Relation& needed : bench.successor.requires_) {
-      if (bench.context.has_beside(bench.carrier, needed.extension)) continue;
-      return fmt::format("{} requires {}: {}", bench.successor.name, needed.extension,
+  static Problem check_thin_mode(const ConversionContext& context, json::NodeId volume) {
+    for (const schema::Relation& needed : context.successor.requires_) {
+      if (context.run.has_beside(context.host, needed.extension)) continue;
+      return fmt::format("{} requires {}: {}", context.successor.name, needed.extension,
                          schema::clause(needed.because));
     }
-    const auto thickness = model::number_member(bench.context.document, volume, "thicknessFactor");
+    const auto thickness = model::number_member(context.run.document, volume, "thicknessFactor");
     if (thickness.value_or(0) > 0) return std::nullopt;
-    return fmt::format("without a thickness, {} renders it as thin-walled", bench.successor.name);
+    return fmt::format("without a thickness, {} renders it as thin-walled", context.successor.name);
   }
 
-  Problem judge_volume(const ConversionContext& bench, json::NodeId volume, const Rgb& scattering) {
-    const json::Document& document = bench.context.document;
+  Problem check_volume(const ConversionContext& context, json::NodeId volume,
+                       const Rgb& scattering) {
+    const json::Document& document = context.run.document;
     for (const char* name : {"attenuationDistance", "attenuationColor"}) {
-      if (!bench.is_pointed_at(fmt::format("extensions/{}/{}", kVolume, name))) continue;
+      if (!context.is_pointed_at(fmt::format("extensions/{}/{}", kVolume, name))) continue;
       return fmt::format("{} of the volume is animated, but the new values depend on it", name);
     }
     const Distance distance = distance_of(document, volume, "attenuationDistance");
@@ -143,17 +145,17 @@ class Scattering : public Conversion {
     Rgb absorption{};
     if (distance.metres) {
       absorption = coefficient(*color, *distance.metres);
-      note_black(bench, *color, "attenuationColor");
+      note_black(context, *color, "attenuationColor");
     }
     medium_ = medium_of(scattering, absorption);
     if (!std::isnormal(medium_.attenuation_distance)) return "its distances are out of range";
     const std::string path = fmt::format("extensions/{}/", kVolume);
-    if (Problem problem = bench.placements.put(path + "attenuationColor",
-                                               color_json(medium_.attenuation_color))) {
+    if (Problem problem = context.placements.put(path + "attenuationColor",
+                                                 color_json(medium_.attenuation_color))) {
       return problem;
     }
-    return bench.placements.put(path + "attenuationDistance",
-                                number_json(medium_.attenuation_distance));
+    return context.placements.put(path + "attenuationDistance",
+                                  number_json(medium_.attenuation_distance));
   }
 
   Medium medium_{};

@@ -25,36 +25,36 @@ std::string complement_json(double share) {
 
 class SpecularGlossiness : public Conversion {
  public:
-  Problem judge(const ConversionContext& bench) override {
-    if (bench.context.options.ior != 0) note_ior(bench);
-    if (bench.is_own_pointed_at("glossinessFactor")) {
+  Problem prepare(const ConversionContext& context) override {
+    if (context.run.options.ior != 0) note_ior(context);
+    if (context.is_own_pointed_at("glossinessFactor")) {
       return "its glossinessFactor is animated, but roughness depends on it";
     }
-    const auto glossiness = factor_of(bench);
+    const auto glossiness = factor_of(context);
     if (!glossiness) return "its glossinessFactor is invalid; see 'gltfx validate'";
     factor_ = *glossiness;
     double constant = factor_;
-    if (factor_ > 0 && bench.member(kTexture) != json::kNoNode) {
-      if (Problem problem = judge_texture(bench, constant)) return problem;
+    if (factor_ > 0 && context.member(kTexture) != json::kNoNode) {
+      if (Problem problem = check_texture(context, constant)) return problem;
     }
-    if (Problem problem = put(bench, kRoughness, job_ ? "1" : complement_json(constant))) {
+    if (Problem problem = put(context, kRoughness, job_ ? "1" : complement_json(constant))) {
       return problem;
     }
-    return put(bench, kRoughnessTexture, {});
+    return put(context, kRoughnessTexture, {});
   }
 
-  void apply(const ConversionContext& bench) override {
-    bench.drop("glossinessFactor");
+  void apply(const ConversionContext& context) override {
+    context.drop("glossinessFactor");
     if (!job_) return;
-    const std::uint64_t texture = bench.context.add_texture(*job_, sampler_);
-    bench.placements.put(kRoughnessTexture, texture_info(bench, texture));
+    const std::uint64_t texture = context.run.add_texture(*job_, sampler_);
+    context.placements.put(kRoughnessTexture, texture_info(context, texture));
   }
 
  private:
   // The factor, 1 when there is none; nothing when it is no share.
-  static std::optional<double> factor_of(const ConversionContext& bench) {
-    const json::Document& document = bench.context.document;
-    const json::NodeId factor = bench.member("glossinessFactor");
+  static std::optional<double> factor_of(const ConversionContext& context) {
+    const json::Document& document = context.run.document;
+    const json::NodeId factor = context.member("glossinessFactor");
     if (factor == json::kNoNode) return 1;
     if (!document.is_number(factor)) return std::nullopt;
     const double value = document.number(factor).value;
@@ -63,36 +63,36 @@ class SpecularGlossiness : public Conversion {
 
   // Glossiness stands in A. Where it is the same everywhere, `constant` is that times the factor;
   // otherwise the texture of roughness is one less it, in G, and nowhere metallic.
-  Problem judge_texture(const ConversionContext& bench, double& constant) {
-    const json::Document& document = bench.context.document;
-    const json::NodeId index = document.find(bench.member(kTexture), "index");
+  Problem check_texture(const ConversionContext& context, double& constant) {
+    const json::Document& document = context.run.document;
+    const json::NodeId index = document.find(context.member(kTexture), "index");
     const std::uint64_t texture = document.unsigned_integer(index).value_or(0);
     TextureSource source;
     source.problem = "the pixels of its image are not available";
-    if (bench.context.pictures != nullptr) {
-      source = texture_source(bench.context.asset, texture, *bench.context.pictures);
+    if (context.run.pictures != nullptr) {
+      source = texture_source(context.run.asset, texture, *context.run.pictures);
     }
     if (!source.problem.empty()) {
-      bench.action.fate = UpgradeFate::needs_image;
-      bench.action.notes.push_back(
+      context.action.outcome = UpgradeOutcome::needs_image;
+      context.action.notes.push_back(
           fmt::format("texture {} has glossiness in A, but {}", texture, source.problem));
       return std::nullopt;
     }
     if (!source.note.empty()) {
-      bench.action.notes.push_back(
+      context.action.notes.push_back(
           fmt::format("texture {} is read from its fallback ({})", texture, source.note));
     }
-    const Picture& picture = bench.context.pictures->picture(source.image);
+    const Picture& picture = context.run.pictures->picture(source.image);
     const codec::ChannelStatistics alpha = picture.statistics(3);
     if (alpha.constant()) {
       constant *= static_cast<double>(alpha.least) / static_cast<double>(picture.image.full());
       return std::nullopt;
     }
-    if (bench.is_own_pointed_at(kTexture)) {
+    if (context.is_own_pointed_at(kTexture)) {
       return fmt::format("the transform of its {} is animated, but two textures replace it",
                          kTexture);
     }
-    bench.action.notes.push_back(fmt::format(
+    context.action.notes.push_back(fmt::format(
         "texture {} has glossiness in A; a new image is created for roughness", texture));
     sampler_ = source.sampler;
     job_ = ImageJob{{ChannelSource::constant(1), ChannelSource::of(source.image, 3, -factor_, 1),
@@ -101,9 +101,9 @@ class SpecularGlossiness : public Conversion {
   }
 
   // That of the old texture with another index.
-  static std::string texture_info(const ConversionContext& bench, std::uint64_t texture) {
-    const json::Document& document = bench.context.document;
-    const json::NodeId info = bench.member(kTexture);
+  static std::string texture_info(const ConversionContext& context, std::uint64_t texture) {
+    const json::Document& document = context.run.document;
+    const json::NodeId info = context.member(kTexture);
     const Span whole = document.span(info);
     const Span index = document.span(document.find(info, "index"));
     std::string text(document.raw(info));
@@ -111,20 +111,20 @@ class SpecularGlossiness : public Conversion {
                         std::to_string(texture));
   }
 
-  static void note_ior(const ConversionContext& bench) {
-    bench.placements.put("extensions/KHR_materials_ior/ior",
-                         fmt::format("{}", bench.context.options.ior));
-    bench.action.lossy = true;
-    bench.action.notes.push_back(
+  static void note_ior(const ConversionContext& context) {
+    context.placements.put("extensions/KHR_materials_ior/ior",
+                           fmt::format("{}", context.run.options.ior));
+    context.action.lossy = true;
+    context.action.notes.push_back(
         fmt::format("with an ior of {0} it reflects slightly less light than before; 0 is exact",
-                    bench.context.options.ior));
+                    context.run.options.ior));
   }
 
-  static Problem put(const ConversionContext& bench, std::string_view path, std::string json) {
-    if (bench.is_pointed_at(path)) {
+  static Problem put(const ConversionContext& context, std::string_view path, std::string json) {
+    if (context.is_pointed_at(path)) {
       return fmt::format("an animation targets {}, which has no effect before the upgrade", path);
     }
-    return bench.placements.put(path, std::move(json));
+    return context.placements.put(path, std::move(json));
   }
 
   double factor_ = 1;

@@ -36,7 +36,7 @@ class Packet {
  public:
   Packet(const json::Document& document, json::NodeId node) : document_(document), node_(node) {}
 
-  std::optional<std::string> judge(UpgradeAction& action) {
+  std::optional<std::string> prepare(UpgradeAction& action) {
     if (!document_.is_object(node_)) return "a packet is not an object";
     if (document_.find(node_, "@context") != json::kNoNode) {
       return "a packet already has an @context";
@@ -145,97 +145,96 @@ std::uint64_t packet_count(Context& context, const schema::Extension& extension)
 /// that refers to one of them.
 class Xmp : public Conversion {
  public:
-  bool joins(const ConversionContext& bench) override {
-    const json::Document& document = bench.context.document;
-    return bench.carrier.array.empty() &&
-           document.find(bench.carrier.extensions, bench.successor.name) != json::kNoNode;
+  bool joins(const ConversionContext& context) override {
+    const json::Document& document = context.run.document;
+    return context.host.array.empty() &&
+           document.find(context.host.extensions, context.successor.name) != json::kNoNode;
   }
 
-  Problem judge(const ConversionContext& bench) override {
-    if (!bench.carrier.array.empty()) return judge_reference(bench);
-    const json::Document& document = bench.context.document;
-    const json::NodeId packets = bench.member("packets");
-    if (bench.member("xmps") != json::kNoNode) return kFirstDraft;
+  Problem prepare(const ConversionContext& context) override {
+    if (!context.host.array.empty()) return check_reference(context);
+    const json::Document& document = context.run.document;
+    const json::NodeId packets = context.member("packets");
+    if (context.member("xmps") != json::kNoNode) return kFirstDraft;
     if (packets == json::kNoNode || document.kind(packets) != json::Kind::array) {
       return "its packets are invalid; see 'gltfx validate'";
     }
-    if (Problem problem = judge_successor(bench)) return problem;
-    if (Problem problem = judge_context(document, bench.member("@context"))) return problem;
+    if (Problem problem = check_successor(context)) return problem;
+    if (Problem problem = check_context(document, context.member("@context"))) return problem;
     for (const json::NodeId node : document.elements(packets)) {
       packets_.emplace_back(document, node);
-      if (Problem problem = packets_.back().judge(bench.action)) return problem;
+      if (Problem problem = packets_.back().prepare(context.action)) return problem;
     }
     const bool languages = std::any_of(packets_.begin(), packets_.end(),
                                        [](const Packet& one) { return one.has_languages(); });
-    return languages ? need_rdf(document, bench.member("@context")) : std::nullopt;
+    return languages ? need_rdf(document, context.member("@context")) : std::nullopt;
   }
 
-  void apply(const ConversionContext& bench) override {
-    if (!bench.carrier.array.empty()) return apply_reference(bench);
-    if (!joins(bench)) {
-      bench.drop("@context");
-      return apply_packets(bench, bench.context.editor);
+  void apply(const ConversionContext& context) override {
+    if (!context.host.array.empty()) return apply_reference(context);
+    if (!joins(context)) {
+      context.drop("@context");
+      return apply_packets(context, context.run.editor);
     }
-    json::Editor aside(bench.context.document);
-    apply_packets(bench, aside);
-    append_packets(bench, aside.take());
+    json::Editor aside(context.run.document);
+    apply_packets(context, aside);
+    append_packets(context, aside.take());
   }
 
  private:
   static constexpr const char* kFirstDraft =
       "it follows the first draft (2019), which does not define the namespaces of its prefixes";
 
-  static Problem judge_reference(const ConversionContext& bench) {
-    const json::Document& document = bench.context.document;
-    if (bench.member("xmp") != json::kNoNode) return kFirstDraft;
-    const auto index = model::unsigned_member(document, bench.carrier.object, "packet");
-    const bool there = index && *index < packet_count(bench.context, bench.extension);
+  static Problem check_reference(const ConversionContext& context) {
+    const json::Document& document = context.run.document;
+    if (context.member("xmp") != json::kNoNode) return kFirstDraft;
+    const auto index = model::unsigned_member(document, context.host.object, "packet");
+    const bool there = index && *index < packet_count(context.run, context.extension);
     return there ? std::nullopt : Problem("it does not reference a packet");
   }
 
   // An object that leads behind the packets of the successor would lead to one that comes there.
-  static Problem judge_successor(const ConversionContext& bench) {
-    const json::Document& document = bench.context.document;
-    const std::string& name = bench.successor.name;
-    const auto carriers = carriers_of(document, bench.context.set, bench.successor);
-    const std::uint64_t count = packet_count(bench.context, bench.successor);
-    for (const Carrier& carrier : carriers) {
-      const bool valid =
-          bench.context.holds(bench.successor.shape_on(carrier.type), {carrier.object});
-      if (valid && carrier.array.empty()) continue;
-      const auto index = model::unsigned_member(document, carrier.object, "packet");
+  static Problem check_successor(const ConversionContext& context) {
+    const json::Document& document = context.run.document;
+    const std::string& name = context.successor.name;
+    const auto hosts = hosts_of(document, context.run.set, context.successor);
+    const std::uint64_t count = packet_count(context.run, context.successor);
+    for (const Host& host : hosts) {
+      const bool valid = context.run.holds(context.successor.shape_on(host.type), {host.object});
+      if (valid && host.array.empty()) continue;
+      const auto index = model::unsigned_member(document, host.object, "packet");
       if (valid && index && *index < count) continue;
-      return fmt::format("{}/extensions/{} is invalid; see 'gltfx validate'", carrier.pointer(),
-                         name);
+      return fmt::format("{}/extensions/{} is invalid; see 'gltfx validate'", host.pointer(), name);
     }
     if (count > 0) {
-      bench.action.notes.push_back(fmt::format(
+      context.action.notes.push_back(fmt::format(
           "{} already has packets; these are appended, and their indices increase by {}", name,
           count));
     }
     return std::nullopt;
   }
 
-  static void apply_reference(const ConversionContext& bench) {
-    const std::uint64_t before = packet_count(bench.context, bench.successor);
-    const json::NodeId index = bench.member("packet");
-    const std::uint64_t old = bench.context.document.unsigned_integer(index).value_or(0);
-    if (before > 0) bench.context.editor.replace_scalar(index, std::to_string(before + old));
+  static void apply_reference(const ConversionContext& context) {
+    const std::uint64_t before = packet_count(context.run, context.successor);
+    const json::NodeId index = context.member("packet");
+    const std::uint64_t old = context.run.document.unsigned_integer(index).value_or(0);
+    if (before > 0) context.run.editor.replace_scalar(index, std::to_string(before + old));
   }
 
-  void apply_packets(const ConversionContext& bench, json::Editor& editor) const {
-    const json::NodeId context = bench.member("@context");
-    const std::string plain(bench.context.document.raw(context));
-    const std::string with_rdf = add_rdf_ ? rdf_added(bench.context.document, context) : plain;
+  void apply_packets(const ConversionContext& context, json::Editor& editor) const {
+    const json::NodeId names = context.member("@context");
+    const std::string plain(context.run.document.raw(names));
+    const std::string with_rdf = add_rdf_ ? rdf_added(context.run.document, names) : plain;
     for (const Packet& packet : packets_) {
       packet.apply(editor, packet.has_languages() ? with_rdf : plain, rdf_);
     }
   }
 
   // The edits are those of the packets, in their order.
-  void append_packets(const ConversionContext& bench, const std::vector<json::Edit>& edits) const {
-    const json::Document& document = bench.context.document;
-    const json::NodeId list = packets_of(document, bench.successor);
+  void append_packets(const ConversionContext& context,
+                      const std::vector<json::Edit>& edits) const {
+    const json::Document& document = context.run.document;
+    const json::NodeId list = packets_of(document, context.successor);
     auto edit = edits.begin();
     for (const Packet& packet : packets_) {
       const Span whole = document.span(packet.node());
@@ -244,12 +243,12 @@ class Xmp : public Conversion {
         inside.push_back(
             {{edit->span.begin - whole.begin, edit->span.end - whole.begin}, edit->text});
       }
-      bench.context.editor.append_element(list,
-                                          json::apply_edits(document.raw(packet.node()), inside));
+      context.run.editor.append_element(list,
+                                        json::apply_edits(document.raw(packet.node()), inside));
     }
   }
 
-  static Problem judge_context(const json::Document& document, json::NodeId context) {
+  static Problem check_context(const json::Document& document, json::NodeId context) {
     const Problem problem = "its @context is invalid; see 'gltfx validate'";
     if (context == json::kNoNode || !document.is_object(context)) return problem;
     for (const auto member : document.members(context)) {

@@ -16,31 +16,31 @@ class Search {
   Search(const json::Document& document, const schema::Set& set, const schema::Extension& extension)
       : document_(document), set_(set), extension_(extension) {}
 
-  std::vector<Carrier> run() {
+  std::vector<Host> run() {
     const schema::TypeId root = set_.find_type("glTF");
     if (root == schema::kNone) return {};
     if (is_home(root)) {
-      Carrier carrier;
-      carrier.type = root;
-      add(std::move(carrier), document_.root());
+      Host host;
+      host.type = root;
+      add(std::move(host), document_.root());
     }
     for (const schema::Property& property : set_.type(root).properties) {
       if (property.shape == schema::kNone) continue;
       const schema::Shape& shape = set_.shape(property.shape);
-      Carrier carrier;
-      carrier.array = property.name;
+      Host host;
+      host.array = property.name;
       const json::NodeId value = document_.find(document_.root(), property.name);
       if (value == json::kNoNode) continue;
       if (is_home(shape.type)) {
-        carrier.single = true;
-        carrier.type = shape.type;
-        add(std::move(carrier), value);
+        host.single = true;
+        host.type = shape.type;
+        add(std::move(host), value);
       } else if (shape.items != schema::kNone && is_home(set_.shape(shape.items).type)) {
-        carrier.type = set_.shape(shape.items).type;
-        add_elements(std::move(carrier), value);
+        host.type = set_.shape(shape.items).type;
+        add_elements(std::move(host), value);
       }
     }
-    return std::move(carriers_);
+    return std::move(hosts_);
   }
 
  private:
@@ -50,25 +50,25 @@ class Search {
                        [type](const auto& home) { return home.first == type; });
   }
 
-  void add_elements(Carrier carrier, json::NodeId list) {
+  void add_elements(Host host, json::NodeId list) {
     if (document_.kind(list) != json::Kind::array) return;
     for (const json::NodeId element : document_.elements(list)) {
-      add(carrier, element);
-      ++carrier.index;
+      add(host, element);
+      ++host.index;
     }
   }
 
-  void add(Carrier carrier, json::NodeId host) {
-    carrier.host = host;
-    carrier.extensions = document_.find(host, "extensions");
-    carrier.object = document_.find(carrier.extensions, extension_.name);
-    if (carrier.object != json::kNoNode) carriers_.push_back(std::move(carrier));
+  void add(Host host, json::NodeId node) {
+    host.node = node;
+    host.extensions = document_.find(node, "extensions");
+    host.object = document_.find(host.extensions, extension_.name);
+    if (host.object != json::kNoNode) hosts_.push_back(std::move(host));
   }
 
   const json::Document& document_;
   const schema::Set& set_;
   const schema::Extension& extension_;
-  std::vector<Carrier> carriers_;
+  std::vector<Host> hosts_;
 };
 
 using Names = std::vector<std::string>;
@@ -123,8 +123,8 @@ Decision decide_by_name(const json::Document& document, const schema::Extension&
 
 }  // namespace
 
-std::vector<Carrier> carriers_of(const json::Document& document, const schema::Set& set,
-                                 const schema::Extension& extension) {
+std::vector<Host> hosts_of(const json::Document& document, const schema::Set& set,
+                           const schema::Extension& extension) {
   return Search(document, set, extension).run();
 }
 

@@ -15,8 +15,8 @@ namespace gltfx::upgrade {
 
 /// The root, members of the root, and elements of its arrays, in the order of the schema and then
 /// of the document. Homes further below are not looked at.
-std::vector<Carrier> carriers_of(const json::Document& document, const schema::Set& set,
-                                 const schema::Extension& extension);
+std::vector<Host> hosts_of(const json::Document& document, const schema::Set& set,
+                           const schema::Extension& extension);
 
 struct Decision {
   const schema::Generation* generation =

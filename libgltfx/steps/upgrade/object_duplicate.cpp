@@ -55,28 +55,27 @@ const schema::Extension* ObjectPlan::replacement() {
   return nullptr;
 }
 
-void ObjectPlan::judge_duplicate(const schema::Extension& other) {
-  const auto given = context_.given.find({carrier_.host, other.name});
+void ObjectPlan::check_duplicate(const schema::Extension& other) {
+  const auto given = context_.given.find({host_.node, other.name});
   const bool is_new = given != context_.given.end();
-  const json::NodeId object =
-      is_new ? given->second : document_.find(carrier_.extensions, other.name);
-  if (!is_new && !context_.holds(other.shape_on(carrier_.type), {object})) {
+  const json::NodeId object = is_new ? given->second : document_.find(host_.extensions, other.name);
+  if (!is_new && !context_.holds(other.shape_on(host_.type), {object})) {
     return refuse(
         fmt::format("the object also has {}, but it is invalid; see 'gltfx validate'", other.name));
   }
-  judge_removal(fmt::format("the object already has {}, which viewers use", other.name));
+  check_removal(fmt::format("the object already has {}, which viewers use", other.name));
   if (!action_.removed || object == json::kNoNode) return;
   if (!is_new && other.name == successor_.name && !extension_.upgrade.steps.empty()) {
     note_differences(object);
-  } else if (!json::equal(document_, carrier_.object, object)) {
+  } else if (!json::equal(document_, host_.object, object)) {
     action_.notes.push_back(
-        fmt::format("its own values are {}", quoted(document_.raw(carrier_.object), kShown)));
+        fmt::format("its own values are {}", quoted(document_.raw(host_.object), kShown)));
   }
 }
 
 void ObjectPlan::note_differences(json::NodeId other) {
   const Decision decision =
-      decide_generation(document_, extension_, carrier_.object, context_.options.generation);
+      decide_generation(document_, extension_, host_.object, context_.options.generation);
   if (decision.generation != nullptr) {
     action_.generation = decision.generation->name;
     action_.decision = decision.because;
@@ -91,15 +90,15 @@ void ObjectPlan::note_difference(const schema::UpgradeStep& step, json::NodeId o
   using Kind = schema::UpgradeStep::Kind;
   if (step.from.empty()) return;
   const bool copy = step.kind == Kind::copy;
-  const json::NodeId from = copy ? context_.source_of(carrier_, step.from).value
-                                 : document_.find(carrier_.object, step.from);
+  const json::NodeId from =
+      copy ? context_.source_of(host_, step.from).value : document_.find(host_.object, step.from);
   const json::NodeId to = step.kind == Kind::place
-                              ? find_path(document_, carrier_.host, split_path(step.to))
+                              ? find_path(document_, host_.node, split_path(step.to))
                               : document_.find(other, step.to);
   const bool both = from != json::kNoNode && to != json::kNoNode;
   if (both && !step.swizzle.empty()) return;
   const auto usual = [&](const schema::Extension& extension, const std::string& name) {
-    const schema::ShapeId shape = extension.shape_on(carrier_.type);
+    const schema::ShapeId shape = extension.shape_on(host_.type);
     if (shape == schema::kNone) return std::string();
     const schema::Property* property =
         context_.set.find_property(context_.set.shape(shape).type, name);

@@ -18,14 +18,14 @@
 namespace gltfx::upgrade {
 
 void ObjectPlan::lose(std::string note) {
-  if (action_.fate == UpgradeFate::safe) action_.fate = UpgradeFate::unsafe;
+  if (action_.outcome == UpgradeOutcome::safe) action_.outcome = UpgradeOutcome::unsafe;
   action_.notes.push_back(std::move(note));
 }
 
 void ObjectPlan::follow_animation(const schema::UpgradeStep& step,
                                   const std::vector<std::string>& path) {
   auto followers =
-      find_followers(context_, carrier_, path, {"extensions", successor_.name, step.to}, step.take);
+      find_followers(context_, host_, path, {"extensions", successor_.name, step.to}, step.take);
   if (!followers) {
     return lose(fmt::format("{} is animated, but {}; the copy in {} is not animated", step.from,
                             followers.error().message, step.to));
@@ -51,22 +51,22 @@ void ObjectPlan::note_losses() {
 
 void ObjectPlan::note_lost_attribute(const schema::UpgradeLoss& loss) {
   const std::string& name = loss.vertex_attribute;
-  if (carrier_.array != "materials" || !context_.is_used_with(name, carrier_.index)) return;
+  if (host_.array != "materials" || !context_.is_used_with(name, host_.index)) return;
   Problem problem = std::string("cannot be converted");
-  if (name == "COLOR_0") problem = judge_tint();
+  if (name == "COLOR_0") problem = check_tint();
   if (problem) lose(fmt::format("{} {}: {}", name, *problem, schema::clause(loss.because)));
 }
 
 // Vertex colours multiply the base colour; so does a colour that is a copy of it, when they are the
 // same for all vertices.
-ObjectPlan::Problem ObjectPlan::judge_tint() {
+ObjectPlan::Problem ObjectPlan::check_tint() {
   const auto& steps = extension_.upgrade.steps;
   const auto copy = std::find_if(steps.begin(), steps.end(), [this](const auto& step) {
     return step.kind == schema::UpgradeStep::Kind::copy && step.take == 3 &&
            step.from == "pbrMetallicRoughness/baseColorFactor" && applies(step.generations);
   });
   if (copy == steps.end()) return "cannot be converted";
-  const Tint tint = find_tint(context_.asset, context_.values, context_.uses_of(carrier_.index));
+  const Tint tint = find_tint(context_.asset, context_.values, context_.uses_of(host_.index));
   if (!tint.problem.empty()) return tint.problem;
   if (tint.parts.size() > 1 && is_pointed_at({})) {
     return "differs between primitives, but an animation or graph references the material";
@@ -95,7 +95,7 @@ ObjectPlan::Problem ObjectPlan::fold_tint(const schema::UpgradeStep& step, const
   found->json = product(tint_);
   action_.notes.push_back(fmt::format("COLOR_0 is multiplied into {}", step.to));
   for (std::size_t i = 1; i < tint.parts.size(); ++i) {
-    splits_.push_back({carrier_.host,
+    splits_.push_back({host_.node,
                        {"extensions", successor_.name, step.to},
                        product(tint.parts[i].color),
                        tint.parts[i].users});
@@ -109,12 +109,12 @@ ObjectPlan::Problem ObjectPlan::fold_tint(const schema::UpgradeStep& step, const
 }
 
 bool ObjectPlan::is_blocked_by(const std::string& extension) const {
-  const auto& blockers = extension_.upgrade.blocked_by;
-  return std::any_of(blockers.begin(), blockers.end(),
+  const auto& conflicts = extension_.upgrade.blocked_by;
+  return std::any_of(conflicts.begin(), conflicts.end(),
                      [&](const auto& other) { return other.extension == extension; });
 }
 
-ObjectPlan::Problem ObjectPlan::blocker() const {
+ObjectPlan::Problem ObjectPlan::conflict() const {
   for (const schema::Relation& other : extension_.upgrade.blocked_by) {
     if (has_beside(other.extension)) {
       return fmt::format("the object also has {}: {}", other.extension,
@@ -125,16 +125,16 @@ ObjectPlan::Problem ObjectPlan::blocker() const {
 }
 
 schema::TypeId ObjectPlan::own_type() const {
-  const schema::ShapeId shape = extension_.shape_on(carrier_.type);
+  const schema::ShapeId shape = extension_.shape_on(host_.type);
   return shape == schema::kNone ? schema::kNone : context_.set.shape(shape).type;
 }
 
 // What the object holds that is not its own extension's.
 std::vector<std::string> ObjectPlan::foreign() const {
-  return change::foreign_content(document_, context_.set, carrier_.object, own_type());
+  return change::foreign_content(document_, context_.set, host_.object, own_type());
 }
 
-void ObjectPlan::judge_removal(const std::string& why) {
+void ObjectPlan::check_removal(const std::string& why) {
   if (is_own_pointed_at()) return refuse(why + ", but an animation or graph references it");
   action_.removed = true;
   action_.notes.insert(action_.notes.begin(), why);
@@ -146,11 +146,11 @@ void ObjectPlan::judge_removal(const std::string& why) {
 ObjectPlan::Problem ObjectPlan::reason_to_go() {
   if (Problem why = hidden()) return why;
   if (conversion_ != nullptr) {
-    if (Problem why = conversion_->reason_to_go(bench())) return why;
+    if (Problem why = conversion_->reason_to_go(context())) return why;
   }
   const std::string& name = extension_.strength;
   if (name.empty() || is_pointed_at({"extensions", extension_.name, name})) return std::nullopt;
-  const json::NodeId strength = document_.find(carrier_.object, name);
+  const json::NodeId strength = document_.find(host_.object, name);
   const bool there = strength != json::kNoNode;
   const bool off =
       !there || (document_.is_number(strength) && document_.number(strength).value == 0);
@@ -186,8 +186,8 @@ void ObjectPlan::place_what_is_missing() {
   std::vector<const schema::UpgradeStep*> steps;
   for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
     if (step.kind != schema::UpgradeStep::Kind::place || step.from.empty()) continue;
-    if (find_path(document_, carrier_.host, split_path(step.to)) != json::kNoNode) return;
-    if (document_.find(carrier_.object, step.from) != json::kNoNode) steps.push_back(&step);
+    if (find_path(document_, host_.node, split_path(step.to)) != json::kNoNode) return;
+    if (document_.find(host_.object, step.from) != json::kNoNode) steps.push_back(&step);
   }
   for (const schema::UpgradeStep* step : steps) {
     if (find_placed(*step)) continue;
@@ -196,7 +196,7 @@ void ObjectPlan::place_what_is_missing() {
 }
 
 // What the successor excludes is in the way. What only the old one excludes was not to be seen.
-ObjectPlan::Problem ObjectPlan::judge_company() {
+ObjectPlan::Problem ObjectPlan::check_neighbours() {
   for (const schema::Relation& excluded : successor_.excludes) {
     if (excluded.extension == extension_.name || !has_beside(excluded.extension)) continue;
     return fmt::format("{} and {} are mutually exclusive: {}", successor_.name, excluded.extension,

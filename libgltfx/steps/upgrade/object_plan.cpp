@@ -23,42 +23,41 @@ std::vector<json::Number> numbers_of(const json::Document& document, json::NodeI
 }
 
 ObjectPlan::ObjectPlan(Context& context, const schema::Extension& extension,
-                       const schema::Extension& successor, const Carrier& carrier,
-                       UpgradeAction& action)
+                       const schema::Extension& successor, const Host& host, UpgradeAction& action)
     : context_(context),
       document_(context.document),
       extension_(extension),
       successor_(successor),
-      carrier_(carrier),
-      placements_(context, carrier_),
+      host_(host),
+      placements_(context, host_),
       conversion_(make_conversion(extension.upgrade.conversion)),
       action_(action) {}
 
 void ObjectPlan::refuse(std::string why) {
-  action_.fate = UpgradeFate::impossible;
+  action_.outcome = UpgradeOutcome::impossible;
   action_.notes.push_back(std::move(why));
 }
 
-void ObjectPlan::judge() {
+void ObjectPlan::prepare() {
   action_ = {};
-  action_.pointer = fmt::format("{}/extensions/{}", carrier_.pointer(), extension_.name);
+  action_.pointer = fmt::format("{}/extensions/{}", host_.pointer(), extension_.name);
   action_.from = extension_.name;
   action_.to = extension_.upgrade.to.empty() ? std::string() : successor_.name;
-  if (!document_.is_object(carrier_.object)) return refuse("it is not an object");
-  const bool in_array = !carrier_.array.empty() && !carrier_.single;
+  if (!document_.is_object(host_.object)) return refuse("it is not an object");
+  const bool in_array = !host_.array.empty() && !host_.single;
   if (!in_array && is_own_pointed_at()) return refuse("an animation or graph references it");
-  if (const schema::Extension* other = replacement()) return judge_duplicate(*other);
-  if (const Problem why = reason_to_go()) return judge_removal(*why);
-  if (Problem problem = blocker()) return refuse(*std::move(problem));
+  if (const schema::Extension* other = replacement()) return check_duplicate(*other);
+  if (const Problem why = reason_to_go()) return check_removal(*why);
+  if (Problem problem = conflict()) return refuse(*std::move(problem));
   const Decision decision =
-      decide_generation(document_, extension_, carrier_.object, context_.options.generation);
+      decide_generation(document_, extension_, host_.object, context_.options.generation);
   if (!decision.problem.empty()) return refuse(decision.problem);
   if (decision.generation != nullptr) action_.generation = decision.generation->name;
   action_.decision = decision.because;
-  if (Problem problem = judge_company()) return refuse(*std::move(problem));
-  if (Problem problem = judge_steps()) return refuse(*std::move(problem));
+  if (Problem problem = check_neighbours()) return refuse(*std::move(problem));
+  if (Problem problem = check_steps()) return refuse(*std::move(problem));
   if (conversion_ != nullptr) {
-    if (Problem problem = conversion_->judge(bench())) return refuse(*std::move(problem));
+    if (Problem problem = conversion_->prepare(context())) return refuse(*std::move(problem));
   }
   if (joins()) note_lost_members();
   if (action_.removed && placements_.empty()) return;
@@ -71,7 +70,7 @@ void ObjectPlan::judge() {
 bool ObjectPlan::is_pointed_at(std::initializer_list<std::string_view> steps) const {
   if (context_.pointers.all().empty()) return false;  // as in most documents
   const std::vector<std::string> path(steps.begin(), steps.end());
-  return context_.is_pointed_at(carrier_, path);
+  return context_.is_pointed_at(host_, path);
 }
 
 bool ObjectPlan::is_own_pointed_at() const {
@@ -79,19 +78,18 @@ bool ObjectPlan::is_own_pointed_at() const {
 }
 
 bool ObjectPlan::has_beside(const std::string& extension) const {
-  return context_.has_beside(carrier_, extension);
+  return context_.has_beside(host_, extension);
 }
 
 bool ObjectPlan::applies(const std::vector<std::string>& generations) const {
   return is_meant(generations, action_.generation);
 }
 
-ObjectPlan::Problem ObjectPlan::judge_steps() {
+ObjectPlan::Problem ObjectPlan::check_steps() {
   for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
     if (!applies(step.generations)) continue;
     const bool place = step.kind == schema::UpgradeStep::Kind::place;
-    if (!place && step.to != step.from &&
-        document_.find(carrier_.object, step.to) != json::kNoNode) {
+    if (!place && step.to != step.from && document_.find(host_.object, step.to) != json::kNoNode) {
       return fmt::format("it already has a member {}", gltfx::quoted(step.to));
     }
     if (Problem problem = find(step)) return problem;
@@ -111,14 +109,14 @@ ObjectPlan::Problem ObjectPlan::find(const schema::UpgradeStep& step) {
   return find_moved(step);
 }
 
-// A value of the object, or another text, goes to a member of the carrier; what is there goes.
+// A value of the object, or another text, goes to a member of the host; what is there goes.
 ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
   const std::vector<std::string> path = split_path(step.to);
-  if (context_.is_pointed_at(carrier_, path)) {
+  if (context_.is_pointed_at(host_, path)) {
     return fmt::format("an animation targets {}, which has no effect before the upgrade", step.to);
   }
   const json::NodeId value =
-      step.from.empty() ? json::kNoNode : document_.find(carrier_.object, step.from);
+      step.from.empty() ? json::kNoNode : document_.find(host_.object, step.from);
   if (value == json::kNoNode) return placements_.put(step.to, step.otherwise);
   if (Problem problem = check_value(step.from, value)) return problem;
   found_.emplace_back(&step, value);
@@ -128,7 +126,7 @@ ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
 // Of an object whose values become part of another.
 void ObjectPlan::note_lost_members() {
   const std::vector<std::string> others =
-      change::foreign_members(document_, context_.set, carrier_.object, own_type());
+      change::foreign_members(document_, context_.set, host_.object, own_type());
   if (!others.empty()) lose(fmt::format("this also removes {}", join_and(others)));
 }
 
@@ -164,7 +162,7 @@ ObjectPlan::Problem ObjectPlan::check_texture(const std::string& name, json::Nod
 }
 
 ObjectPlan::Problem ObjectPlan::find_moved(const schema::UpgradeStep& step) {
-  const json::NodeId value = document_.find(carrier_.object, step.from);
+  const json::NodeId value = document_.find(host_.object, step.from);
   if (value == json::kNoNode) {
     if (step.otherwise.empty()) return std::nullopt;
     found_.emplace_back(&step, value);
@@ -187,14 +185,14 @@ ObjectPlan::Problem ObjectPlan::find_moved(const schema::UpgradeStep& step) {
 }
 
 ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
-  const MemberSource origin = context_.source_of(carrier_, step.from);
+  const MemberSource origin = context_.source_of(host_, step.from);
   Found found{&step, origin.value};
   if (origin.value != json::kNoNode) {
     if (Problem problem = fill_copy(found, origin.path)) return problem;
     if (!found.json.empty()) found_.push_back(std::move(found));
   }
   const bool copied = origin.value != json::kNoNode || step.take > 0;
-  if (copied && context_.is_pointed_at(carrier_, origin.path)) follow_animation(step, origin.path);
+  if (copied && context_.is_pointed_at(host_, origin.path)) follow_animation(step, origin.path);
   return std::nullopt;
 }
 
@@ -219,7 +217,7 @@ ObjectPlan::Problem ObjectPlan::fill_copy(Found& found, const std::vector<std::s
     if (!context_.holds(items, {found.value, &number})) return problem;
     list.append(1, list.empty() ? '[' : ',').append(number.span.in(document_.text()));
   }
-  const bool animated = context_.is_pointed_at(carrier_, path);
+  const bool animated = context_.is_pointed_at(host_, path);
   if (animated || !is_default(step.to, numbers)) found.json = std::move(list).append(1, ']');
   return std::nullopt;
 }
@@ -236,39 +234,39 @@ bool ObjectPlan::is_default(const std::string& property,
 }
 
 void ObjectPlan::apply() {
-  const json::NodeId key = carrier_.object - 1;
-  context_.gone.insert(carrier_.object);
+  const json::NodeId key = host_.object - 1;
+  context_.gone.insert(host_.object);
   for (const json::NodeId value : placements_.taken_out()) take_out(value);
   if (action_.removed) {
-    context_.dropped[carrier_.host].push_back(key);
+    context_.dropped[host_.node].push_back(key);
     take_out_members();
-    if (extension_.upgrade.to.empty()) conversion_->apply(bench());
+    if (extension_.upgrade.to.empty()) conversion_->apply(context());
     return placements_.apply();
   }
   if (joins()) {
-    context_.dropped[carrier_.host].push_back(key);
-    const json::NodeId extensions = document_.find(carrier_.object, "extensions");
+    context_.dropped[host_.node].push_back(key);
+    const json::NodeId extensions = document_.find(host_.object, "extensions");
     if (extensions != json::kNoNode) take_out(extensions);
-    return conversion_->apply(bench());
+    return conversion_->apply(context());
   }
   for (const Follower& follower : followers_) follow(context_, follower, tint_);
   for (MaterialSplit& split : splits_) split_material(context_, std::move(split));
-  context_.given[{carrier_.host, context_.interned(successor_.name)}] = carrier_.object;
+  context_.given[{host_.node, context_.interned(successor_.name)}] = host_.object;
   context_.editor.rename(key, successor_.name);
   context_.takeovers.emplace(
-      carrier_.host, Takeover{carrier_.object, &extension_, context_.interned(action_.generation)});
+      host_.node, Takeover{host_.object, &extension_, context_.interned(action_.generation)});
   for (const Found& found : found_) apply(found);
-  if (conversion_ != nullptr) conversion_->apply(bench());
+  if (conversion_ != nullptr) conversion_->apply(context());
   placements_.apply();
 }
 
 void ObjectPlan::take_out(json::NodeId value) {
-  context_.taken_out.emplace_back(value, carrier_.object);
+  context_.taken_out.emplace_back(value, host_.object);
 }
 
 // All but what is placed elsewhere.
 void ObjectPlan::take_out_members() {
-  for (const auto member : document_.members(carrier_.object)) {
+  for (const auto member : document_.members(host_.object)) {
     const bool moved = std::any_of(found_.begin(), found_.end(), [&](const Found& found) {
       return found.value == member.value && found.step->kind == schema::UpgradeStep::Kind::place;
     });
@@ -282,20 +280,20 @@ void ObjectPlan::apply(const Found& found) {
   if (found.image || found.gone) release(found);
   if (found.gone) {
     take_out(found.value);
-    return editor.remove(carrier_.object, found.value - 1);
+    return editor.remove(host_.object, found.value - 1);
   }
   if (step.kind == schema::UpgradeStep::Kind::place) {
-    return editor.remove(carrier_.object, found.value - 1);
+    return editor.remove(host_.object, found.value - 1);
   }
   if (step.kind == schema::UpgradeStep::Kind::copy || found.value == json::kNoNode) {
     if (found.image) return show_copy(found);
-    return editor.append_member(carrier_.object, step.to, found.json);
+    return editor.append_member(host_.object, step.to, found.json);
   }
   if (step.to != step.from) editor.rename(found.value - 1, step.to);
   if (found.image) {
     show(found);
   } else if (!found.json.empty()) {
-    editor.replace(carrier_.object, found.value, found.json);
+    editor.replace(host_.object, found.value, found.json);
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The fate of one legacy object: judged first, changed only when it is to be done.
+/// The outcome of one legacy object: prepared first, changed only when it is to be done.
 #pragma once
 
 #include <initializer_list>
@@ -22,15 +22,15 @@ class ObjectPlan {
   /// Keeps references to all of them. `action` says what becomes of the object. Where it becomes
   /// no other extension, `successor` is its own.
   ObjectPlan(Context& context, const schema::Extension& extension,
-             const schema::Extension& successor, const Carrier& carrier, UpgradeAction& action);
+             const schema::Extension& successor, const Host& host, UpgradeAction& action);
   ObjectPlan(const ObjectPlan&) = delete;
   ObjectPlan& operator=(const ObjectPlan&) = delete;
 
   /// Fills the action: what is to become of the object, and why.
-  void judge();
-  /// Puts the changes into the context's editor. Precondition: judge() found it possible.
+  void prepare();
+  /// Puts the changes into the context's editor. Precondition: prepare() found it possible.
   void apply();
-  /// Extensions that the carrier gets beside the successor.
+  /// Extensions that the host gets beside the successor.
   std::vector<std::string> further_extensions() const { return placements_.extensions(); }
 
  private:
@@ -51,26 +51,26 @@ class ObjectPlan {
   bool is_pointed_at(std::initializer_list<std::string_view> steps) const;
   bool is_own_pointed_at() const;
   bool has_beside(const std::string& extension) const;
-  ConversionContext bench() {
-    return {context_, carrier_, extension_, successor_, placements_, action_};
+  ConversionContext context() {
+    return {context_, host_, extension_, successor_, placements_, action_};
   }
-  bool joins() { return conversion_ != nullptr && conversion_->joins(bench()); }
+  bool joins() { return conversion_ != nullptr && conversion_->joins(context()); }
   bool is_blocked_by(const std::string& extension) const;
   const schema::Extension* replacement();
-  void judge_duplicate(const schema::Extension& other);
-  void judge_removal(const std::string& why);
+  void check_duplicate(const schema::Extension& other);
+  void check_removal(const std::string& why);
   Problem reason_to_go();
   Problem hidden();
   void place_what_is_missing();
-  Problem blocker() const;
+  Problem conflict() const;
   schema::TypeId own_type() const;
   std::vector<std::string> foreign() const;
   void note_lost_members();
   void note_differences(json::NodeId other);
   void note_difference(const schema::UpgradeStep& step, json::NodeId other);
   void refuse(std::string why);
-  Problem judge_company();
-  Problem judge_steps();
+  Problem check_neighbours();
+  Problem check_steps();
   Problem find(const schema::UpgradeStep& step);
   Problem find_moved(const schema::UpgradeStep& step);
   Problem find_channel(const schema::UpgradeStep& step, Found& found);
@@ -93,7 +93,7 @@ class ObjectPlan {
   void follow_animation(const schema::UpgradeStep& step, const std::vector<std::string>& path);
   void note_losses();
   void note_lost_attribute(const schema::UpgradeLoss& loss);
-  Problem judge_tint();
+  Problem check_tint();
   Problem fold_tint(const schema::UpgradeStep& step, const Tint& tint);
   bool applies(const std::vector<std::string>& generations) const;
   bool is_default(const std::string& property, const std::vector<json::Number>& numbers) const;
@@ -106,7 +106,7 @@ class ObjectPlan {
   const json::Document& document_;
   const schema::Extension& extension_;
   const schema::Extension& successor_;
-  const Carrier& carrier_;
+  const Host& host_;
   Placements placements_;
   std::unique_ptr<Conversion> conversion_;
   std::vector<Found> found_;

@@ -124,11 +124,11 @@ ObjectPlan::Problem ObjectPlan::find_channel(const schema::UpgradeStep& step, Fo
   if (Problem problem = check_texture(step.from, index)) return problem;
   const std::uint64_t texture = document_.unsigned_integer(index).value_or(0);
   const ChannelMove move =
-      judge_channel_move(context_.asset, texture, step.swizzle, context_.pictures);
+      check_channel_move(context_.asset, texture, step.swizzle, context_.pictures);
   const std::string wanted = fmt::format("texture {} has its data in {}, but {} reads {}", texture,
                                          step.swizzle.front(), step.to, step.swizzle.back());
   if (move.kind == ChannelMove::Kind::impossible) {
-    action_.fate = UpgradeFate::needs_image;
+    action_.outcome = UpgradeOutcome::needs_image;
     action_.notes.push_back(fmt::format("{}; {}", wanted, move.problem));
     return std::nullopt;
   }
@@ -198,10 +198,10 @@ std::string ObjectPlan::pack(Found& factor, Found& colour) {
   if (!lie_alike(document_, factor.value, colour.value)) {
     return "the textures have different coordinates or transforms";
   }
-  if (context_.find_taken_over(carrier_, colour.step->from)) {
+  if (context_.find_taken_over(host_, colour.step->from)) {
     return "the color comes from another upgraded extension";
   }
-  if (context_.is_pointed_at(carrier_, split_path(colour.step->from)) ||
+  if (context_.is_pointed_at(host_, split_path(colour.step->from)) ||
       is_pointed_at({"extensions", extension_.name, factor.step->from})) {
     return "one of the textures is animated";
   }
@@ -222,7 +222,7 @@ std::string ObjectPlan::pack(Found& factor, Found& colour) {
   }
   colour.image = factor.image;
   colour.sampler = factor.sampler;
-  const json::NodeId mode = document_.find(carrier_.host, "alphaMode");
+  const json::NodeId mode = document_.find(host_.node, "alphaMode");
   colour.shared = mode == json::kNoNode || document_.raw(mode) == R"("OPAQUE")";
   action_.notes.push_back(fmt::format("{} and {} share the image{}", factor.step->to,
                                       colour.step->to,
@@ -246,14 +246,14 @@ void ObjectPlan::show_copy(const Found& found) {
   const Span place{document_.span(index).begin - begin, document_.span(index).end - begin};
   std::string info(document_.raw(found.value));
   info.replace(place.begin, place.size(), texture);
-  context_.editor.append_member(carrier_.object, found.step->to, info);
+  context_.editor.append_member(host_.object, found.step->to, info);
   if (found.shared) context_.editor.replace_scalar(index, texture);
 }
 
 void ObjectPlan::show(const Found& found) {
   const std::string texture = new_texture(found);
   if (found.json.empty()) return context_.editor.replace_scalar(texture_index(found), texture);
-  context_.editor.replace(carrier_.object, found.value, fmt::format(R"({{"index":{}}})", texture));
+  context_.editor.replace(host_.object, found.value, fmt::format(R"({{"index":{}}})", texture));
 }
 
 }  // namespace gltfx::upgrade

@@ -29,7 +29,7 @@ std::optional<std::string> Placements::put(std::string_view path, std::string js
   const std::string name = std::move(object.back());
   object.pop_back();
   if (auto problem = check(object)) return problem;
-  const json::NodeId found = find_path(context_.document, carrier_.host, object);
+  const json::NodeId found = find_path(context_.document, host_.node, object);
   const json::NodeId old = found == json::kNoNode ? found : context_.document.find(found, name);
   const bool known =
       std::find(overwritten_.begin(), overwritten_.end(), path) != overwritten_.end();
@@ -41,9 +41,9 @@ std::optional<std::string> Placements::put(std::string_view path, std::string js
   return std::nullopt;
 }
 
-// The object of a member is there, or what it stands in is the carrier or one of its objects.
+// The object of a member is there, or what it stands in is the host or one of its objects.
 std::optional<std::string> Placements::check(const std::vector<std::string>& path) {
-  json::NodeId at = carrier_.host;
+  json::NodeId at = host_.node;
   for (const std::string& name : path) {
     at = context_.document.find(at, name);
     if (at == json::kNoNode) return std::nullopt;
@@ -56,7 +56,7 @@ std::vector<std::string> Placements::extensions() const {
   std::vector<std::string> names;
   for (const auto& [path, members] : members_) {
     const bool extension = path.size() == 2 && path[0] == "extensions";
-    if (extension && find_path(context_.document, carrier_.host, path) == json::kNoNode) {
+    if (extension && find_path(context_.document, host_.node, path) == json::kNoNode) {
       names.push_back(path[1]);
     }
   }
@@ -65,7 +65,7 @@ std::vector<std::string> Placements::extensions() const {
 
 void Placements::apply() const {
   for (const auto& [path, members] : members_) {
-    const json::NodeId object = find_path(context_.document, carrier_.host, path);
+    const json::NodeId object = find_path(context_.document, host_.node, path);
     if (object == json::kNoNode) {
       append(path, members);
     } else {
@@ -73,7 +73,7 @@ void Placements::apply() const {
     }
   }
   for (const std::string& name : extensions()) {
-    context_.given.emplace(std::pair(carrier_.host, context_.interned(name)), json::kNoNode);
+    context_.given.emplace(std::pair(host_.node, context_.interned(name)), json::kNoNode);
   }
 }
 
@@ -101,7 +101,7 @@ void Placements::append(const std::vector<std::string>& path, const Members& mem
   }
   writer.end_object();
   const std::span<const std::string> above(path.data(), path.size() - 1);
-  const json::NodeId object = find_path(context_.document, carrier_.host, above);
+  const json::NodeId object = find_path(context_.document, host_.node, above);
   context_.editor.append_member(object, path.back(), json);
 }
 

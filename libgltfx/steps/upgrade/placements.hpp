@@ -15,7 +15,7 @@ namespace gltfx::upgrade {
 class Placements {
  public:
   /// Keeps references to both.
-  Placements(Context& context, const Carrier& carrier) : context_(context), carrier_(carrier) {}
+  Placements(Context& context, const Host& host) : context_(context), host_(host) {}
 
   /// Plans that the member at `path` ("extensions/KHR_x/y") has that JSON text, or, when it is
   /// empty, that it has its default because it is not there. Says why that cannot be.
@@ -25,7 +25,7 @@ class Placements {
   const std::vector<std::string>& overwritten() const { return overwritten_; }
   /// Their values, in the same order.
   const std::vector<json::NodeId>& taken_out() const { return taken_out_; }
-  /// Extensions that the carrier gets.
+  /// Extensions that the host gets.
   std::vector<std::string> extensions() const;
   /// Puts the changes into the context's editor.
   void apply() const;
@@ -37,7 +37,7 @@ class Placements {
   void append(const std::vector<std::string>& path, const Members& members) const;
 
   Context& context_;
-  const Carrier& carrier_;
+  const Host& host_;
   std::map<std::vector<std::string>, Members> members_;  ///< by the path of their object
   std::vector<std::string> overwritten_;
   std::vector<json::NodeId> taken_out_;

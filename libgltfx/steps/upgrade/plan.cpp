@@ -37,9 +37,9 @@ class ExtensionPlan {
         extension_(extension),
         choice_(choose(context.options, extension)) {
     if (choice_.selection == Selection::no) return;
-    carriers_ = carriers_of(document_, context_.set, extension_);
+    hosts_ = hosts_of(document_, context_.set, extension_);
     first_ = context.plan.actions.size();
-    context.plan.actions.resize(first_ + carriers_.size());
+    context.plan.actions.resize(first_ + hosts_.size());
   }
 
   // Does what can be done as things stand; whether that was anything. What is done may open the
@@ -48,30 +48,30 @@ class ExtensionPlan {
     const bool together = extension_.upgrade.together || has_template();
     std::vector<std::unique_ptr<ObjectPlan>> plans;  // a plan is large: kept only where it must be
     bool any = false;
-    for (std::size_t i = 0; i < carriers_.size(); ++i) {
+    for (std::size_t i = 0; i < hosts_.size(); ++i) {
       std::unique_ptr<ObjectPlan> plan;
-      if (!actions()[i].done) plan = judge(i);
+      if (!actions()[i].done) plan = prepare(i);
       if (together) plans.push_back(std::move(plan));
-      if (!together && plan) any = settle(*plan, i) || any;
+      if (!together && plan) any = resolve(*plan, i) || any;
     }
     if (together) hold_together();
     for (std::size_t i = 0; i < plans.size(); ++i) {
-      if (plans[i]) any = settle(*plans[i], i) || any;
+      if (plans[i]) any = resolve(*plans[i], i) || any;
     }
     return any;
   }
 
   void finish(change::NameList& used, change::NameList& required) {
-    if (carriers_.empty()) drop_unused_name(used, required);
+    if (hosts_.empty()) drop_unused_name(used, required);
     if (converted_ + removed_ == 0) return;
-    settle_names(used, required);
-    settle_pointers();
+    resolve_names(used, required);
+    resolve_pointers();
   }
 
   // The actions by the legacy objects that they are about.
   void list_actions(std::unordered_map<json::NodeId, UpgradeAction*>& by_object) const {
-    for (std::size_t i = 0; i < carriers_.size(); ++i) {
-      by_object[carriers_[i].object] = &actions()[i];
+    for (std::size_t i = 0; i < hosts_.size(); ++i) {
+      by_object[hosts_[i].object] = &actions()[i];
     }
   }
 
@@ -85,17 +85,17 @@ class ExtensionPlan {
 
  private:
   std::span<UpgradeAction> actions() const {
-    return std::span(context_.plan.actions).subspan(first_, carriers_.size());
+    return std::span(context_.plan.actions).subspan(first_, hosts_.size());
   }
 
   bool is_doable(const UpgradeAction& action) const {
-    return action.fate == UpgradeFate::safe ||
-           (action.fate == UpgradeFate::unsafe && context_.options.unsafe);
+    return action.outcome == UpgradeOutcome::safe ||
+           (action.outcome == UpgradeOutcome::unsafe && context_.options.unsafe);
   }
 
   // Null where nothing can be done.
-  std::unique_ptr<ObjectPlan> judge(std::size_t i) {
-    if (auto action = action_without_plan(carriers_[i])) {
+  std::unique_ptr<ObjectPlan> prepare(std::size_t i) {
+    if (auto action = action_without_plan(hosts_[i])) {
       actions()[i] = *std::move(action);
       return nullptr;
     }
@@ -103,26 +103,26 @@ class ExtensionPlan {
         choice_.to.empty() ? extension_
                            : context_.set.extensions()[context_.set.find_extension(choice_.to)];
     auto plan =
-        std::make_unique<ObjectPlan>(context_, extension_, successor, carriers_[i], actions()[i]);
-    plan->judge();
+        std::make_unique<ObjectPlan>(context_, extension_, successor, hosts_[i], actions()[i]);
+    plan->prepare();
     return plan;
   }
 
   // What has no successor, or is not done unless somebody asks for it.
-  std::optional<UpgradeAction> action_without_plan(const Carrier& carrier) const {
+  std::optional<UpgradeAction> action_without_plan(const Host& host) const {
     const bool offered = choice_.selection == Selection::offered;
     if (extension_.upgrade.stays.empty() && !offered) return std::nullopt;
     const Decision decision =
-        decide_generation(document_, extension_, carrier.object, context_.options.generation);
+        decide_generation(document_, extension_, host.object, context_.options.generation);
     const std::string generation = decision.generation ? decision.generation->name : "";
     UpgradeAction action;
-    action.pointer = carrier.pointer() + "/extensions/" + extension_.name;
+    action.pointer = host.pointer() + "/extensions/" + extension_.name;
     action.from = extension_.name;
     action.to = choice_.to;
     for (const schema::UpgradeStay& stay : extension_.upgrade.stays) {
       if (!is_meant(stay.generations, generation)) continue;
       const bool named = !context_.options.only.empty() || !context_.options.to.empty();
-      action.fate = named ? UpgradeFate::impossible : UpgradeFate::no_successor;
+      action.outcome = named ? UpgradeOutcome::impossible : UpgradeOutcome::no_successor;
       action.to.clear();
       action.generation = generation;
       action.decision = decision.because;
@@ -130,7 +130,7 @@ class ExtensionPlan {
       return action;
     }
     if (!offered) return std::nullopt;
-    action.fate = UpgradeFate::on_request;
+    action.outcome = UpgradeOutcome::on_request;
     action.notes.push_back("--only " + extension_.name + ": " + extension_.upgrade.opt_in);
     return action;
   }
@@ -155,13 +155,13 @@ class ExtensionPlan {
     if (doable == count_occurrences()) return;
     for (UpgradeAction& action : actions()) {
       if (!is_doable(action)) continue;
-      action.fate = UpgradeFate::impossible;
+      action.outcome = UpgradeOutcome::impossible;
       action.notes.emplace_back(
           "other objects of the asset cannot be upgraded, and only all together can");
     }
   }
 
-  bool settle(ObjectPlan& plan, std::size_t i) {
+  bool resolve(ObjectPlan& plan, std::size_t i) {
     UpgradeAction& action = actions()[i];
     if (!is_doable(action)) return false;
     action.done = true;
@@ -209,7 +209,7 @@ class ExtensionPlan {
     }
   }
 
-  void settle_names(change::NameList& used, change::NameList& required) {
+  void resolve_names(change::NameList& used, change::NameList& required) {
     const std::string& from = extension_.name;
     const std::string& to = choice_.to;
     left_ = count_occurrences() - converted_ - removed_;
@@ -229,11 +229,11 @@ class ExtensionPlan {
   }
 
   // "/materials/3/extensions/OLD/member/..." becomes "/materials/3/extensions/NEW/other/...".
-  void settle_pointers() {
+  void resolve_pointers() {
     if (context_.pointers.all().empty()) return;
     std::unordered_set<std::string> done;  // "/materials/3"
-    for (std::size_t i = 0; i < carriers_.size(); ++i) {
-      if (actions()[i].done && !actions()[i].removed) done.insert(carriers_[i].pointer());
+    for (std::size_t i = 0; i < hosts_.size(); ++i) {
+      if (actions()[i].done && !actions()[i].removed) done.insert(hosts_[i].pointer());
     }
     for (const graph::PointerUse& use : context_.pointers.all()) {
       if (!is_into(use)) continue;
@@ -256,7 +256,7 @@ class ExtensionPlan {
     context_.editor.replace_scalar(use.node, std::move(json));
   }
 
-  // Where a member of the old object, or with no name the object, is now from the carrier.
+  // Where a member of the old object, or with no name the object, is now from the host.
   std::vector<std::string> new_place(std::string_view member) const {
     std::vector<std::string> path{"extensions", choice_.to};
     if (member.empty()) return path;
@@ -274,8 +274,8 @@ class ExtensionPlan {
   const json::Document& document_;
   const schema::Extension& extension_;
   const Choice choice_;
-  std::vector<Carrier> carriers_;
-  std::size_t first_ = 0;               ///< place of the action of the first carrier in the plan
+  std::vector<Host> hosts_;
+  std::size_t first_ = 0;               ///< place of the action of the first host in the plan
   std::vector<UpgradeAction> dropped_;  ///< of names in lists
   std::size_t converted_ = 0;
   std::size_t removed_ = 0;
@@ -283,7 +283,7 @@ class ExtensionPlan {
   std::set<std::string> given_;  ///< names of extensions that the document has now
 };
 
-void settle_dropped(Context& context) {
+void resolve_dropped(Context& context) {
   for (const auto& [host, keys] : context.dropped) {
     const json::NodeId extensions = context.document.find(host, "extensions");
     if (context.document.object_size(extensions) == keys.size()) {
@@ -295,8 +295,8 @@ void settle_dropped(Context& context) {
 }
 
 // Extensions whose last object went with something that was taken out.
-void settle_taken_out(Context& context, const std::deque<ExtensionPlan>& plans,
-                      change::NameList& used, change::NameList& required) {
+void resolve_taken_out(Context& context, const std::deque<ExtensionPlan>& plans,
+                       change::NameList& used, change::NameList& required) {
   std::vector<json::NodeId> values;
   for (const auto& [value, object] : context.taken_out) values.push_back(value);
   const auto gone = change::extensions_taken_out(context.document, std::move(values));
@@ -314,7 +314,7 @@ void settle_taken_out(Context& context, const std::deque<ExtensionPlan>& plans,
 }
 
 // Extensions that may stand in the document, those first on whose results others build: what puts
-// values into its carrier before what copies them from there.
+// values into its host before what copies them from there.
 std::vector<const schema::Extension*> legacy_of(const json::Document& document,
                                                 const schema::Set& set,
                                                 const change::NameList& used,
@@ -367,13 +367,13 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
     for (ExtensionPlan& plan : plans) more = plan.attempt() || more;
   }
   for (ExtensionPlan& plan : plans) plan.finish(used, required);
-  settle_dropped(context);
-  settle_taken_out(context, plans, used, required);
+  resolve_dropped(context);
+  resolve_taken_out(context, plans, used, required);
   std::for_each(plans.rbegin(), plans.rend(), [](ExtensionPlan& plan) { plan.add_dropped(); });
   used.apply(context.editor);
   required.apply(context.editor);
   context.plan.change.edits = context.editor.take();
-  settle_splits(context);
+  resolve_splits(context);
   return std::move(context.plan);
 }
 

@@ -64,7 +64,7 @@ TextureSource texture_source(const model::Asset& asset, std::uint64_t texture, P
   return source;
 }
 
-ChannelMove judge_channel_move(const model::Asset& asset, std::uint64_t texture,
+ChannelMove check_channel_move(const model::Asset& asset, std::uint64_t texture,
                                std::string_view swizzle, Pictures* pictures) {
   ChannelMove move;
   if (pictures == nullptr) {

@@ -41,7 +41,7 @@ struct ChannelMove {
 };
 
 /// `swizzle` is "r>a": what stands in R is read in A. Null pictures make it impossible.
-ChannelMove judge_channel_move(const model::Asset& asset, std::uint64_t texture,
+ChannelMove check_channel_move(const model::Asset& asset, std::uint64_t texture,
                                std::string_view swizzle, Pictures* pictures);
 
 }  // namespace gltfx::upgrade

@@ -115,7 +115,7 @@ TEST(Pointers, IntoAnObjectThatWouldGoKeepIt) {
       "", R"("translucencyTexture":{"index":0})",
       animated("/materials/0/extensions/KHR_materials_translucency/translucencyTexture/extensions/"
                "KHR_texture_transform/scale")));
-  EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible);
 }
 
 TEST(Pointers, AnAnimatedBaseColourIsALossWhereItCannotBeFollowed) {
@@ -126,13 +126,13 @@ TEST(Pointers, AnAnimatedBaseColourIsALossWhereItCannotBeFollowed) {
         upgraded(document_with(R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,1],)"
                                R"("baseColorTexture":{"index":0}},)",
                                R"("translucencyFactor":1)", animated(pointer)));
-    EXPECT_EQ(result.only().fate, UpgradeFate::unsafe) << pointer;
+    EXPECT_EQ(result.only().outcome, UpgradeOutcome::unsafe) << pointer;
   }
   EXPECT_EQ(upgraded(document_with("", R"("translucencyFactor":1)",
                                    animated("/materials/1/pbrMetallicRoughness/baseColorFactor")))
                 .only()
-                .fate,
-            UpgradeFate::safe);
+                .outcome,
+            UpgradeOutcome::safe);
 }
 
 std::string graph(const std::string& materials) {
@@ -155,7 +155,7 @@ TEST(Pointers, OfAllObjectsKeepThemTogether) {
   const Upgraded result = upgraded(text);
   EXPECT_EQ(result.text, text);
   for (const UpgradeAction& action : result.plan.actions) {
-    EXPECT_EQ(action.fate, UpgradeFate::impossible);
+    EXPECT_EQ(action.outcome, UpgradeOutcome::impossible);
   }
 }
 

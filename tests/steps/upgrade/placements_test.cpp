@@ -25,9 +25,9 @@ Placed placed(const std::string& material, const Puts& puts) {
   const json::Parsed parsed = json::parse(std::string_view(text));
   const UpgradeOptions options;
   Context context(parsed.document, *schema::builtin_set(), options, nullptr, nullptr);
-  Carrier carrier;
-  carrier.host = parsed.document.resolve("/materials/0");
-  Placements placements(context, carrier);
+  Host host;
+  host.node = parsed.document.resolve("/materials/0");
+  Placements placements(context, host);
   Placed done;
   for (const auto& [path, json] : puts) {
     if (const auto problem = placements.put(path, json)) done.problems.push_back(*problem);

@@ -41,7 +41,7 @@ TEST(Plan, TheFirstGenerationTakesItsTintFromTheBaseColour) {
             R"({"KHR_texture_transform":{"scale":[2,2]}}}})");
   EXPECT_THAT(result.text, HasSubstr("[0.50,8e-1,0.2]"));  // numbers keep their spelling
   EXPECT_EQ(result.only().generation, "v1");
-  EXPECT_EQ(result.only().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::safe);
   EXPECT_TRUE(result.only().done);
   EXPECT_EQ(result.only().decision,
             "it has no translucencyColorFactor or translucencyColorTexture; it may also be v2/v3");
@@ -80,7 +80,7 @@ TEST(Plan, AFactorMapOfTheFirstGenerationNeedsANewImage) {
       document_with("", R"("translucencyFactor":1,"translucencyTexture":{"index":1})");
   const Upgraded result = upgraded(text, unsafe());
   EXPECT_EQ(result.text, text);
-  EXPECT_EQ(result.only().fate, UpgradeFate::needs_image);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::needs_image);
   EXPECT_FALSE(result.only().done);
   EXPECT_TRUE(result.plan.change.additions.empty());
   EXPECT_THAT(result.only().notes,
@@ -103,7 +103,7 @@ TEST(Plan, AGenerationThatDoesNotFitIsRefused) {
       document_with("", R"("translucencyFactor":1,"translucencyColorFactor":[1,0,0])");
   const Upgraded result = upgraded(text, as("v1"));
   EXPECT_EQ(result.text, text);
-  EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible);
   EXPECT_THAT(result.only().notes, Contains(HasSubstr("has translucencyColorFactor")));
 }
 
@@ -133,7 +133,7 @@ TEST_P(PlanOfFaulty, ObjectLeavesItAlone) {
   const std::string text = document_with("", GetParam().legacy);
   const Upgraded result = upgraded(text, unsafe());
   EXPECT_EQ(result.text, text);
-  EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible);
   EXPECT_THAT(result.only().notes, Contains(HasSubstr(GetParam().says)));
 }
 
@@ -159,7 +159,7 @@ TEST(Plan, AErrorInWhatWouldBeCopiedIsNotSpread) {
                       R"("translucencyFactor":1)");
     const Upgraded result = upgraded(text, unsafe());
     EXPECT_EQ(result.text, text);
-    EXPECT_EQ(result.only().fate, UpgradeFate::impossible) << base;
+    EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible) << base;
   }
 }
 
@@ -168,7 +168,7 @@ TEST(Plan, SomethingElseThanAnObjectIsLeftAlone) {
       R"({"materials":[{"extensions":{"KHR_materials_translucency":[1]}},7,{"extensions":8}]})";
   const Upgraded result = upgraded(text);
   EXPECT_EQ(result.text, text);
-  EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible);
 }
 
 TEST(Plan, BesideAnExtensionThatExcludesTheSuccessorItStays) {
@@ -209,10 +209,10 @@ TEST(Plan, VertexColoursAreALossForTheFirstGeneration) {
   const std::string text = document_with("", R"("translucencyFactor":1)", coloured);
   const Upgraded left = upgraded(text);
   EXPECT_EQ(left.text, text);
-  EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(left.only().outcome, UpgradeOutcome::unsafe);
   EXPECT_THAT(left.only().notes, Contains(HasSubstr("COLOR_0")));
   EXPECT_EQ(extension_of(upgraded(text, unsafe()))["diffuseTransmissionFactor"], 1);
-  EXPECT_EQ(upgraded(text, as("v2")).only().fate, UpgradeFate::safe);
+  EXPECT_EQ(upgraded(text, as("v2")).only().outcome, UpgradeOutcome::safe);
 }
 
 TEST(Plan, VertexColoursCountByWayOfVariantsToo) {
@@ -220,12 +220,12 @@ TEST(Plan, VertexColoursCountByWayOfVariantsToo) {
       R"("meshes":[{"primitives":[{"attributes":{"COLOR_0":0},"extensions":)"
       R"({"KHR_materials_variants":{"mappings":[{"material":0,"variants":[0]}]}}},)"
       R"({"attributes":{"POSITION":0},"material":0}]}],)";
-  EXPECT_EQ(upgraded(document_with("", R"("translucencyFactor":1)", coloured)).only().fate,
-            UpgradeFate::unsafe);
+  EXPECT_EQ(upgraded(document_with("", R"("translucencyFactor":1)", coloured)).only().outcome,
+            UpgradeOutcome::unsafe);
   const std::string plain = R"("meshes":[{"primitives":[{"attributes":{"COLOR_0":0},"material":1},)"
                             R"({"attributes":{"POSITION":0},"material":0}]}],)";
-  EXPECT_EQ(upgraded(document_with("", R"("translucencyFactor":1)", plain)).only().fate,
-            UpgradeFate::safe);
+  EXPECT_EQ(upgraded(document_with("", R"("translucencyFactor":1)", plain)).only().outcome,
+            UpgradeOutcome::safe);
 }
 
 TEST(Plan, TheSameDocumentIsNotChangedTwice) {

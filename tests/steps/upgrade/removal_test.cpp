@@ -44,7 +44,7 @@ TEST(Removal, WhereNothingTakesItsPlaceTheObjectStaysUnlessAskedFor) {
   for (const std::string& text : {kHidden, kDouble}) {
     const Upgraded left = upgraded(text);
     EXPECT_EQ(left.text, text);
-    EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
+    EXPECT_EQ(left.only().outcome, UpgradeOutcome::unsafe);
     EXPECT_THAT(left.only().notes, Contains("this also removes 'ACME_a'"));
     const Upgraded gone = upgraded(text, unsafe_removal());
     EXPECT_TRUE(gone.only().removed);
@@ -59,7 +59,7 @@ TEST(Removal, ScatteringWithoutDistanceKeepsItsExtras) {
                            R"("KHR_materials_sss":{"extras":{"by":"me"}}}}]})";
   const Upgraded left = upgraded(text, only({"KHR_materials_sss"}));
   EXPECT_EQ(left.text, text);
-  EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(left.only().outcome, UpgradeOutcome::unsafe);
 }
 
 TEST(Removal, NamesStayWhileAnotherObjectHasThem) {
@@ -87,7 +87,7 @@ TEST(Removal, WhatIsOverwrittenIsNotLostUnasked) {
            info + R"(}},"extensions":{"KHR_materials_pbrSpecularGlossiness":{}}}]})";
   };
   const Upgraded left = upgraded(text_with(R"("extras":{"by":"me"})"));
-  EXPECT_EQ(left.only().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(left.only().outcome, UpgradeOutcome::unsafe);
   EXPECT_THAT(
       left.only().notes,
       Contains(

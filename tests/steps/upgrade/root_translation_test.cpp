@@ -32,7 +32,7 @@ TEST(RootTranslation, TheCenterMovesANewRoot) {
   EXPECT_FALSE(root.contains("extensionsRequired"));
   EXPECT_EQ(root["scenes"].dump(), R"([{"nodes":[2]}])");
   EXPECT_EQ(root["nodes"][2].dump(), R"({"translation":[1000.5,-300,-2000.25],"children":[0,1]})");
-  EXPECT_EQ(result.only().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::safe);
   EXPECT_TRUE(result.only().removed);
   EXPECT_EQ(result.only().to, "");
   EXPECT_THAT(result.only().notes, Contains(HasSubstr("0.00006103515625 m")));
@@ -40,13 +40,13 @@ TEST(RootTranslation, TheCenterMovesANewRoot) {
 
 TEST(RootTranslation, WhatIsLostBeyondAMillimetreIsUnsafe) {
   const std::string earth = tile("[1215107.76,-4736682.90,4081926.10]");
-  EXPECT_EQ(upgraded(earth).only().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(upgraded(earth).only().outcome, UpgradeOutcome::unsafe);
   EXPECT_EQ(upgraded(earth).text, earth);
   EXPECT_THAT(upgraded(earth).only().notes, Contains(HasSubstr("0.25 m")));
   const Json root = upgraded(earth, unsafe_options()).json();
   EXPECT_EQ(root["nodes"][2]["translation"].dump(), "[1215107.76,4081926.1,4736682.9]");
-  EXPECT_EQ(upgraded(tile("[32000,0,0]")).only().fate, UpgradeFate::safe);
-  EXPECT_EQ(upgraded(tile("[0,33000,0]")).only().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(upgraded(tile("[32000,0,0]")).only().outcome, UpgradeOutcome::safe);
+  EXPECT_EQ(upgraded(tile("[0,33000,0]")).only().outcome, UpgradeOutcome::unsafe);
 }
 
 TEST(RootTranslation, EachSceneGetsARoot) {
@@ -60,7 +60,7 @@ TEST(RootTranslation, EachSceneGetsARoot) {
 
 TEST(RootTranslation, ANodeNeverGetsTwoParents) {
   const std::string shared = tile("[1,2,3]", R"({"nodes":[0,1]},{"nodes":[1]})");
-  EXPECT_EQ(upgraded(shared).only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(upgraded(shared).only().outcome, UpgradeOutcome::impossible);
   EXPECT_THAT(upgraded(shared).only().notes, Contains(HasSubstr("share")));
   EXPECT_EQ(upgraded(shared).text, shared);
 }
@@ -68,11 +68,11 @@ TEST(RootTranslation, ANodeNeverGetsTwoParents) {
 TEST(RootTranslation, WhatIsInvalidStays) {
   for (const std::string center : {"[1,2]", "7", "[1,2,\"3\"]"}) {
     const Upgraded result = upgraded(tile(center), unsafe_options());
-    EXPECT_EQ(result.only().fate, UpgradeFate::impossible) << center;
+    EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible) << center;
     EXPECT_EQ(result.text, tile(center));
   }
   for (const std::string scene : {R"({"nodes":[7]})", R"({"nodes":7})", R"({"nodes":[0,"1"]})"}) {
-    EXPECT_EQ(upgraded(tile("[1,2,3]", scene)).only().fate, UpgradeFate::impossible) << scene;
+    EXPECT_EQ(upgraded(tile("[1,2,3]", scene)).only().outcome, UpgradeOutcome::impossible) << scene;
   }
 }
 
@@ -87,7 +87,7 @@ TEST(FirstAvatars, StayBecauseOfTheirTerms) {
   const std::string avatar =
       R"({"asset":{"version":"2.0"},"extensionsUsed":["VRM"],"extensions":{"VRM":{"meta":{}}}})";
   const Upgraded result = upgraded(avatar);
-  EXPECT_EQ(result.only().fate, UpgradeFate::no_successor);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::no_successor);
   EXPECT_THAT(result.only().notes, Contains(HasSubstr("the owner of the avatar has to confirm")));
   EXPECT_EQ(result.text, avatar);
 }

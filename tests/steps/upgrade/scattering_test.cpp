@@ -95,7 +95,7 @@ TEST(ConvertScattering, ChangesTheVolumeAndItself) {
             R"("attenuationColor":[0.668585139,0.381761779,0.195059627]},)"
             R"("KHR_materials_volume_scatter":{"extras":1,)"
             R"("multiscatterColorFactor":[0.387658516,0.550077432,0.633669655]}})");
-  EXPECT_EQ(result.only().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::safe);
   EXPECT_TRUE(result.only().lossy);
   EXPECT_THAT(result.only().notes, Contains(HasSubstr("darker")));
 }
@@ -122,7 +122,7 @@ TEST(ConvertScattering, TheOtherSuccessorNeedsTransmissionAndThickness) {
            {R"("thicknessFactor":1)", transmission + R"("KHR_materials_diffuse_transmission":{},)",
             "KHR_materials_diffuse_transmission"}}) {
     const Upgraded left = result(volume, others);
-    EXPECT_EQ(left.only().fate, UpgradeFate::impossible) << says;
+    EXPECT_EQ(left.only().outcome, UpgradeOutcome::impossible) << says;
     EXPECT_THAT(left.only().notes, Contains(HasSubstr(says)));
   }
 }
@@ -141,7 +141,7 @@ TEST(ConvertScattering, ABlackColourIsAContradiction) {
   const std::string text = document("", R"("scatterDistance":1,"scatterColor":[0,0,0])");
   const Upgraded left = scattered(text);
   EXPECT_EQ(left.text, text);
-  EXPECT_EQ(left.only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(left.only().outcome, UpgradeOutcome::impossible);
   EXPECT_TRUE(scattered(text, true).only().removed);
 }
 
@@ -166,7 +166,7 @@ class ScatteringLeft : public testing::TestWithParam<Case> {};
 TEST_P(ScatteringLeft, Alone) {
   const Upgraded result = scattered(GetParam().text, true);
   EXPECT_EQ(result.text, GetParam().text);
-  EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible);
   EXPECT_THAT(result.only().notes, Contains(HasSubstr(GetParam().says)));
 }
 

@@ -36,7 +36,7 @@ TEST(Selection, WithoutNamesDraftsAreOnlyOffered) {
               ElementsAre("KHR_materials_translucency > KHR_materials_diffuse_transmission",
                           "KHR_materials_sss"));
   const UpgradeAction& offered = result.plan.actions[1];
-  EXPECT_EQ(offered.fate, UpgradeFate::on_request);
+  EXPECT_EQ(offered.outcome, UpgradeOutcome::on_request);
   EXPECT_FALSE(offered.is_due());
   EXPECT_THAT(offered.notes, ElementsAre(StartsWith("--only KHR_materials_sss: ")));
 }
@@ -84,7 +84,7 @@ TEST(Selection, WhatHasNoSuccessorIsNamedAndIsNoTask) {
   EXPECT_EQ(result.text, text);
   ASSERT_EQ(result.plan.actions.size(), 2U);
   for (const UpgradeAction& action : result.plan.actions) {
-    EXPECT_EQ(action.fate, UpgradeFate::no_successor);
+    EXPECT_EQ(action.outcome, UpgradeOutcome::no_successor);
     EXPECT_FALSE(action.is_due());
     EXPECT_EQ(action.notes.size(), 1U);
   }
@@ -95,7 +95,7 @@ TEST(Selection, WhatWasAskedForAndHasNoSuccessorIsLeftToDo) {
   const Upgraded result =
       upgraded(R"({"materials":[{"extensions":{"KHR_materials_subsurface":{"power":2}}}]})",
                only({"KHR_materials_subsurface"}));
-  EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible);
   EXPECT_TRUE(result.only().is_due());
 }
 
@@ -108,7 +108,7 @@ TEST(Selection, AnotherVersionOfTheFormatIsLeftToDo) {
         "{" + head + R"(,"materials":[{"extensions":{"KHR_materials_translucency":{}}}]})";
     const Upgraded result = upgraded(text);
     EXPECT_EQ(result.text, text);
-    EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+    EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible);
     EXPECT_TRUE(result.only().is_due());
     EXPECT_EQ(result.only().from, from);
     EXPECT_EQ(result.only().pointer, pointer);
@@ -220,7 +220,7 @@ TEST(Selection, CompressedBytesGoTogetherOrNotAtAll) {
     const Upgraded result = upgraded(text, only({"EXT_meshopt_compression"}));
     EXPECT_EQ(result.text, text);
     for (const UpgradeAction& action : result.plan.actions) {
-      EXPECT_EQ(action.fate, UpgradeFate::impossible);
+      EXPECT_EQ(action.outcome, UpgradeOutcome::impossible);
     }
   }
 }

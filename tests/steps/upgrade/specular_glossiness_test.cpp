@@ -38,7 +38,7 @@ TEST(SpecularGlossiness, FactorsAndTexturesGoWhereTheyAreReadToday) {
   EXPECT_THAT(result.text, HasSubstr("[0.50,0.8,0.2,1e0]"));  // numbers keep their spelling
   EXPECT_THAT(result.json()["extensionsUsed"],
               ElementsAre("KHR_materials_specular", "KHR_materials_ior"));
-  EXPECT_EQ(result.only().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::safe);
   EXPECT_FALSE(result.only().lossy);
 }
 
@@ -96,7 +96,7 @@ TEST(SpecularGlossiness, WhatItMustNotStandBesideIsSeenAfterwards) {
   std::string text = glossy_document("");
   text.insert(text.find(kQuoted), R"("KHR_materials_clearcoat":{},)");
   EXPECT_EQ(upgraded(text).text, text);
-  EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(upgraded(text).only().outcome, UpgradeOutcome::unsafe);
   UpgradeOptions unsafe;
   unsafe.unsafe = true;
   EXPECT_TRUE(upgraded(text, unsafe).only().done);
@@ -111,7 +111,7 @@ TEST(SpecularGlossiness, BesideWhatTheSuccessorWouldBreakItStays) {
     unsafe.unsafe = true;
     const Upgraded result = upgraded(text, unsafe);
     EXPECT_EQ(result.text, text);
-    EXPECT_EQ(result.only().fate, UpgradeFate::impossible);
+    EXPECT_EQ(result.only().outcome, UpgradeOutcome::impossible);
     EXPECT_THAT(result.only().notes, Contains(HasSubstr(other)));
   }
 }
@@ -124,7 +124,7 @@ Upgraded beside_unlit(const std::string& legacy, const std::string& material, bo
   options.unsafe = unsafe;
   Upgraded result = upgraded(text, options);
   EXPECT_EQ(result.text == text, !unsafe);
-  EXPECT_EQ(result.only().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::unsafe);
   EXPECT_THAT(result.only().notes,
               Contains("no effect: unlit materials have no specular-glossiness"));
   return result;
@@ -243,7 +243,7 @@ TEST(SpecularGlossiness, WithoutGlossinessTheTextureNeedNotBeRead) {
 TEST(SpecularGlossiness, ATextureThatCannotBeReadKeepsTheMaterial) {
   const std::string text = textured("");
   EXPECT_EQ(upgraded(text).text, text);
-  EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::needs_image);
+  EXPECT_EQ(upgraded(text).only().outcome, UpgradeOutcome::needs_image);
   OneImage image(0, 255);
   const std::string without = glossy_document(R"("specularGlossinessTexture":{"index":0})");
   const Upgraded result = upgraded(without, {}, &image);
@@ -257,7 +257,7 @@ TEST(SpecularGlossiness, AnAnimatedTransformWouldDriveTwoTextures) {
                             "specularGlossinessTexture/extensions/KHR_texture_transform/offset"));
   OneImage varied(0, 255);
   const Upgraded left = upgraded(text, {}, &varied);
-  EXPECT_EQ(left.only().fate, UpgradeFate::impossible);
+  EXPECT_EQ(left.only().outcome, UpgradeOutcome::impossible);
   EXPECT_TRUE(left.plan.change.additions.empty());
   OneImage even(255, 255);
   EXPECT_EQ(pointer_of(upgraded(text, {}, &even).json()),
@@ -312,7 +312,7 @@ TEST(SpecularGlossiness, ErrorsAreNotCarriedOver) {
         R"("specularFactor":[2,0,0])", R"("diffuseTexture":{"index":2})"}) {
     const std::string text = glossy_document(legacy);
     EXPECT_EQ(upgraded(text).text, text);
-    EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::impossible) << legacy;
+    EXPECT_EQ(upgraded(text).only().outcome, UpgradeOutcome::impossible) << legacy;
   }
   const std::string text = glossy_document("", R"("pbrMetallicRoughness":7,)");
   EXPECT_EQ(upgraded(text).text, text);

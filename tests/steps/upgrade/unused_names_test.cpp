@@ -26,7 +26,7 @@ TEST(UnusedNames, GoFromBothLists) {
     EXPECT_EQ(action.pointer, "/extensionsUsed/1");
     EXPECT_EQ(result.plan.actions[1].pointer, "/extensionsRequired/0");
     EXPECT_EQ(action.from, name);
-    EXPECT_EQ(action.fate, UpgradeFate::safe);
+    EXPECT_EQ(action.outcome, UpgradeOutcome::safe);
     EXPECT_TRUE(action.is_due() && action.done && action.removed);
     EXPECT_THAT(action.notes, ElementsAre("no object has " + name));
     EXPECT_THAT(upgraded(result.text).plan.actions, IsEmpty());

@@ -32,7 +32,7 @@ TEST(Xmp, TheContextGoesIntoEveryPacket) {
             R"({"KHR_xmp_json_ld":{"packets":[{"dc:format":"a","@context":{)" + kDublinCore +
                 R"(},"@id":""},{"@id":"x","dc:format":"b","@context":{)" + kDublinCore + "}}]}}");
   EXPECT_THAT(result.json()["extensionsUsed"], testing::ElementsAre("KHR_xmp_json_ld"));
-  EXPECT_EQ(result.only().fate, UpgradeFate::safe);
+  EXPECT_EQ(result.only().outcome, UpgradeOutcome::safe);
 }
 
 TEST(Xmp, ArraysSayWhetherTheirOrderCounts) {
@@ -134,7 +134,7 @@ TEST(Xmp, BesideItsSuccessorThePacketsFollowAndIndicesShift) {
   EXPECT_EQ(root["extensions"].size(), 1U);
   EXPECT_THAT(root["extensionsUsed"], testing::ElementsAre("KHR_xmp_json_ld"));
   for (const UpgradeAction& action : result.plan.actions) {
-    EXPECT_EQ(action.fate, UpgradeFate::safe);
+    EXPECT_EQ(action.outcome, UpgradeOutcome::safe);
   }
   EXPECT_THAT(upgraded(result.text).plan.actions, IsEmpty());
 }
@@ -167,7 +167,7 @@ TEST(Xmp, ExtrasOfTheRootsObjectAreNotLostUnasked) {
   std::string text = beside("{}", kThere);
   text.insert(text.find(R"("@context":{)" + kDublinCore), R"("extras":{"by":"me"},)");
   EXPECT_EQ(upgraded(text).text, text);
-  EXPECT_EQ(upgraded(text).only().fate, UpgradeFate::unsafe);
+  EXPECT_EQ(upgraded(text).only().outcome, UpgradeOutcome::unsafe);
   UpgradeOptions unsafe;
   unsafe.unsafe = true;
   EXPECT_TRUE(upgraded(text, unsafe).only().done);
@@ -181,7 +181,7 @@ TEST_P(XmpLeft, Alone) {
   EXPECT_EQ(result.text, text);
   std::vector<std::string> notes;
   for (const UpgradeAction& action : result.plan.actions) {
-    EXPECT_EQ(action.fate, UpgradeFate::impossible);
+    EXPECT_EQ(action.outcome, UpgradeOutcome::impossible);
     notes.insert(notes.end(), action.notes.begin(), action.notes.end());
   }
   EXPECT_THAT(notes, Contains(HasSubstr(says)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rules/core/mend_elements.hpp"
+#include "rules/core/fix_elements.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -8,8 +8,8 @@
 
 #include "base/checked.hpp"
 #include "model/accessor_data.hpp"
-#include "rules/core/mend.hpp"
-#include "rules/core/mend_elements.hpp"
+#include "rules/core/fix_data.hpp"
+#include "rules/core/fix_elements.hpp"
 #include "rules/fix_users.hpp"
 
 namespace gltfx::validate {

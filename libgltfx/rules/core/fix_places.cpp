@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/accessor_data.hpp"
-#include "rules/core/mend.hpp"
-#include "rules/core/mend_elements.hpp"
+#include "rules/core/fix_data.hpp"
+#include "rules/core/fix_elements.hpp"
 #include "rules/fix_users.hpp"
 
 namespace gltfx::validate {

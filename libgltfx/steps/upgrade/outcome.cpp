@@ -5,19 +5,19 @@
 
 namespace gltfx {
 
-std::string_view upgrade_fate_name(UpgradeFate fate) {
-  switch (fate) {
-    case UpgradeFate::safe:
+std::string_view upgrade_outcome_name(UpgradeOutcome outcome) {
+  switch (outcome) {
+    case UpgradeOutcome::safe:
       return "safe";
-    case UpgradeFate::unsafe:
+    case UpgradeOutcome::unsafe:
       return "unsafe";
-    case UpgradeFate::needs_image:
+    case UpgradeOutcome::needs_image:
       return "needs an image";
-    case UpgradeFate::on_request:
+    case UpgradeOutcome::on_request:
       return "on request";
-    case UpgradeFate::no_successor:
+    case UpgradeOutcome::no_successor:
       return "no successor";
-    case UpgradeFate::impossible:
+    case UpgradeOutcome::impossible:
       break;
   }
   return "not possible";

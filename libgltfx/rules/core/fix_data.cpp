@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rules/core/mend.hpp"
+#include "rules/core/fix_data.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "model/accessor_data.hpp"
-#include "rules/core/mend_elements.hpp"
+#include "rules/core/fix_elements.hpp"
 #include "rules/fix_users.hpp"
 
 namespace gltfx::validate {
