@@ -10,6 +10,8 @@ namespace {
 
 using container::Bytes;
 using container::Container;
+using container::Format;
+using Pieces = std::vector<Bytes>;
 using model::OpenedAsset;
 
 // Whether two JSON texts are equal except for trailing blanks, as in a GLB.
@@ -20,45 +22,68 @@ bool same_but_for_padding(std::string_view one, std::string_view other) {
   return content(one) == content(other);
 }
 
-// The container with the new text if only that changed, else read again.
+// It ends as the container asks for.
+std::string name_of(const OpenedAsset& before, const Change& change) {
+  if (!change.format || *change.format == before.container().format) return before.name();
+  std::filesystem::path name(before.name());
+  return name.replace_extension(*change.format == Format::glb ? ".glb" : ".gltf").native();
+}
+
+bool changes_chunks(const Change& change) { return !change.bin.empty() || change.sound_chunks; }
+
+Result<std::vector<Bytes>> chunks_of(const Container& old, const Change& change,
+                                     std::string_view text) {
+  if (old.format != Format::glb) return make_glb(text, change.bin.whole.value_or(Pieces()));
+  return change.sound_chunks ? rewrite_sound(old, text, change.bin)
+                             : rewrite_glb(old, text, change.bin);
+}
+
+// With the new text where only that is new, else as it is read again.
 Result<Container> changed_container(const OpenedAsset& before, const Change& change,
-                                    const SharedText& text) {
+                                    const SharedText& text, const std::filesystem::path& folder) {
   const Container& old = before.container();
-  if (old.format != container::Format::glb || (change.bin.empty() && !change.sound_chunks)) {
+  const Format format = change.format.value_or(old.format);
+  if (format == Format::gltf && old.format == Format::glb) {
+    // All blanks at the end, which may be more than padding.
+    const std::size_t end = text->find_last_not_of(' ') + 1;
+    return container::open_bytes(Bytes::from_string(std::string(text->substr(0, end))), format);
+  }
+  if (format == Format::gltf || (old.format == format && !changes_chunks(change))) {
     Container now = old;
     now.json = text;
     return now;
   }
-  const auto pieces = change.sound_chunks ? rewrite_sound(old, *text, change.bin)
-                                          : rewrite_glb(old, *text, change.bin);
+  const auto pieces = chunks_of(old, change, *text);
   if (!pieces) return pieces.error();
-  Container now =
-      container::open_bytes(Bytes::from_string(container::join(*pieces)), before.name());
+  Container now = container::open_bytes(container::gathered(*pieces, folder), format);
   if (now.json && same_but_for_padding(*now.json, *text)) now.json = text;
   return now;
 }
 
 }  // namespace
 
-Result<OpenedAsset> apply(const OpenedAsset& before, const Change& change, NewText now) {
+Result<OpenedAsset> apply(const OpenedAsset& before, const Change& change, NewText now,
+                          const std::filesystem::path& folder) {
   const SharedText& old = before.container().json;
   if (!old) return Error{"it has no JSON"};
   if (auto why = find_glb_obstacle(before.container())) {
     return Error{"it cannot be written anew: " + *why};
   }
   if (!now.text) now.text = share_text(json::apply_edits(*old, change.edits));
-  auto container = changed_container(before, change, now.text);
+  auto container = changed_container(before, change, now.text, folder);
   if (!container) return container.error();
   container::Resolver resolver = before.resolver();
   for (const ReplacedFile& file : change.replaced) {
     resolver.add(file.path, file.after, file.state);
   }
-  for (const NewFile& file : change.files) resolver.add(file.path, file.content());
-  if (now.parsed.document.empty() || container->json != now.text) {
-    return OpenedAsset(before.name(), *std::move(container), std::move(resolver));
+  for (const NewFile& file : change.files) {
+    resolver.add(file.path, container::gathered(file.pieces, folder));
   }
-  return OpenedAsset(before.name(), *std::move(container), std::move(resolver),
-                     std::move(now.parsed));
+  const std::string name = name_of(before, change);
+  if (now.parsed.document.empty() || container->json != now.text) {
+    return OpenedAsset(name, *std::move(container), std::move(resolver));
+  }
+  return OpenedAsset(name, *std::move(container), std::move(resolver), std::move(now.parsed));
 }
 
 }  // namespace gltfx::change

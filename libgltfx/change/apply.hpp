@@ -2,6 +2,8 @@
 /// The draft of an asset: the result of a change before anything is written.
 #pragma once
 
+#include <filesystem>
+
 #include "base/result.hpp"
 #include "change/change.hpp"
 #include "json/parse.hpp"
@@ -19,6 +21,6 @@ struct NewText {
 /// GLB is copied. An Error when it has no JSON, or a GLB cannot be rewritten or would be too long.
 /// Precondition: the change has been placed.
 Result<model::OpenedAsset> apply(const model::OpenedAsset& before, const Change& change,
-                                 NewText now = {});
+                                 NewText now = {}, const std::filesystem::path& folder = {});
 
 }  // namespace gltfx::change

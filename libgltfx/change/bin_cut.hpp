@@ -3,19 +3,21 @@
 #pragma once
 
 #include <cstdint>
-#include <set>
+#include <functional>
 #include <vector>
 
 #include "change/change.hpp"
+#include "graph/graph.hpp"
 #include "json/edit.hpp"
 
 namespace gltfx::change {
 
-/// Whole words of the BIN chunk that only removed buffer views use, in order; empty if the chunk
-/// has unknown contents. Shortens buffer 0 and moves kept views by edits of `editor`. `references`:
-/// number of indices of buffer 0 in the document; `size`: of the chunk.
-std::vector<ByteRange> cut_bin(const json::Document& document,
-                               const std::set<std::uint64_t>& gone_views, std::uint64_t references,
+/// Whole words of 8 bytes of the BIN chunk in which only buffer views lie that go, in order; empty
+/// where not all that lies in the chunk is known. Words of 8, so that what stays is aligned as it
+/// was. Buffer 0, which is the chunk, is made shorter, and views that stay move, by edits that
+/// `editor` gets. `size`: of the chunk.
+std::vector<ByteRange> cut_bin(const graph::Graph& graph,
+                               const std::function<bool(json::NodeId object)>& goes,
                                std::uint64_t size, json::Editor& editor);
 
 }  // namespace gltfx::change

@@ -15,6 +15,7 @@
 #include "base/file_state.hpp"
 #include "change/additions.hpp"
 #include "container/bytes.hpp"
+#include "container/container.hpp"
 #include "json/edit.hpp"
 
 namespace gltfx::change {
@@ -33,21 +34,21 @@ struct BytePatch {
 
 /// Changes of the BIN chunk.
 struct BinChange {
-  std::string more;            ///< appended to its data; a chunk is created if there is none
-  std::vector<ByteRange> cut;  ///< of its data, in order, without overlaps; removed
-  bool drop = false;           ///< remove the whole chunk; all other members are empty
-  /// Patches of its data, in order, without overlaps with each other or a cut.
+  /// Data in the place of the old, or of a chunk that is made: one piece behind the other. Nothing
+  /// else is to be done with the chunk.
+  std::optional<std::vector<container::Bytes>> whole = std::nullopt;
+  std::string more = {};            ///< behind its data; a chunk is made when there is none
+  std::vector<ByteRange> cut = {};  ///< of its data, in order, none overlaps; taken out
+  bool drop = false;                ///< the whole chunk goes; nothing else is to be done with it
+  /// Of its data, in order; none overlaps another or a cut.
   std::vector<BytePatch> patches = {};
-  bool empty() const { return more.empty() && cut.empty() && patches.empty() && !drop; }
+  bool empty() const { return !whole && more.empty() && cut.empty() && patches.empty() && !drop; }
 };
 
 /// A new file that the asset refers to.
 struct NewFile {
-  std::string path;  ///< from the asset's folder, '/' separated, as Uri::path
-  std::shared_ptr<const std::string> bytes;
-
-  /// The bytes, which keep their memory.
-  container::Bytes content() const { return {std::as_bytes(std::span(*bytes)), bytes}; }
+  std::string path;  ///< from the asset's folder, '/' separated, as container::Uri has it
+  std::vector<container::Bytes> pieces;  ///< of its content, one behind the other
 };
 
 /// A file that the asset refers to, with new bytes.
@@ -64,6 +65,9 @@ using BufferContents = std::map<std::uint32_t, std::string>;
 /// Owns all its data.
 struct Change {
   std::vector<json::Edit> edits = {};  ///< of the text, as json::Editor::take() gives them
+  /// The container that it gets, gltf or glb; nothing: the one that it has. Chunks of a GLB beside
+  /// JSON and BIN do not go into a .gltf.
+  std::optional<container::Format> format = std::nullopt;
   BinChange bin = {};
   std::vector<ReplacedFile> replaced = {};  ///< files with other bytes than before
   std::vector<NewFile> files = {};
@@ -76,8 +80,8 @@ struct Change {
   BufferContents contents = {};
 
   bool empty() const {
-    return edits.empty() && bin.empty() && replaced.empty() && files.empty() && !sound_chunks &&
-           additions.empty() && contents.empty();
+    return edits.empty() && !format && bin.empty() && replaced.empty() && files.empty() &&
+           !sound_chunks && additions.empty() && contents.empty();
   }
 };
 

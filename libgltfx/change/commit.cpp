@@ -9,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include "base/checked.hpp"
 #include "base/replace_file.hpp"
 #include "base/text.hpp"
 #include "change/backup.hpp"
@@ -42,14 +41,8 @@ using Pieces = std::vector<container::Bytes>;
 // Checks that the bytes on the disk are those that were proven.
 Trouble compare(const FileDraft& draft, const Pieces& pieces) {
   const container::Loaded file = container::load_file(container::adopt_regular(draft.reader()));
-  std::size_t at = 0;
-  bool same = file.error == container::ResolveError::none;
-  for (const container::Bytes& piece : pieces) {
-    same = same && fits(at, piece.size(), file.bytes.size()) &&
-           container::same_bytes(file.bytes.part(at, piece.size()), piece);
-    at += piece.size();
-  }
-  if (same && at == file.bytes.size()) return std::nullopt;
+  const bool readable = file.error == container::ResolveError::none;
+  if (readable && container::same_bytes(pieces, file.bytes)) return std::nullopt;
   return Error{"the file on the disk is not the one that was validated"};
 }
 
@@ -69,7 +62,9 @@ Failure fill(FileDraft& draft, const AssetWrite& asset) {
 
 Trouble write_new_files(const AssetWrite& asset, const fs::path& folder) {
   for (const NewFile& file : asset.files) {
-    if (auto trouble = put_file(folder / file.path, file.content())) return trouble;
+    const fs::path target = folder / file.path;
+    if (auto trouble = make_folder(target.parent_path())) return trouble;
+    if (auto trouble = put_file(target, file.pieces)) return trouble;
   }
   return std::nullopt;
 }
@@ -226,16 +221,18 @@ class Elsewhere {
       }
       const fs::path target = folder_ / file.path;
       if (auto trouble = make_folder(target.parent_path())) return trouble;
-      if (auto trouble = put_file(target, file.after)) return trouble;
+      if (auto trouble = put_file(target, {file.after})) return trouble;
     }
     return std::nullopt;
   }
 
   Trouble copy_others() const {
     if (is_own_folder()) return std::nullopt;
-    std::set<std::string> paths = referred_paths(asset_.old.document());
+    std::set<std::string> paths =
+        asset_.companions ? *asset_.companions : referred_paths(asset_.old.document());
     paths.insert(asset_.referred.begin(), asset_.referred.end());
     for (const ReplacedFile& file : asset_.replaced) paths.erase(file.path);
+    for (const NewFile& file : asset_.files) paths.erase(file.path);
     return copy_companions(paths, asset_.old.resolver(), folder_);
   }
 

@@ -40,7 +40,9 @@ struct AssetWrite {
   const container::Container* now = nullptr;
   std::vector<NewFile> files = {};          ///< that it refers to
   std::vector<ReplacedFile> replaced = {};  ///< that it refers to, with other bytes than before
-  std::set<std::string> referred = {};      ///< further paths of the draft
+  std::set<std::string> referred = {};      ///< paths that the old asset may not refer to
+  /// What is copied beside it, by its path; nothing: what the old asset refers to.
+  std::optional<std::set<std::string>> companions = std::nullopt;
 };
 
 /// Writes assets to their destinations, files before the assets that refer to them: a run that ends

@@ -19,6 +19,7 @@ namespace gltfx::change {
 namespace {
 
 namespace fs = std::filesystem;
+using Pieces = std::vector<container::Bytes>;
 
 std::optional<Error> copy(const std::string& path, const container::Resolver& resolver,
                           const fs::path& folder) {
@@ -37,34 +38,34 @@ std::optional<Error> copy(const std::string& path, const container::Resolver& re
   }
   const fs::path target = folder / path;
   if (auto trouble = make_folder(target.parent_path())) return trouble;
-  return put_file(target, resolved.bytes);
+  return put_file(target, {resolved.bytes});
 }
 
-std::optional<Error> create(const fs::path& target, const container::Bytes& bytes) {
+std::optional<Error> create(const fs::path& target, const Pieces& pieces) {
   FileDraft draft(target, std::nullopt);
-  if (auto trouble = container::write_pieces(draft, {bytes})) return trouble;
+  if (auto trouble = container::write_pieces(draft, pieces)) return trouble;
   if (auto trouble = draft.finish()) return trouble;
   return draft.publish();
 }
 
 }  // namespace
 
-bool has_bytes(const fs::path& file, const container::Bytes& bytes) {
+bool has_bytes(const fs::path& file, const Pieces& pieces) {
   const container::Loaded present =
       container::load_file(container::open_regular(AT_FDCWD, file.c_str()));
   return present.error == container::ResolveError::none &&
-         container::same_bytes(present.bytes, bytes);
+         container::same_bytes(pieces, present.bytes);
 }
 
-std::optional<Error> put_file(const fs::path& target, const container::Bytes& bytes) {
+std::optional<Error> put_file(const fs::path& target, const Pieces& pieces) {
   remove_stale_files(target);
   std::error_code error;
   std::optional<Error> trouble;
   if (!fs::exists(target, error)) {
-    trouble = create(target, bytes);
+    trouble = create(target, pieces);
     if (!trouble) return std::nullopt;
   }
-  if (fs::exists(target, error) && has_bytes(target, bytes)) return std::nullopt;
+  if (fs::exists(target, error) && has_bytes(target, pieces)) return std::nullopt;
   if (trouble) return trouble;
   return Error{fmt::format("{} is there already with other bytes", quoted(target.native(), 200))};
 }

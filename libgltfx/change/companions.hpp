@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "container/resolver.hpp"
@@ -25,12 +26,13 @@ std::map<json::NodeId, std::string> referred_files(const json::Document& documen
 /// Makes a folder and its missing parents.
 std::optional<Error> make_folder(const std::filesystem::path& folder);
 
-/// Whether the file exists, is regular and has these bytes.
-bool has_bytes(const std::filesystem::path& file, const container::Bytes& bytes);
+/// Whether a regular file is there and holds these pieces, one behind the other.
+bool has_bytes(const std::filesystem::path& file, const std::vector<container::Bytes>& pieces);
 
-/// Creates a file, whole and durable, unless it exists with the same bytes, which another run may
-/// be writing now. A file with other bytes is not overwritten.
-std::optional<Error> put_file(const std::filesystem::path& target, const container::Bytes& bytes);
+/// Creates a file, whole and durable, unless it is there with the same bytes, which another run may
+/// be writing now. One with other bytes is not overwritten.
+std::optional<Error> put_file(const std::filesystem::path& target,
+                              const std::vector<container::Bytes>& pieces);
 
 /// Copies files below `folder`, under the names by which a document refers to them. An existing
 /// file with the same bytes stays; one with other bytes is not overwritten. References to missing

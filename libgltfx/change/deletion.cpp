@@ -159,7 +159,10 @@ class DeletionPlanner {
                  ? std::nullopt
                  : Reason("another buffer would become that of the BIN chunk");
     }
-    if (of_bin) cut_views(buffers);
+    if (!of_bin) return std::nullopt;
+    deletion_.change.bin.cut = cut_bin(
+        graph_, [this](json::NodeId object) { return removals_.is_gone(object); },
+        container_->bin->length, editor_);
     return std::nullopt;
   }
 
@@ -171,22 +174,7 @@ class DeletionPlanner {
     return false;
   }
 
-  void cut_views(json::NodeId buffers) {
-    const json::NodeId views = tree_.member(document().root(), "bufferViews");
-    const auto found = shifts_.find(views);
-    std::set<std::uint64_t> gone;
-    if (found != shifts_.end()) gone.insert(found->second.begin(), found->second.end());
-    if (views != json::kNoNode && removals_.is_gone(views)) {
-      for (std::uint64_t i = 0; i < tree_.size(views); ++i) gone.insert(i);
-    }
-    const auto to_bin = std::count_if(
-        graph_.indices().begin(), graph_.indices().end(),
-        [&](const graph::IndexUse& use) { return use.list == buffers && use.index == 0; });
-    deletion_.change.bin.cut = cut_bin(document(), gone, static_cast<std::uint64_t>(to_bin),
-                                       container_->bin->length, editor_);
-  }
-
-  // Removes names of extensions without objects. A remaining unknown extension may affect anything.
+  // Names of extensions that are gone. An unknown one that stays may have a say in anything.
   Reason remove_names() {
     std::vector<json::NodeId> values;
     for (const Removed& removed : removed_) {

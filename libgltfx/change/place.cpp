@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -32,6 +33,9 @@ std::string renamed(std::string_view uri, std::string_view mark, std::string_vie
   const bool has_ending = dot != std::string_view::npos && dot > name;
   return fmt::format("{}-{}{}", uri.substr(0, has_ending ? dot : uri.size()), mark, ending);
 }
+
+// They keep their memory.
+Bytes bytes_of(const File& file) { return {std::as_bytes(std::span(*file)), file}; }
 
 Error missing() { return {"the bytes of a buffer are missing"}; }
 
@@ -148,7 +152,8 @@ class Placement {
   // Whether another new file has the name.
   bool is_taken(const std::string& path, std::string_view bytes) const {
     return std::any_of(change_.files.begin(), change_.files.end(), [&](const NewFile& file) {
-      return file.path == path && *file.bytes != bytes;
+      return file.path == path &&
+             !container::same_bytes(file.pieces, {std::as_bytes(std::span(bytes)), nullptr});
     });
   }
 
@@ -161,7 +166,7 @@ class Placement {
       std::string uri = renamed(old, mark, ending);
       std::string path = container::classify_uri(uri).path;
       if (path.empty() || is_taken(path, *file) || !is_free_(path, *file)) continue;
-      change_.files.push_back({std::move(path), file});
+      change_.files.push_back({std::move(path), {bytes_of(file)}});
       return uri;
     }
     return {};

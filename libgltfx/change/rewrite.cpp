@@ -42,6 +42,7 @@ bool is_harmless(const container::ContainerError& error) {
 std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
 
 using container::Bytes;
+using container::size_of;
 using Pieces = std::vector<Bytes>;
 
 std::string chunk_header(std::uint32_t type, std::uint64_t length) {
@@ -51,13 +52,8 @@ std::string chunk_header(std::uint32_t type, std::uint64_t length) {
   return header;
 }
 
-std::size_t size_of(const Pieces& pieces) {
-  std::size_t size = 0;
-  for (const Bytes& piece : pieces) size += piece.size();
-  return size;
-}
-
 Pieces changed(const Bytes& bin, const BinChange& change) {
+  if (change.whole) return *change.whole;
   Pieces data;
   std::size_t at = 0;
   auto patch = change.patches.begin();
@@ -162,10 +158,11 @@ Result<Pieces> rewrite_sound(const container::Container& container, std::string_
   return pieces;
 }
 
-Result<Pieces> make_glb(std::string_view json, std::string bin) {
+Result<Pieces> make_glb(std::string_view json, Pieces bin) {
   const std::string empty("glTF\2\0\0\0\x18\0\0\0\4\0\0\0JSON{}  ", 24);
-  return rewrite_glb(container::open_bytes(Bytes::from_string(empty)), json,
-                     {std::move(bin), {}, false, {}});
+  BinChange change;
+  if (!bin.empty()) change.whole = std::move(bin);
+  return rewrite_glb(container::open_bytes(Bytes::from_string(empty)), json, change);
 }
 
 Result<Pieces> rewrite(const container::Container& container) {

@@ -26,8 +26,9 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
 Result<std::vector<container::Bytes>> rewrite_glb(const container::Container& container,
                                                   std::string_view json, const BinChange& bin = {});
 
-/// A GLB of that JSON and, unless it is empty, that BIN chunk.
-Result<std::vector<container::Bytes>> make_glb(std::string_view json, std::string bin);
+/// A GLB of that JSON and, unless there are no pieces, a BIN chunk of them.
+Result<std::vector<container::Bytes>> make_glb(std::string_view json,
+                                               std::vector<container::Bytes> bin);
 
 /// As rewrite_glb(), but fixes the container: each chunk gets a length that is a multiple of 4, and
 /// zeros after the last chunk are removed.

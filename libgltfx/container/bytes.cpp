@@ -4,12 +4,31 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/checked.hpp"
+#include "base/temporary_file.hpp"
+#include "container/file.hpp"
 #include "container/mapping.hpp"
 
 namespace gltfx::container {
 namespace {
 
 constexpr std::size_t kStep = std::size_t{1} << 20U;
+// More than this is not copied to memory that the system cannot take back.
+constexpr std::size_t kSmall = std::size_t{16} << 20U;
+
+// `file` has write().
+template <class File>
+std::optional<Error> write_to(File& file, const std::vector<Bytes>& pieces) {
+  for (const Bytes& piece : pieces) {
+    const ReadMeter meter(piece);
+    for (std::size_t at = 0; at < piece.size(); at += kStep) {
+      const std::string_view step = piece.text().substr(at, kStep);
+      if (auto trouble = file.write(step)) return trouble;
+      meter.add(step.size());
+    }
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -20,25 +39,43 @@ Bytes Bytes::from_text(const SharedText& text) {
   return {std::as_bytes(std::span(text->data(), text->size())), text};
 }
 
-std::string join(const std::vector<Bytes>& pieces) {
+std::size_t size_of(const std::vector<Bytes>& pieces) {
   std::size_t size = 0;
   for (const Bytes& piece : pieces) size += piece.size();
+  return size;
+}
+
+std::string join(const std::vector<Bytes>& pieces) {
   std::string text;
-  text.reserve(size);
+  text.reserve(size_of(pieces));
   for (const Bytes& piece : pieces) text += piece.text();
   return text;
 }
 
-std::optional<Error> write_pieces(FileDraft& draft, const std::vector<Bytes>& pieces) {
-  for (const Bytes& piece : pieces) {
-    const ReadMeter meter(piece);
-    for (std::size_t at = 0; at < piece.size(); at += kStep) {
-      const std::string_view step = piece.text().substr(at, kStep);
-      if (auto trouble = draft.write(step)) return trouble;
-      meter.add(step.size());
+Bytes gathered(const std::vector<Bytes>& pieces, const std::filesystem::path& folder) {
+  if (pieces.size() == 1) return pieces.front();
+  if (size_of(pieces) > kSmall && !folder.empty()) {
+    TemporaryFile file(folder / "draft");
+    if (!write_to(file, pieces)) {
+      Loaded loaded = load_file(adopt_regular(file.reader()));
+      if (loaded.error == ResolveError::none) return std::move(loaded.bytes);
     }
   }
-  return std::nullopt;
+  return Bytes::from_string(join(pieces));
+}
+
+std::optional<Error> write_pieces(FileDraft& draft, const std::vector<Bytes>& pieces) {
+  return write_to(draft, pieces);
+}
+
+bool same_bytes(const std::vector<Bytes>& pieces, const Bytes& other) {
+  std::size_t at = 0;
+  for (const Bytes& piece : pieces) {
+    if (!fits(at, piece.size(), other.size())) return false;
+    if (!same_bytes(other.part(at, piece.size()), piece)) return false;
+    at += piece.size();
+  }
+  return at == other.size();
 }
 
 bool same_bytes(const Bytes& one, const Bytes& other) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <span>
@@ -45,14 +46,22 @@ class Bytes {
   std::shared_ptr<const void> owner_;
 };
 
-/// The pieces as one string.
+/// Of all of them.
+std::size_t size_of(const std::vector<Bytes>& pieces);
+
+/// All of them in one text.
 std::string join(const std::vector<Bytes>& pieces);
 
-/// Writes the pieces one after the other. At most a few megabytes of a mapped file are resident at
-/// a time. Nothing on success, else an Error.
+/// The same in one stretch of memory: what is large lies in a file without a name in `folder`,
+/// which is mapped, unless the folder is empty or can take no file.
+Bytes gathered(const std::vector<Bytes>& pieces, const std::filesystem::path& folder);
+
+/// Writes one behind the other. Of a mapped file a few megabytes are resident at a time. Nothing
+/// when all is written, else why it is not.
 std::optional<Error> write_pieces(FileDraft& draft, const std::vector<Bytes>& pieces);
 
 /// Whether the bytes are equal; with the same bound on memory.
 bool same_bytes(const Bytes& one, const Bytes& other);
+bool same_bytes(const std::vector<Bytes>& pieces, const Bytes& other);
 
 }  // namespace gltfx::container

@@ -51,7 +51,9 @@ class Serialization {
     asset.bytes = interop::write_model(model_, stored.buffers(), stored.images(), notes_);
     asset.files = stored.take_files();
     if (!glb || !notes_.error().empty()) return;
-    auto whole = change::make_glb(asset.bytes, stored.take_bin());
+    std::vector<container::Bytes> bin{container::Bytes::from_string(stored.take_bin())};
+    if (bin.front().empty()) bin.clear();
+    auto whole = change::make_glb(asset.bytes, std::move(bin));
     if (whole) {
       asset.bytes = container::join(*whole);
     } else {

@@ -12,9 +12,6 @@
 #include <fmt/format.h>
 
 #include "change/deletion.hpp"
-#include "change/rewrite.hpp"
-#include "json/lines.hpp"
-#include "model/fields.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/new_findings.hpp"
@@ -31,35 +28,6 @@ using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
 using Reason = std::optional<std::string>;
 
-// Where the text leaves open which value is meant.
-Reason find_ambiguous_text(const json::Parsed& parsed) {
-  if (parsed.unrecorded_errors > 0) return "its JSON has too many errors; fix them first";
-  for (const json::ParseError& error : parsed.errors) {
-    switch (error.error) {
-      case json::SyntaxError::missing_comma:
-      case json::SyntaxError::lone_surrogate:
-      case json::SyntaxError::duplicate_key: {
-        const Location at = json::LineIndex(parsed.document.text()).locate(error.span);
-        return fmt::format("its JSON is ambiguous at line {}, column {}: {}; fix that first",
-                           at.line, at.column, error.detail);
-      }
-      default:
-        break;
-    }
-  }
-  return std::nullopt;
-}
-
-Reason find_delete_obstacle(const OpenedAsset& asset) {
-  if (asset.container().glb_version == 1U || model::is_gltf_1(asset.document())) {
-    return "glTF 1.0 is not supported";
-  }
-  if (auto why = change::find_glb_obstacle(asset.container())) {
-    return "it cannot be written anew: " + *why;
-  }
-  return find_ambiguous_text(asset.parsed());
-}
-
 /// One asset and what is to become of it.
 class DeleteRun {
  public:
@@ -74,7 +42,7 @@ class DeleteRun {
 
   std::optional<Draft> run() {
     const OpenedAsset& asset = before_.asset();
-    if (auto why = find_delete_obstacle(asset)) return refuse(*std::move(why));
+    if (auto why = find_edit_obstacle(asset)) return refuse(*std::move(why));
     auto planned = change::plan_deletion(asset.document(), *schemas_, options_.pointers,
                                          {options_.cascade, &asset.container()});
     if (!planned) return refuse(planned.error().message);

@@ -9,7 +9,11 @@
 
 #include "base/temporary_file.hpp"
 #include "base/text.hpp"
+#include "change/companions.hpp"
 #include "change/diff.hpp"
+#include "change/rewrite.hpp"
+#include "json/lines.hpp"
+#include "model/asset.hpp"
 #include "pipeline/new_findings.hpp"
 
 namespace gltfx {
@@ -32,6 +36,38 @@ std::string patch_path(const OpenedAsset& asset) {
   return path.lexically_normal().relative_path().native();
 }
 
+// Large drafts lie on the disk that they go to; a draft that goes nowhere, where temporary files
+// lie.
+fs::path folder_of_drafts(const OpenedAsset& asset, const EditOptions& options) {
+  std::error_code error;
+  if (!asset.resolver().looks_on_disk()) return {};
+  if (!writes(options)) return fs::temp_directory_path(error);
+  fs::path folder = change::target_folder(asset.name(), options.output);
+  while (!fs::is_directory(folder, error) && folder.has_relative_path()) {
+    folder = folder.parent_path();
+  }
+  return folder.empty() ? fs::path(".") : folder;
+}
+
+// Where the text leaves open which value is meant.
+std::optional<std::string> find_ambiguous_text(const json::Parsed& parsed) {
+  if (parsed.unrecorded_errors > 0) return "its JSON has too many errors; fix them first";
+  for (const json::ParseError& error : parsed.errors) {
+    switch (error.error) {
+      case json::SyntaxError::missing_comma:
+      case json::SyntaxError::lone_surrogate:
+      case json::SyntaxError::duplicate_key: {
+        const Location at = json::LineIndex(parsed.document.text()).locate(error.span);
+        return fmt::format("its JSON is ambiguous at line {}, column {}: {}; fix that first",
+                           at.line, at.column, error.detail);
+      }
+      default:
+        break;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 container::Container without_zero_padding(container::Container container) {
@@ -41,6 +77,16 @@ container::Container without_zero_padding(container::Container container) {
     container.json = share_text(std::string(container.json->substr(0, end)));
   }
   return container;
+}
+
+std::optional<std::string> find_edit_obstacle(const OpenedAsset& asset) {
+  if (asset.container().glb_version == 1U || model::is_gltf_1(asset.document())) {
+    return "glTF 1.0 is not supported";
+  }
+  if (auto why = change::find_glb_obstacle(asset.container())) {
+    return "it cannot be written anew: " + *why;
+  }
+  return find_ambiguous_text(asset.parsed());
 }
 
 // The state is taken before the bytes: a change between the two is seen when it is written.
@@ -87,10 +133,11 @@ std::optional<Draft> carry_out(const EditedFile& file, change::Change change, co
   if (written && change::is_in_place(file.options, old.name())) {
     if (auto why = find_reader(old.name(), file.folders)) return refuse(*std::move(why));
   }
-  auto draft = change::apply(old, change, std::move(now));
+  auto draft = change::apply(old, change, std::move(now), folder_of_drafts(old, file.options));
   if (!draft) return refuse(draft.error().message);
   validate::ValidatedAsset after(*std::move(draft), default_validation(file.schemas));
   if (auto why = proof(after)) return refuse(*std::move(why));
+  if (change.format) asset.companions = change::referred_paths(after.asset().document());
   after.forget_large_document();
   std::optional<Draft> proven(
       Draft{std::move(after), std::move(change.files), std::move(change.replaced)});

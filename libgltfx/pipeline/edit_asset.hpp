@@ -33,6 +33,10 @@ Result<EditedAsset> open_to_edit(const std::string& path, const AssetBounds& bou
 /// Some writers fill the JSON chunk up with zeros; the new one gets blanks.
 container::Container without_zero_padding(container::Container container);
 
+/// Why objects of an asset cannot be moved or taken out, as half a sentence; nothing when they can:
+/// what its text means is clear, and its container can be written anew.
+std::optional<std::string> find_edit_obstacle(const model::OpenedAsset& asset);
+
 /// The asset that a change makes, proven, and the files that come with it.
 struct Draft {
   validate::ValidatedAsset asset;

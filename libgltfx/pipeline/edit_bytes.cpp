@@ -27,7 +27,9 @@ Result<std::string> bytes_of(const Draft& draft) {
 
 std::map<std::string, std::string> files_of(const Draft& draft) {
   std::map<std::string, std::string> files;
-  for (const change::NewFile& file : draft.files) files.emplace(file.path, *file.bytes);
+  for (const change::NewFile& file : draft.files) {
+    files.emplace(file.path, container::join(file.pieces));
+  }
   for (const change::ReplacedFile& file : draft.replaced) {
     files.emplace(file.path, file.after.text());
   }

@@ -59,7 +59,7 @@ bool is_free(const OpenedAsset& asset, const std::string& output, const std::str
   std::error_code error;
   return !fs::exists(fs::symlink_status(there, error)) ||
          change::has_bytes(there,
-                           {std::as_bytes(std::span(content.data(), content.size())), nullptr});
+                           {{std::as_bytes(std::span(content.data(), content.size())), nullptr}});
 }
 
 // Makes new images and finds a place for all that is added.

@@ -71,9 +71,7 @@ TEST(BinCut, ABufferKeepsItsLastByte) {
 
 TEST(BinCut, NothingIsCutWhereNotEveryUseOfTheBytesIsKnown) {
   const std::string orphan = R"({"buffer":0,"byteLength":8})";
-  for (const char* const other :
-       {R"({"byteLength":8})", R"({"buffer":0})",
-        R"({"buffer":0,"byteOffset":8,"byteLength":4,"extensions":{}})"}) {
+  for (const char* const other : {R"({"byteLength":8})", R"({"buffer":0})"}) {
     const CutView result = cut(orphan + "," + other, 16, 16);
     EXPECT_THAT(result.cut, IsEmpty()) << other;
     EXPECT_THAT(result.text, HasSubstr(other));

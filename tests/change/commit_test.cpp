@@ -38,7 +38,7 @@ struct Edited {
     if (made) draft.emplace(*std::move(made));
   }
   AssetWrite write(const EditOptions& options) const {
-    return {old, state, options, &draft->container(), change.files, change.replaced, {}};
+    return {old, state, options, &draft->container(), change.files, change.replaced};
   }
 
   model::OpenedAsset old;
@@ -62,7 +62,7 @@ Change change_of(const TempFolder& folder) {
   change.edits = {{{2, 9}, "images"}};
   change.replaced = {{"a.bin", *file_state(folder.path() / "a.bin"), Bytes::from_string("old"),
                       Bytes::from_string("new")}};
-  change.files = {{"b.png", std::make_shared<const std::string>("png")}};
+  change.files = {{"b.png", {container::Bytes::from_string("png")}}};
   return change;
 }
 
