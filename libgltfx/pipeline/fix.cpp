@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kNoMemory = "there is not enough memory to fix this file";
 
-FixReport failed(const std::string& path, std::string_view why) {
+FixReport unfixed(const std::string& path, std::string_view why) {
   FixReport report;
   report.path = path;
   note_failure(report, EditProblem::unreadable, std::string(why));
@@ -36,7 +36,7 @@ std::vector<FixReport> guarded(const std::vector<EditInput>& assets, FixRun& run
     why = "the path cannot be looked up";
   }
   std::vector<FixReport> reports;
-  for (const EditInput& asset : assets) reports.push_back(failed(asset.path, why));
+  for (const EditInput& asset : assets) reports.push_back(unfixed(asset.path, why));
   return reports;
 }
 
@@ -84,7 +84,7 @@ void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, 
   try {
     groups = groups_of_inputs(inputs, options, jobs);
   } catch (const std::bad_alloc&) {
-    for (const EditInput& input : inputs) consume(failed(input.path, kNoMemory));
+    for (const EditInput& input : inputs) consume(unfixed(input.path, kNoMemory));
     return;
   }
   FixRun run = run_with(options, jobs);

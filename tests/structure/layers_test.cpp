@@ -36,6 +36,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/targets.hpp", "target"},
     {"gltfx/validate.hpp", "rules"},
     {"gltfx/upgrade.hpp", "steps"},
+    {"gltfx/convert.hpp", "steps"},
     {"gltfx/edited_file.hpp", "change"},
     {"gltfx/fix.hpp", "rules"},
     {"gltfx/deletion.hpp", "pipeline"},

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <gltfx/bake.hpp>
+#include <gltfx/convert.hpp>
 #include <gltfx/decoders.hpp>
 #include <gltfx/deletion.hpp>
 #include <gltfx/edited_bytes.hpp>
@@ -103,6 +104,19 @@ EditedBytes<DeleteReport> delete_objects_in_bytes(MemoryAsset asset, const Delet
 /// order of `inputs`, one at a time.
 void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
                              unsigned jobs, const std::function<void(DeleteReport&&)>& consume);
+
+/// Stores the asset at `path` in another way, step by step as the options ask for it. A file is
+/// changed whole or not at all, only after the new bytes were validated. Never throws. Safe to call
+/// from several threads for different files.
+ConvertReport convert_file(const std::string& path, const ConvertOptions& options = {});
+
+/// The same for an asset in memory, as upgrade_bytes().
+EditedBytes<ConvertReport> convert_bytes(MemoryAsset asset, const ConvertOptions& options = {});
+
+/// The same for many files on `jobs` threads (at least 1), which hands over the reports in the
+/// order of `inputs`, one at a time.
+void convert_files(const std::vector<EditInput>& inputs, const ConvertOptions& options,
+                   unsigned jobs, const std::function<void(ConvertReport&&)>& consume);
 
 /// Draws the file at `path` and writes pictures as the options say. Never throws; files are written
 /// whole or not at all. Safe to call from several threads for different files.

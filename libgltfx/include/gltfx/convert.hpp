@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// @file
+/// What `gltfx convert` can be asked for, and what it says of each step. The calls are in
+/// <gltfx/pipeline.hpp>.
+#pragma once
+
+#include <gltfx/edited_file.hpp>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gltfx {
+
+/// How an asset is stored.
+enum class StoredAs : std::uint8_t {
+  glb,       ///< one binary file with all buffers and images
+  gltf,      ///< JSON text with files for buffers and images
+  embedded,  ///< JSON text with data URIs for buffers and images
+};
+
+/// What a run is asked for.
+struct ConvertOptions : EditOptions {
+  /// Nothing: as the name of the output ends, and as the input is stored where there is none.
+  std::optional<StoredAs> to;
+  /// Write although something that was asked for was refused.
+  bool partial = false;
+  /// Other assets have their files in the same folder: names of new images say what is in them.
+  bool shared_folder = false;
+};
+
+/// An object that a step did not deal with, and why.
+struct ConvertNote {
+  std::string pointer;  ///< in the document as the step found it; empty: the asset
+  std::string reason;   ///< half a sentence
+};
+
+/// What is not as it was.
+struct ConvertLoss {
+  std::string quantity;   ///< "normals", or what is gone: "the name of /buffers/1"
+  double bound = 0;       ///< that was allowed; 0: it is no quantity
+  double measured = 0;    ///< never above the bound
+  std::string_view unit;  ///< of both, static storage
+};
+
+/// What one step came to. Owns its text.
+struct ConvertStep {
+  std::string_view step;             ///< its name, static storage
+  std::string what;                  ///< what it does, half a sentence; empty: nothing
+  bool changes = false;              ///< the asset differs from what it was before the step
+  std::vector<ConvertNote> left;     ///< it does not apply to these
+  std::vector<ConvertNote> refused;  ///< it applies, and is not safe there
+  std::vector<ConvertLoss> losses;   ///< empty: nothing is lost
+  std::uint64_t bytes_before = 0;    ///< of the asset with its files
+  std::uint64_t bytes_after = 0;     ///< the same
+};
+
+/// What became of one file. Owns its text.
+struct ConvertReport : EditOutcome {
+  std::vector<ConvertStep> steps;      ///< those that were asked for, in their order
+  std::vector<std::string> new_files;  ///< that the new document refers to, from its folder
+  /// Warnings of `gltfx validate` that the new document has and the old one has not, one a code:
+  /// "CODE at /pointer: message".
+  std::vector<std::string> new_warnings;
+
+  /// Objects that a step was refused for.
+  std::uint64_t refused() const;
+};
+
+}  // namespace gltfx

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gltfx/pipeline.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <new>
+#include <optional>
+#include <set>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "change/apply.hpp"
+#include "change/companions.hpp"
+#include "change/place.hpp"
+#include "pipeline/edit_bytes.hpp"
+#include "pipeline/in_order.hpp"
+#include "pipeline/new_findings.hpp"
+#include "pipeline/open_asset.hpp"
+#include "schema/compile.hpp"
+#include "steps/step.hpp"
+#include "validate/validated_asset.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+using model::OpenedAsset;
+using validate::ValidatedAsset;
+using SchemaSet = std::shared_ptr<const schema::Set>;
+using Reason = std::optional<std::string>;
+
+// What an asset takes with the files that it refers to.
+std::uint64_t stored_bytes(const OpenedAsset& asset) {
+  const container::Container& container = asset.container();
+  const bool is_text = container.format == container::Format::gltf;
+  std::uint64_t bytes = is_text ? container.json->size() : container.bytes.size();
+  for (const std::string& path : change::referred_paths(asset.document())) {
+    std::uint64_t size = 0;
+    if (asset.resolver().stat(path, size) == container::ResolveError::none) bytes += size;
+  }
+  return bytes;
+}
+
+// How the output is to be stored where that is not how the input is; asked for, or told by a name.
+std::optional<StoredAs> form_of(const OpenedAsset& asset, const ConvertOptions& options) {
+  if (options.to || options.output.empty() || options.in_place) return options.to;
+  const bool is_glb = asset.container().format == container::Format::glb;
+  const std::string ending = ending_of(options.output);
+  if (is_glb && ending == ".gltf") return StoredAs::gltf;
+  if (!is_glb && (ending == ".glb" || ending == ".vrm")) return StoredAs::glb;
+  return std::nullopt;
+}
+
+std::string with_place(const ConvertNote& note) {
+  return note.pointer.empty() ? note.reason : fmt::format("{}: {}", note.pointer, note.reason);
+}
+
+/// One asset on its way through the steps.
+class ConvertRun {
+ public:
+  ConvertRun(const ValidatedAsset& before, const FileState& state, const ConvertOptions& options,
+             const SchemaSet& schemas, FolderIndex& folders, ConvertReport& report)
+      : before_(before),
+        state_(state),
+        options_(options),
+        schemas_(schemas),
+        folders_(folders),
+        report_(report) {}
+
+  std::optional<Draft> run() {
+    if (auto why = find_edit_obstacle(before_.asset())) return refuse(*std::move(why));
+    for (const steps::StepDescription& step : steps::steps()) {
+      if (!step.asked(options_)) continue;
+      if (auto why = settle()) return refuse(*std::move(why));
+      if (auto why = take(step)) return refuse(*std::move(why));
+    }
+    report_.changes = !change_.empty();
+    if (options_.diff) report_.diff = diff_of(before_.asset(), change_.edits);
+    if (!report_.changes) {
+      copy_unchanged(before_.asset(), state_, options_, report_);
+      return std::nullopt;
+    }
+    if (auto why = find_taken_name()) return refuse(*std::move(why));
+    for (const change::NewFile& file : change_.files) report_.new_files.push_back(file.path);
+    auto draft = carry_out(
+        {before_, state_, options_, schemas_, folders_}, std::move(change_),
+        [this](const ValidatedAsset& after) { return find_error(after); }, report_);
+    if (!draft) report_.new_warnings.clear();
+    return draft;
+  }
+
+ private:
+  const OpenedAsset& asset() const { return now_ ? *now_ : before_.asset(); }
+
+  std::nullopt_t refuse(std::string why) {
+    note_failure(report_, EditProblem::refused, std::move(why));
+    return std::nullopt;
+  }
+
+  // Runs a step on what the steps before made; why all is refused, or nothing.
+  Reason take(const steps::StepDescription& step) {
+    ConvertStep& row = report_.steps.emplace_back();
+    row.step = step.name;
+    const std::string name =
+        fs::path(options_.output.empty() ? before_.asset().name() : options_.output)
+            .stem()
+            .native();
+    auto outcome = step.run({asset(), *schemas_, options_, name});
+    if (!outcome) {
+      row.refused.push_back({{}, outcome.error().message});
+      return outcome.error().message;
+    }
+    row = std::move(outcome->row);
+    row.step = step.name;
+    row.changes = !outcome->change.empty();
+    row.bytes_before = stored_bytes(asset());
+    row.bytes_after = row.bytes_before;
+    if (!row.refused.empty() && !options_.partial) {
+      return fmt::format("{} (--partial writes the rest)", with_place(row.refused.front()));
+    }
+    if (!row.changes) return std::nullopt;
+    auto placed = change::place(std::move(outcome->change), asset(), nullptr);
+    if (!placed) return placed.error().message;
+    add(*placed);
+    last_ = *std::move(placed);
+    return std::nullopt;
+  }
+
+  // Makes what the last step changes: the next one works on that.
+  Reason settle() {
+    if (!last_) return std::nullopt;
+    auto next = change::apply(asset(), *last_);
+    if (!next) return next.error().message;
+    last_.reset();
+    now_.emplace(*std::move(next));
+    report_.steps.back().bytes_after = stored_bytes(*now_);
+    return std::nullopt;
+  }
+
+  // To what the steps before changed.
+  void add(const change::Change& change) {
+    change_.edits =
+        json::chain_edits(*before_.asset().container().json, change_.edits, change.edits);
+    change_.files.insert(change_.files.end(), change.files.begin(), change.files.end());
+    if (change.format) change_.format = change.format;
+    if (change.bin.whole) change_.bin.whole = change.bin.whole;
+  }
+
+  // A new file does not take the place of another.
+  Reason find_taken_name() const {
+    if (!writes(options_)) return std::nullopt;
+    const fs::path folder =
+        change::target_folder(before_.asset().name(), options_.in_place ? "" : options_.output);
+    for (const change::NewFile& file : change_.files) {
+      std::error_code error;
+      const fs::path target = folder / file.path;
+      if (!fs::exists(fs::symlink_status(target, error))) continue;
+      if (change::has_bytes(target, file.pieces)) continue;
+      return fmt::format("{} is there already with other bytes", quoted(target.native(), 200));
+    }
+    return std::nullopt;
+  }
+
+  Reason find_error(const ValidatedAsset& after) {
+    report_.steps.back().bytes_after = stored_bytes(after.asset());
+    NewFindings found = new_findings(before_, after, schemas_);
+    report_.new_warnings = std::move(found.warnings);
+    if (found.error.empty()) return std::nullopt;
+    return fmt::format("the new file would have the new error {}", found.error);
+  }
+
+  const ValidatedAsset& before_;
+  const FileState& state_;
+  const ConvertOptions& options_;
+  const SchemaSet& schemas_;
+  FolderIndex& folders_;
+  ConvertReport& report_;
+  std::optional<OpenedAsset> now_;      ///< what the steps before the last make; nothing: the old
+  std::optional<change::Change> last_;  ///< of the last step, where it has one
+  change::Change change_;               ///< of the old asset, all steps together
+};
+
+std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderIndex& folders,
+                             ConvertReport& report) {
+  if (const auto obstacle = find_obstacle(opened.asset)) {
+    note_failure(report, EditProblem::unreadable, obstacle->message);
+    return std::nullopt;
+  }
+  options.to = form_of(opened.asset, options);
+  const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
+  const ValidatedAsset before(std::move(opened.asset), default_judgement(schemas));
+  return ConvertRun(before, opened.state, options, schemas, folders, report).run();
+}
+
+ConvertReport convert_path(const std::string& path, const ConvertOptions& options,
+                           FolderIndex& folders) {
+  ConvertReport report;
+  report.path = path;
+  try {
+    auto opened = open_to_edit(path, AssetBounds::of(options));
+    if (opened) {
+      convert(*std::move(opened), options, folders, report);
+    } else {
+      note_failure(report, EditProblem::unreadable, opened.error().message);
+    }
+  } catch (const std::bad_alloc&) {
+    note_failure(report, EditProblem::unreadable,
+                 "there is not enough memory to convert this file");
+  } catch (const fs::filesystem_error&) {
+    note_failure(report, EditProblem::unreadable, "the path cannot be looked up");
+  }
+  return report;
+}
+
+}  // namespace
+
+std::uint64_t ConvertReport::refused() const {
+  std::uint64_t count = 0;
+  for (const ConvertStep& step : steps) count += step.refused.size();
+  return count;
+}
+
+ConvertReport convert_file(const std::string& path, const ConvertOptions& options) {
+  FolderIndex folders;
+  return convert_path(path, options, folders);
+}
+
+EditedBytes<ConvertReport> convert_bytes(MemoryAsset asset, const ConvertOptions& options) {
+  return edit_bytes<ConvertReport>(std::move(asset), options,
+                                   [&](EditedAsset opened, ConvertReport& report) {
+                                     FolderIndex folders;
+                                     return convert(std::move(opened), options, folders, report);
+                                   });
+}
+
+void convert_files(const std::vector<EditInput>& inputs, const ConvertOptions& options,
+                   unsigned jobs, const std::function<void(ConvertReport&&)>& consume) {
+  FolderIndex folders;
+  report_in_order<ConvertReport>(
+      inputs.size(), jobs,
+      [&](std::size_t i) {
+        ConvertOptions each = options;
+        each.output = inputs[i].output;
+        return convert_path(inputs[i].path, each, folders);
+      },
+      consume);
+}
+
+}  // namespace gltfx

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+// One GLB: buffers become one, whose users move, and images get buffer views of their own.
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "change/buffer_layout.hpp"
+#include "container/uri.hpp"
+#include "graph/renumber.hpp"
+#include "graph/unknown_indices.hpp"
+#include "image/header.hpp"
+#include "json/writer.hpp"
+#include "model/asset_bytes.hpp"
+#include "model/fields.hpp"
+#include "report/wording.hpp"
+#include "steps/storage.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+using container::Bytes;
+using model::RootArray;
+using model::Storage;
+
+// Of the widest component that an extension has: what was aligned in its own buffer stays so.
+constexpr std::uint64_t kAlignment = 8;
+constexpr std::uint64_t kMostBytes = UINT32_MAX;
+constexpr const char* kNoFirst = "buffer 0 has no data, and the data of a GLB is that of buffer 0";
+
+/// A buffer that becomes a part of the BIN chunk.
+struct Packed {
+  std::uint64_t index;
+  std::uint64_t base;  ///< where it begins in the chunk
+};
+
+class Packer {
+ public:
+  explicit Packer(const StepInput& input)
+      : input_(input),
+        document_(input.asset.document()),
+        elements_(document_),
+        bytes_(elements_, input.asset.container(), input.asset.resolver()),
+        editor_(document_) {
+    outcome_.change.additions = change::Additions(document_);
+  }
+
+  Result<StepOutcome> run() {
+    take_buffers();
+    take_images();
+    const bool is_glb = input_.asset.container().format == container::Format::glb;
+    if (is_glb && moved_ == 0) return std::move(outcome_);
+    if (size_ > kMostBytes - std::min<std::uint64_t>(kMostBytes, document_.text().size())) {
+      return Error{"a GLB has at most 4 GiB; --to gltf keeps files apart"};
+    }
+    outcome_.change.format = container::Format::glb;
+    if (size_ > 0) {
+      if (input_.asset.container().bin && bytes_.buffer_storage(0) != Storage::bin_chunk) {
+        return Error{"the BIN chunk is the data of no buffer"};
+      }
+      outcome_.change.bin.whole = std::move(data_);
+      declare_buffer();
+    }
+    outcome_.change.edits = editor_.take();
+    if (!is_glb) keep_line_break();
+    describe(is_glb);
+    return std::move(outcome_);
+  }
+
+ private:
+  json::NodeId buffer(std::uint64_t index) const {
+    return elements_.elements(RootArray::buffers)[index];
+  }
+  std::uint64_t count() const { return elements_.count(RootArray::buffers); }
+
+  void refuse(std::string_view array, std::uint64_t index, std::string reason) {
+    note(outcome_.row.refused, fmt::format("/{}/{}", array, index), std::move(reason));
+  }
+
+  // Gives where they begin.
+  std::uint64_t append(Bytes bytes) {
+    const std::uint64_t begin = (size_ + kAlignment - 1) / kAlignment * kAlignment;
+    if (begin > size_) data_.push_back(Bytes::from_string(std::string(begin - size_, '\0')));
+    size_ = begin + bytes.size();
+    data_.push_back(std::move(bytes));
+    return begin;
+  }
+
+  // The declared bytes of a buffer; what a file has behind them is none of the asset. Nothing: it
+  // stays as it is.
+  std::optional<Bytes> bytes_of(std::uint64_t index) {
+    if (bytes_.buffer_storage(index) == Storage::nowhere) return std::nullopt;
+    auto bytes = bytes_.buffer(index);
+    if (!bytes) {
+      refuse("buffers", index, bytes.error().message);
+      return std::nullopt;
+    }
+    const auto declared = model::unsigned_member(document_, buffer(index), "byteLength");
+    if (!declared) {
+      refuse("buffers", index, "its byteLength is missing");
+      return std::nullopt;
+    }
+    if (bytes->size() < *declared) {
+      refuse("buffers", index, fmt::format("its data has only {} bytes", bytes->size()));
+      return std::nullopt;
+    }
+    if (bytes->size() > *declared && bytes_.buffer_storage(index) != Storage::bin_chunk) {
+      note(outcome_.row.left, fmt::format("/buffers/{}", index),
+           fmt::format("{} behind its byteLength",
+                       report::counted(bytes->size() - *declared, "byte")));
+    }
+    return bytes->part(0, *declared);
+  }
+
+  void take_buffers() {
+    if (count() == 0 || buffer(0) == json::kNoNode) return;
+    auto first = bytes_of(0);
+    if (!first) {
+      for (std::uint64_t i = 1; i < count(); ++i) {
+        if (bytes_.buffer_storage(i) == Storage::nowhere) continue;
+        refuse("buffers", i, kNoFirst);
+      }
+      return;
+    }
+    const bool in_chunk = bytes_.buffer_storage(0) == Storage::bin_chunk;
+    put(0, *std::move(first));
+    moved_ += in_chunk ? 0U : 1U;
+    if (count() > 1) merge();
+  }
+
+  // Buffers of one file share its bytes.
+  void put(std::uint64_t index, Bytes bytes) {
+    const std::string file = key_of(buffer(index));
+    const auto known = files_.find(file);
+    if (!file.empty() && known != files_.end() &&
+        bytes.size() <= known->second.end - known->second.begin) {
+      packed_.push_back({index, known->second.begin});
+      return;
+    }
+    const std::uint64_t length = bytes.size();
+    const std::uint64_t base = append(std::move(bytes));
+    files_[file] = {base, base + length};
+    packed_.push_back({index, base});
+  }
+
+  // All buffers that have data into the first one.
+  void merge() {
+    const graph::Graph graph(document_, input_.schemas);
+    const std::string doubt = find_doubt(graph);
+    for (std::uint64_t i = 1; i < count(); ++i) {
+      const json::NodeId object = buffer(i);
+      if (object == json::kNoNode || bytes_.buffer_storage(i) == Storage::nowhere) continue;
+      const std::string why = doubt.empty() ? find_lost_member(object) : doubt;
+      if (!why.empty()) {
+        refuse("buffers", i, why);
+      } else if (auto bytes = bytes_of(i)) {
+        if (document_.find(object, "name") != json::kNoNode) {
+          outcome_.row.losses.push_back({fmt::format("the name of /buffers/{}", i), 0, 0, {}});
+        }
+        put(i, *std::move(bytes));
+        ++moved_;
+      }
+    }
+    if (packed_.size() > 1) move_users(graph);
+  }
+
+  // Why not all that refers to a buffer may be known; empty: it is.
+  std::string find_doubt(const graph::Graph& graph) const {
+    const auto unknown = graph::unknown_with_integers(graph);
+    if (!unknown.empty()) {
+      const std::string place = graph.tree().pointer(unknown.front());
+      return fmt::format("{} may hold indices of buffers (--schema describes it)",
+                         printable(place));
+    }
+    const auto users = change::buffer_users(graph);
+    return users ? std::string() : users.error().message;
+  }
+
+  // A buffer that goes takes along what it has beside its length, its place and its name.
+  std::string find_lost_member(json::NodeId object) const {
+    for (const auto member : document_.members(object)) {
+      const std::string_view name = document_.key(member.key_id);
+      if (name == "uri" || name == "byteLength" || name == "name") continue;
+      return fmt::format("its {} would be lost in another buffer", gltfx::quoted(name));
+    }
+    return {};
+  }
+
+  void move_users(const graph::Graph& graph) {
+    std::vector<std::uint64_t> base(count()), position(count());
+    std::vector<bool> goes(count());
+    for (const Packed& packed : packed_) {
+      base[packed.index] = packed.base;
+      goes[packed.index] = packed.index > 0;
+    }
+    std::uint64_t next = 0;
+    const json::NodeId list = document_.find(document_.root(), "buffers");
+    for (std::uint64_t i = 0; i < count(); ++i) {
+      position[i] = goes[i] ? 0 : next++;
+      if (goes[i]) editor_.remove(list, buffer(i));
+    }
+    const auto users = change::buffer_users(graph);
+    for (const change::BufferUser& user : *users) {
+      change::move_user(document_, user, user.bytes.begin + base[user.buffer], editor_);
+    }
+    auto edits = graph::renumber(
+        graph,
+        [&](json::NodeId array, std::uint64_t index) {
+          return array == list ? position[index] : index;
+        },
+        [](graph::Place) { return false; });
+    for (json::Edit& edit : edits) editor_.replace_text(edit.span, std::move(edit.text));
+  }
+
+  void take_images() {
+    std::map<std::string, std::uint64_t> views;  // by file
+    for (std::uint64_t i = 0; i < elements_.count(RootArray::images); ++i) {
+      const json::NodeId image = elements_.elements(RootArray::images)[i];
+      const Storage storage = bytes_.image_storage(i);
+      if (storage != Storage::file && storage != Storage::data_uri) continue;
+      auto bytes = bytes_.image(i);
+      const std::string why = bytes ? find_image_obstacle(image) : bytes.error().message;
+      if (!why.empty()) {
+        refuse("images", i, why);
+        continue;
+      }
+      const image::Sniffed sniffed = image::sniff(bytes->view());
+      const bool has_type = document_.find(image, "mimeType") != json::kNoNode;
+      if (!sniffed.known && !has_type) {
+        refuse("images", i, "it is in none of the formats that a buffer view may hold");
+        continue;
+      }
+      const auto [view, is_new] = views.try_emplace(key_of(image));
+      if (is_new) view->second = add_view(*std::move(bytes));
+      refer(image, view->second, has_type ? "" : image::media_type(sniffed.format));
+      ++images_;
+      ++moved_;
+    }
+  }
+
+  std::string find_image_obstacle(json::NodeId image) const {
+    if (count() > 0 && packed_.empty()) return kNoFirst;
+    const bool both = document_.find(image, "bufferView") != json::kNoNode;
+    return both ? "it has both a uri and a bufferView" : "";
+  }
+
+  // Objects of one file share its bytes. Empty: it has none.
+  std::string key_of(json::NodeId image) const {
+    const std::string uri = model::string_member(document_, image, "uri");
+    const container::Uri reference = container::classify_uri(uri);
+    return reference.kind == container::UriKind::relative_path ? reference.path : uri;
+  }
+
+  std::uint64_t add_view(Bytes bytes) {
+    const std::uint64_t length = bytes.size();
+    const std::uint64_t begin = append(std::move(bytes));
+    return outcome_.change.additions.add_element(
+        "bufferViews",
+        fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{}}})", begin, length));
+  }
+
+  void refer(json::NodeId image, std::uint64_t view, std::string_view media_type) {
+    const json::NodeId uri = document_.find(image, "uri");
+    editor_.rename(uri - 1, "bufferView");
+    editor_.replace_scalar(uri, std::to_string(view));
+    if (media_type.empty()) return;
+    editor_.append_member(image, "mimeType", fmt::format("\"{}\"", media_type));
+  }
+
+  // Buffer 0 is all of the chunk.
+  void declare_buffer() {
+    const std::string length = std::to_string(size_);
+    if (count() == 0) {
+      outcome_.change.additions.add_element("buffers",
+                                            fmt::format(R"({{"byteLength":{}}})", length));
+      return;
+    }
+    const json::NodeId first = buffer(0);
+    const json::NodeId uri = document_.find(first, "uri");
+    if (uri != json::kNoNode) editor_.remove(first, uri - 1);
+    const bool grew = packed_.size() > 1 || images_ > 0;
+    if (grew) editor_.replace_scalar(document_.find(first, "byteLength"), length);
+  }
+
+  // White space at the end is taken for the padding of the chunk, which has blanks alone, unless it
+  // is longer than padding is. Up to three blanks at the end are counted anew.
+  void keep_line_break() {
+    constexpr std::size_t kEnough = 7;
+    const std::string_view text = document_.text();
+    const std::size_t end = text.find_last_not_of(" \t\r\n") + 1;
+    const std::string_view space = text.substr(end);
+    if (space.size() >= kEnough || space.find_first_not_of(' ') == space.npos) return;
+    const auto size = static_cast<std::uint32_t>(text.size());
+    outcome_.change.edits.push_back({{size, size}, std::string(kEnough - space.size(), ' ')});
+  }
+
+  void describe(bool is_glb) {
+    const std::uint64_t buffers = moved_ - images_;
+    std::string& what = outcome_.row.what;
+    what = is_glb ? "the rest into the GLB" : "one GLB";
+    if (buffers > 0) what += fmt::format(", {}", report::counted(buffers, "buffer"));
+    if (images_ > 0) what += fmt::format(", {}", report::counted(images_, "image"));
+  }
+
+  const StepInput& input_;
+  const json::Document& document_;
+  const model::Asset elements_;
+  model::AssetBytes bytes_;
+  json::Editor editor_;
+  StepOutcome outcome_;
+  std::vector<Packed> packed_;  ///< in the order of the chunk, the first is buffer 0
+  std::vector<Bytes> data_;     ///< of the chunk
+  std::uint64_t size_ = 0;      ///< of that
+  std::map<std::string, change::ByteRange> files_;  ///< that are in it
+  std::uint64_t moved_ = 0;                         ///< buffers and images that stood elsewhere
+  std::uint64_t images_ = 0;                        ///< of those
+};
+
+}  // namespace
+
+Result<StepOutcome> pack(const StepInput& input) { return Packer(input).run(); }
+
+}  // namespace gltfx::steps
