@@ -23,7 +23,7 @@
 #include "pipeline/open_asset.hpp"
 #include "schema/compile.hpp"
 #include "steps/step.hpp"
-#include "validate/validated_asset.hpp"
+#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 namespace {
@@ -76,7 +76,7 @@ class ConvertRun {
     if (auto why = find_edit_obstacle(before_.asset())) return refuse(*std::move(why));
     for (const steps::StepDescription& step : steps::steps()) {
       if (!step.asked(options_)) continue;
-      if (auto why = settle()) return refuse(*std::move(why));
+      if (auto why = resolve()) return refuse(*std::move(why));
       if (auto why = take(step)) return refuse(*std::move(why));
     }
     report_.changes = !change_.empty();
@@ -132,7 +132,7 @@ class ConvertRun {
   }
 
   // Makes what the last step changes: the next one works on that.
-  Reason settle() {
+  Reason resolve() {
     if (!last_) return std::nullopt;
     auto next = change::apply(asset(), *last_);
     if (!next) return next.error().message;
@@ -193,7 +193,7 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderI
   }
   options.to = form_of(opened.asset, options);
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
-  const ValidatedAsset before(std::move(opened.asset), default_judgement(schemas));
+  const ValidatedAsset before(std::move(opened.asset), default_validation(schemas));
   return ConvertRun(before, opened.state, options, schemas, folders, report).run();
 }
 

@@ -95,6 +95,8 @@ class Declaration {
     verb("fix", "Fix what a program can fix with certainty", declare_fix, read_fix);
     verb("upgrade", "Upgrade legacy extensions to their successors", declare_upgrade, read_upgrade);
     verb("edit", "Delete objects and renumber what refers to others", declare_edit, read_edit);
+    verb("convert", "Store assets as GLB, with files or with data URIs", declare_convert,
+         read_convert);
     add_hook();
     verb("bake", "Render previews of assets", declare_bake, read_bake);
     verb("report", "Write an HTML page: findings, previews, sizes", declare_report, read_report);

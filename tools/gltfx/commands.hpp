@@ -29,7 +29,7 @@ struct ExitCodeEntry {
 inline constexpr std::array<ExitCodeEntry, 5> kExitCodes{{
     {ExitCode::ok, "success: no findings at or above --fail-on"},
     {ExitCode::findings,
-     "findings at or above --fail-on, fixes or upgrades left, or failed renders"},
+     "findings at or above --fail-on, work left or refused, or failed renders"},
     {ExitCode::usage, "invalid usage, configuration, schema or baseline, or no assets"},
     {ExitCode::unreadable, "an input cannot be read"},
     {ExitCode::internal, "internal error, or the output cannot be written"},
@@ -62,6 +62,7 @@ ExitCode merge_pages(const MergeRequest& request);
 ExitCode run(const FixRequest& request);
 ExitCode run(const UpgradeRequest& request);
 ExitCode run(const DeleteRequest& request);
+ExitCode run(const ConvertRequest& request);
 ExitCode run(const HookRequest& request);
 ExitCode run(const BakeRequest& request);
 ExitCode run(const PageRequest& request);

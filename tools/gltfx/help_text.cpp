@@ -64,6 +64,13 @@ constexpr std::string_view kEditExamples = R"(Examples:
   gltfx edit model.glb --delete /materials/1 --cascade --in-place --backup
 )";
 
+constexpr std::string_view kConvertExamples = R"(Examples:
+  gltfx convert model.gltf -o model.glb          pack; everything else stays
+  gltfx convert model.glb -o folder/model.gltf   unpack: buffer and images as files
+  gltfx convert model.gltf --to glb              dry run: nothing is written
+  gltfx convert assets/ -o packed/ --to glb --jobs 4
+)";
+
 constexpr std::string_view kBakeExamples = R"(Examples:
   gltfx bake model.glb -o model.png
   gltfx bake assets/ -o thumbnails/ --size 256      previews and a contact sheet
@@ -142,6 +149,7 @@ std::string_view help_examples(std::string_view verb) {
   if (verb == "fix") return kFixExamples;
   if (verb == "upgrade") return kUpgradeExamples;
   if (verb == "edit") return kEditExamples;
+  if (verb == "convert") return kConvertExamples;
   if (verb == "bake") return kBakeExamples;
   if (verb == "report") return kReportExamples;
   if (verb == "inspect") return kInspectExamples;

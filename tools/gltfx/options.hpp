@@ -140,6 +140,10 @@ struct DeleteRequest : EditRequest {
   DeleteOptions deletion;  ///< likewise
 };
 
+struct ConvertRequest : EditRequest {
+  ConvertOptions convert;  ///< likewise
+};
+
 struct BakeRequest {
   CommonOptions common;
   NamedPaths paths;
@@ -212,8 +216,8 @@ struct ConfigRequest {
 
 using Request =
     std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest, DeleteRequest,
-                 BakeRequest, InspectRequest, PageRequest, HookRequest, ExplainRequest,
-                 RulesRequest, TargetsRequest, SchemaRequest, ConfigRequest>;
+                 ConvertRequest, BakeRequest, InspectRequest, PageRequest, HookRequest,
+                 ExplainRequest, RulesRequest, TargetsRequest, SchemaRequest, ConfigRequest>;
 
 // Parse words of the command line. Each Error is a sentence that names the option, the given value
 // and the allowed ones.

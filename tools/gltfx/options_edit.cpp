@@ -2,6 +2,7 @@
 // The verbs that change assets.
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "configuration.hpp"
 #include "option_parts.hpp"
 #include "option_values.hpp"
@@ -138,6 +139,33 @@ void read_fix(Reading& reading, FixRequest& request) {
     if (by_path) by_path->apply(by_path->kind_of(path), options);
     return options;
   };
+}
+
+void declare_convert(Options& options, ConvertRequest& request) {
+  options.add(
+      "--to", "FORM", "Store as glb, gltf (with files) or embedded (data URIs)",
+      one_of(request.convert.to,
+             {{"glb", StoredAs::glb}, {"gltf", StoredAs::gltf}, {"embedded", StoredAs::embedded}}));
+  options.add("--partial", "", "Write although something was refused",
+              flag(request.convert.partial));
+  declare_destination(options, request, request.convert);
+  declare_sources(options, request, request.convert);
+}
+
+void read_convert(Reading& reading, ConvertRequest& request) {
+  check_edit(reading, "convert");
+  const Options& options = reading.options();
+  reading.require(!options.given("--in-place") || !options.given("--to"),
+                  "convert: --in-place keeps the container; leave out --to, or use --output.");
+  reading.read();
+  const std::string ending = ending_of(request.convert.output);
+  const bool binary = ending == ".glb" || ending == ".vrm";
+  const bool contradicts = request.convert.to && (binary || ending == ".gltf") &&
+                           !request.convert.output.ends_with('/') &&
+                           binary != (request.convert.to == StoredAs::glb);
+  reading.require(!contradicts, fmt::format("convert: --to {} does not go with a name that ends in "
+                                            "{}.",
+                                            options.word("--to"), ending));
 }
 
 void declare_edit(Options& options, DeleteRequest& request) {

@@ -39,8 +39,8 @@ bool is_below(const fs::path& path, const fs::path& folder) {
 /// The meaning of `--output` for a run.
 class Destination {
  public:
-  Destination(const std::string& output, const Inputs& inputs)
-      : output_(output), several_(inputs.several) {
+  Destination(const std::string& output, const Inputs& inputs, Ending ending)
+      : output_(output), several_(inputs.several), ending_stays_(ending == Ending::stays) {
     std::error_code error;
     is_folder_ = several_ || output.ends_with('/') || fs::is_directory(output, error);
     real_ = real_path(output);
@@ -77,7 +77,7 @@ class Destination {
                       "file; write {} for a folder.",
                       quoted(output_, 200), quoted(output_ + "/", 200))};
     }
-    if (!is_asset_name(path) || own == ending_of(output_)) return output_;
+    if (!ending_stays_ || !is_asset_name(path) || own == ending_of(output_)) return output_;
     return Error{fmt::format("--output: {} has to end in {} as {} does: the container stays.",
                              quoted(output_, 200), own, quoted(path, 200))};
   }
@@ -86,6 +86,7 @@ class Destination {
   const std::string& output_;
   fs::path real_;
   bool several_;
+  bool ending_stays_;
   bool is_folder_ = false;
   bool inside_search_ = false;
 };
@@ -208,8 +209,9 @@ std::optional<Error> check_name(const char* option, const std::string& name,
 
 }  // namespace
 
-Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::string& output) {
-  const Destination destination(output, inputs);
+Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::string& output,
+                                             Ending ending) {
+  const Destination destination(output, inputs, ending);
   const bool placing = !output.empty();
   if (std::string problem = placing ? destination.problem() : std::string(); !problem.empty()) {
     return Error{std::move(problem)};

@@ -4,6 +4,7 @@
 
 #include <gltfx/pipeline.hpp>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,15 +12,22 @@
 
 namespace gltfx::tool {
 
+/// Whether the name of one output ends as that of its input.
+enum class Ending : std::uint8_t {
+  stays,  ///< it does, because the container stays
+  may_change,
+};
+
 /// Each asset once, however often it was named (directly, by a link, with "./" before it), with the
 /// file its upgrade is written to; no files when `output` is empty.
 ///
 /// `output` is a folder when it is one already, ends in '/', or there may be more than one file
 /// (see Inputs::several). Files found below a folder keep their place below it, with as much of the
 /// path before it as distinguishes them from others; files in the output folder of an earlier run
-/// are not found. Otherwise `output` is a file whose ending must be that of the input, because an
-/// upgrade keeps the container. The Error says what to write instead.
-Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::string& output);
+/// are not found. Otherwise `output` is a file; `ending` says whether it has the
+/// ending of the input. The Error says what to write instead.
+Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::string& output,
+                                             Ending ending = Ending::stays);
 
 struct PicturePlaces {
   std::vector<BakeInput> inputs;

@@ -81,6 +81,20 @@ Without `--in-place` or `--output` nothing is written: the verb prints what woul
 asset is validated before it replaces the old one. A file is replaced whole or not at all, and not if
 it changed meanwhile, is not a regular file or has other hard links.)";
 
+constexpr std::string_view kConvert =
+    R"(Stores assets in another way: as one GLB, as JSON text with files for buffers and images, or with data
+URIs. All bytes stay, and so does the text but for `uri`, `buffer`, offsets and the buffer views of images:
+names, order, `extras`, extensions and the spelling of numbers are as they were.
+
+The form is that of `--to`, or the one that the name of the output tells. Buffers become one in a GLB; an
+extension that may hold an index of a buffer, and that neither gltfx nor a `--schema` describes, refuses that by
+name. Images become files under their names. What is refused is listed, and nothing is written unless
+`--partial` is given.
+
+Without `--output` nothing is written: the verb says what would be done. The new asset is validated before it
+takes its place. A file is written whole or not at all, and none with other bytes is replaced by a buffer or an
+image.)";
+
 constexpr std::string_view kHook =
     R"(Runs gltfx-validate(1), gltfx-fix(1) or gltfx-upgrade(1) with their options on the assets
 of the next Git commit. PATH names changed files in addition to those that Git lists.)";
@@ -134,12 +148,13 @@ constexpr std::string_view kConfig =
 gltfx.toml(5) or the default that it comes from. `gltfx config import FILE` converts a configuration
 of the Khronos validator, in YAML, to one of gltfx.)";
 
-constexpr std::array<VerbText, 15> kTexts{{
+constexpr std::array<VerbText, 16> kTexts{{
     {"", "VERB [OPTION]... [ARGUMENT]...", kProgram},
     {"validate", "PATH...", kValidate},
     {"fix", "PATH...", kFix},
     {"upgrade", "PATH...", kUpgrade},
     {"edit", "PATH...", kEdit},
+    {"convert", "PATH...", kConvert},
     {"hook", "VERB [OPTION]... [PATH]...", kHook},
     {"bake", "PATH...", kBake},
     {"report", "PATH...", kReport},

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "convert_print.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "json/writer.hpp"
+#include "report/safe_text.hpp"
+#include "report/wording.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+using report::counted;
+
+std::string loss_text(const ConvertLoss& loss) {
+  if (loss.bound == 0) return loss.quantity;
+  return fmt::format("{} {:.2g}{} (bound {:.2g}{})", loss.quantity, loss.measured, loss.unit,
+                     loss.bound, loss.unit);
+}
+
+std::string losses_text(const ConvertStep& step) {
+  if (step.losses.empty()) return "none";
+  std::vector<std::string> texts;
+  for (const ConvertLoss& loss : step.losses) texts.push_back(loss_text(loss));
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string notes_text(std::string_view kind, const std::vector<ConvertNote>& notes) {
+  constexpr std::size_t kMost = 8;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(notes.size(), kMost); ++i) {
+    const ConvertNote& note = notes[i];
+    text += wrapped(printable(fmt::format("{} {}{}{}", kind, note.pointer,
+                                          note.pointer.empty() ? "" : ": ", note.reason)),
+                    2);
+  }
+  if (notes.size() > kMost) text += fmt::format("  ... {} more {}\n", notes.size() - kMost, kind);
+  return text;
+}
+
+void write_notes(json::Writer& writer, std::string_view name,
+                 const std::vector<ConvertNote>& notes) {
+  writer.key(name);
+  writer.begin_array();
+  for (const ConvertNote& note : notes) {
+    writer.begin_object();
+    writer.member("pointer", report::long_value(note.pointer));
+    writer.member("reason", report::long_value(note.reason));
+    writer.end_object();
+  }
+  writer.end_array();
+}
+
+void write_step(json::Writer& writer, const ConvertStep& step) {
+  writer.begin_object();
+  writer.member("step", step.step);
+  writer.member("what", report::long_value(step.what));
+  writer.member("changed", step.changes);
+  write_notes(writer, "left", step.left);
+  write_notes(writer, "refused", step.refused);
+  writer.key("loss");
+  writer.begin_array();
+  for (const ConvertLoss& loss : step.losses) {
+    writer.begin_object();
+    writer.member("quantity", report::long_value(loss.quantity));
+    if (loss.bound != 0) {
+      writer.key("bound");
+      writer.number(loss.bound);
+      writer.key("measured");
+      writer.number(loss.measured);
+      writer.member("unit", loss.unit);
+    }
+    writer.end_object();
+  }
+  writer.end_array();
+  writer.member("bytes_before", step.bytes_before);
+  writer.member("bytes_after", step.bytes_after);
+  writer.end_object();
+}
+
+}  // namespace
+
+void ConvertSummary::add(const ConvertReport& report) {
+  ++(report.problem == EditProblem::unreadable ? unreadable : files);
+  changed += report.changes ? 1U : 0U;
+  refused += report.problem == EditProblem::refused ? 1U : 0U;
+  written += report.written ? 1U : 0U;
+}
+
+std::string convert_text(const ConvertReport& report, const Style& style) {
+  if (report.steps.empty()) return {};
+  TextTable table("lllll", {"step", "what", "bytes", "", "loss"});
+  std::string notes;
+  for (const ConvertStep& step : report.steps) {
+    table.add({std::string(step.step), printable(step.what.empty() ? "nothing to do" : step.what),
+               size_text(step.bytes_before),
+               step.changes ? "-> " + size_text(step.bytes_after) : std::string(),
+               printable(losses_text(step))});
+    notes += notes_text("left", step.left);
+    notes += notes_text("refused", step.refused);
+  }
+  std::string text = style.bold(printable(report.path)) + "\n" + table.text(2, style) + notes;
+  for (const std::string& file : report.new_files) {
+    text += fmt::format("  new file: {}\n", printable(file));
+  }
+  for (const std::string& warning : report.new_warnings) {
+    text += wrapped(printable("new warning: " + warning), 2);
+  }
+  return text;
+}
+
+std::string convert_summary_text(const ConvertSummary& summary, bool writing) {
+  std::vector<std::string> parts;
+  if (summary.files > 0) {
+    parts.push_back(fmt::format("{}, {} {}", counted(summary.files, "file"), summary.changed,
+                                writing ? "converted" : "can be converted"));
+  }
+  if (summary.refused > 0) parts.push_back(fmt::format("{} refused", summary.refused));
+  parts.push_back(writing ? counted(summary.written, "file") + " written" : "nothing was written");
+  if (summary.unreadable > 0) {
+    parts.push_back(counted(summary.unreadable, "file") + " could not be read");
+  }
+  return fmt::format("{}\n", fmt::join(parts, "; "));
+}
+
+std::string convert_json(const ConvertReport& report, bool first) {
+  std::string out = first ? "\n" : ",\n";
+  json::Writer writer(out);
+  writer.begin_object();
+  writer.member("path", report.path);
+  writer.member("problem", edit_problem_name(report.problem));
+  if (!report.error.empty()) writer.member("error", report::long_value(report.error));
+  writer.member("changes", report.changes);
+  writer.member("written", report.written);
+  if (!report.written_to.empty()) writer.member("writtenTo", report.written_to);
+  writer.key("steps");
+  writer.begin_array();
+  for (const ConvertStep& step : report.steps) write_step(writer, step);
+  writer.end_array();
+  report::write_long_values(writer, "newFiles", report.new_files);
+  report::write_long_values(writer, "newWarnings", report.new_warnings);
+  if (!report.diff.empty()) writer.member("diff", report.diff);
+  writer.end_object();
+  report::defuse_json(out, 0);
+  return out;
+}
+
+std::string convert_json_end(const ConvertSummary& summary) {
+  std::string out = "\n],\"summary\":";
+  json::Writer writer(out);
+  writer.begin_object();
+  writer.member("files", summary.files);
+  writer.member("unreadable", summary.unreadable);
+  writer.member("refused", summary.refused);
+  writer.member("changed", summary.changed);
+  writer.member("written", summary.written);
+  writer.end_object();
+  return out + "}\n";
+}
+
+}  // namespace gltfx::tool
