@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/fork.hpp"
+#include "codec/draco_source.hpp"
 #include "codec/limited_job.hpp"
 #include "codec/pool.hpp"
 #include "codec/program_path.hpp"
@@ -93,6 +94,24 @@ Client::~Client() = default;
 DracoResult Client::decode_draco(std::span<const std::byte> bytes, const Origin& origin) {
   const Job job = limited_job(state_->settings, Task::draco, bytes.size());
   return result_of<DracoMesh>(state_->meshes, job, bytes, origin, true);
+}
+
+DracoEncodeResult Client::encode_draco(const DracoMesh& mesh, const Origin& origin) {
+  if (const std::string flaw = find_flaw(mesh); !flaw.empty()) {
+    return DecodeError{ErrorKind::malformed, flaw};
+  }
+  const std::vector<std::byte> payload = pack(mesh);
+  const Job job = limited_job(state_->settings, Task::encode_draco, payload.size());
+  EncodeResult encoded = result_of<EncodedImage>(state_->meshes, job, payload, origin, true);
+  if (auto* error = std::get_if<DecodeError>(&encoded)) return std::move(*error);
+  const EncodedImage& file = *std::get_if<EncodedImage>(&encoded);
+  DracoResult decoded = decode_draco(file.bytes, origin);
+  if (auto* error = std::get_if<DecodeError>(&decoded)) return std::move(*error);
+  DracoMesh& again = *std::get_if<DracoMesh>(&decoded);
+  if (!have_same_triangles(mesh, again)) {
+    return DecodeError{ErrorKind::malformed, "Draco does not keep all values of this mesh."};
+  }
+  return EncodedDraco{file.bytes, std::move(again), file.owner};
 }
 
 ImageResult Client::decode_image(const ImageRequest& request) {

@@ -51,6 +51,9 @@ enum class Component : std::uint8_t {
   other,  ///< 64 bits or booleans; no values are returned
 };
 
+/// What the values of an attribute are, which decides how Draco predicts them.
+enum class DracoUse : std::uint8_t { position, normal, color, tex_coord, generic };
+
 struct DracoAttribute {
   std::uint32_t id = 0;  ///< unique in the mesh; what glTF refers to
   Component component = Component::float32;
@@ -60,9 +63,11 @@ struct DracoAttribute {
   double quantization_step = 0;
   /// `points * components` packed components, by point.
   std::span<const std::byte> values;
+  DracoUse use = DracoUse::generic;
 };
 
-/// A decoded mesh. Its memory is read-only, shared by copies and independent of the client.
+/// A decoded mesh, or one to encode. The memory of a decoded one is read-only, shared by copies and
+/// independent of the client.
 struct DracoMesh {
   std::uint32_t points = 0;
   std::uint32_t faces = 0;
@@ -71,6 +76,16 @@ struct DracoMesh {
   std::shared_ptr<const void> owner;  ///< of all bytes above
 };
 using DracoResult = std::variant<DracoMesh, DecodeError>;
+
+/// A bitstream, and the mesh that decoders get of it. Points and triangles have another order than
+/// in the mesh that was encoded; points that are equal in all values may be one, and a point may be
+/// several where triangles that touch in it have no edge in common.
+struct EncodedDraco {
+  std::span<const std::byte> bytes;
+  DracoMesh mesh;
+  std::shared_ptr<const void> owner;  ///< of `bytes`
+};
+using DracoEncodeResult = std::variant<EncodedDraco, DecodeError>;
 
 /// `radiance` and `openexr` hold floats.
 /// `avif` needs an optional decoder.
@@ -204,6 +219,12 @@ class Client {
 
   /// Decodes a Draco bitstream (version 2.2) that holds a triangle mesh.
   DracoResult decode_draco(std::span<const std::byte> bytes, const Origin& origin = {});
+  /// Encodes triangles (edgebreaker, bitstream version 2.2) such that every value comes back bit
+  /// for bit: it is decoded once more and compared. Attributes keep id, type and `normalized`;
+  /// `quantization_step` is not looked at. A DecodeError of kind `malformed` when the mesh is
+  /// inconsistent: no triangles, an index out of range, a triangle with a vertex twice, which Draco
+  /// leaves out, values of another size than it says, ids that repeat, not exactly one position.
+  DracoEncodeResult encode_draco(const DracoMesh& mesh, const Origin& origin = {});
   ImageResult decode_image(const ImageRequest& request);
   /// A DecodeError of kind `malformed` when the format cannot hold such an image.
   EncodeResult encode_image(const EncodeRequest& request);

@@ -45,6 +45,10 @@ DracoResult Client::decode_draco(std::span<const std::byte> bytes, const Origin&
   return mesh;
 }
 
+DracoEncodeResult Client::encode_draco(const DracoMesh&, const Origin&) {
+  return DecodeError{ErrorKind::unavailable, "This build does not encode Draco meshes."};
+}
+
 ImageResult Client::decode_image(const ImageRequest&) { return no_images(); }
 EncodeResult Client::encode_image(const EncodeRequest&) { return no_images(); }
 void Client::prepare_images() {}

@@ -21,8 +21,9 @@ inline Job limited_job(const Settings& settings, Task task, std::size_t bytes) {
   Job job;
   job.task = task;
   job.input_bytes = bytes;
-  job.memory_bytes = bytes * kMemoryPerByte + (task == Task::draco ? settings.mesh_memory_bytes
-                                                                   : settings.image_memory_bytes);
+  const bool mesh = task == Task::draco || task == Task::encode_draco;
+  job.memory_bytes =
+      bytes * kMemoryPerByte + (mesh ? settings.mesh_memory_bytes : settings.image_memory_bytes);
   const double seconds = settings.seconds + static_cast<double>(bytes) * kSecondsPerByte;
   job.milliseconds = static_cast<std::uint64_t>(seconds * 1000);
   return job;

@@ -155,10 +155,10 @@ Reply error(ErrorKind kind, std::string message) {
 }
 
 Reply overrun(const Job& job) {
-  return error(ErrorKind::timed_out,
-               fmt::format("{} exceeds {} ms of processor time, the limit for {} bytes.",
-                           job.task == Task::encode ? "Encoding" : "Decoding", job.milliseconds,
-                           job.input_bytes));
+  return error(
+      ErrorKind::timed_out,
+      fmt::format("{} exceeds {} ms of processor time, the limit for {} bytes.",
+                  encodes(job.task) ? "Encoding" : "Decoding", job.milliseconds, job.input_bytes));
 }
 
 // The reply for a worker without an answer.
@@ -174,7 +174,7 @@ bool is_wanted(const Answer& answer, const Job& job) {
   if (const auto* error = std::get_if<DecodeError>(&answer))
     return error->kind != ErrorKind::unavailable;
   if (job.task == Task::draco) return std::holds_alternative<DracoMesh>(answer);
-  if (job.task == Task::encode) return std::holds_alternative<EncodedImage>(answer);
+  if (encodes(job.task)) return std::holds_alternative<EncodedImage>(answer);
   const auto* image = std::get_if<Image>(&answer);
   return image != nullptr && image->texels() <= job.max_pixels;
 }

@@ -10,7 +10,7 @@
 namespace gltfx::codec {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x33435847;  // "GXC3": the last character is the version
+constexpr std::uint32_t kMagic = 0x34435847;  // "GXC4": the last character is the version
 
 enum class Kind : std::uint8_t { hello, job, mesh, image, encoded, error };
 
@@ -30,6 +30,7 @@ std::optional<Kind> read_kind(FieldReader& in) {
 
 void write(FieldWriter& out, const DracoAttribute& attribute) {
   out.number(attribute.id);
+  out.name(attribute.use);
   out.name(attribute.component);
   out.number(attribute.components);
   out.number(static_cast<std::uint8_t>(attribute.normalized));
@@ -39,6 +40,7 @@ void write(FieldWriter& out, const DracoAttribute& attribute) {
 DracoAttribute read_attribute(FieldReader& in) {
   DracoAttribute attribute;
   attribute.id = in.number<std::uint32_t>();
+  attribute.use = in.name(DracoUse::generic);
   attribute.component = in.name(Component::other);
   attribute.components = in.check_at_most(in.number<std::uint32_t>(), 255U);
   attribute.normalized = in.flag();
@@ -245,7 +247,7 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   FieldReader in(frame);
   if (read_kind(in) != Kind::job) return std::nullopt;
   Job job;
-  job.task = in.name(Task::encode);
+  job.task = in.name(Task::encode_draco);
   job.format = in.name(ImageFormat::openexr);
   job.level = in.number<std::uint32_t>();
   job.pixels = in.flag();

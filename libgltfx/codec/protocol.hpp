@@ -32,7 +32,9 @@ struct Hello {
   bool operator==(const Hello&) const = default;
 };
 
-enum class Task : std::uint8_t { draco, image, encode };
+enum class Task : std::uint8_t { draco, image, encode, encode_draco };
+/// Whether the answer is an encoded file.
+constexpr bool encodes(Task task) { return task >= Task::encode; }
 
 constexpr std::uint8_t kMostHalvings = 3;
 

@@ -30,8 +30,8 @@ DracoMesh some_mesh() {
   mesh.points = 4;
   mesh.faces = 1;
   mesh.attributes.resize(2);
-  mesh.attributes[0] = {5, Component::uint8, 3, true, 0.25, {}};
-  mesh.attributes[1] = {9, Component::float32, 2, false, 0, {}};
+  mesh.attributes[0] = {5, Component::uint8, 3, true, 0.25, {}, DracoUse::color};
+  mesh.attributes[1] = {9, Component::float32, 2, false, 0, {}, DracoUse::tex_coord};
   return mesh;
 }
 

@@ -41,8 +41,23 @@ Component component_of(draco::DataType type) {
   }
 }
 
-// Distance of the values of an attribute, from the integers that it was decoded from; 0 when it was
-// not quantised.
+DracoUse use_of(draco::GeometryAttribute::Type type) {
+  switch (type) {
+    case draco::GeometryAttribute::POSITION:
+      return DracoUse::position;
+    case draco::GeometryAttribute::NORMAL:
+      return DracoUse::normal;
+    case draco::GeometryAttribute::COLOR:
+      return DracoUse::color;
+    case draco::GeometryAttribute::TEX_COORD:
+      return DracoUse::tex_coord;
+    default:
+      return DracoUse::generic;
+  }
+}
+
+// Distance of the values of an attribute, from the integers that it was decoded from; 0 when it
+// was not quantised.
 double quantization_step(const PointAttribute* portable) {
   const auto* transform = portable == nullptr ? nullptr : portable->GetAttributeTransformData();
   if (transform == nullptr) return 0;
@@ -63,6 +78,7 @@ double quantization_step(const PointAttribute* portable) {
 DracoAttribute describe(const PointAttribute& attribute, const PointAttribute* portable) {
   DracoAttribute description;
   description.id = attribute.unique_id();
+  description.use = use_of(attribute.attribute_type());
   description.component = component_of(attribute.data_type());
   description.components = attribute.num_components();
   description.normalized = attribute.normalized();

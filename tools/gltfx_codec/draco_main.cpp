@@ -1,8 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx-codec-draco: decodes Draco meshes for gltfx, which starts it and talks to it over a socket.
+// gltfx-codec-draco: decodes and encodes Draco meshes for gltfx, which starts it and talks to it
+// over a socket.
 #include "codec/server.hpp"
 #include "draco_decode.hpp"
+#include "draco_encode.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+Answer serve_mesh(const Job& job, std::span<const std::byte> bytes, const Output& output) {
+  return job.task == Task::encode_draco ? encode_draco(bytes, output)
+                                        : decode_draco(job, bytes, output);
+}
+
+}  // namespace
+}  // namespace gltfx::codec
 
 int main() {
-  return gltfx::codec::serve([] {}, gltfx::codec::decode_draco);
+  return gltfx::codec::serve([] {}, gltfx::codec::serve_mesh);
 }

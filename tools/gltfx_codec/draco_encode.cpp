@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "draco_encode.hpp"
+
+#include <array>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include <draco/compression/expert_encode.h>
+
+#include "codec/draco_source.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+using draco::AttributeValueIndex;
+using draco::FaceIndex;
+using draco::PointIndex;
+
+draco::DataType type_of(Component component) {
+  constexpr std::array<draco::DataType, 7> kTypes{
+      draco::DT_INT8,  draco::DT_UINT8,  draco::DT_INT16,  draco::DT_UINT16,
+      draco::DT_INT32, draco::DT_UINT32, draco::DT_FLOAT32};
+  return kTypes[static_cast<std::size_t>(component)];
+}
+
+draco::GeometryAttribute::Type kind_of(DracoUse use) {
+  constexpr std::array<draco::GeometryAttribute::Type, 5> kKinds{
+      draco::GeometryAttribute::POSITION, draco::GeometryAttribute::NORMAL,
+      draco::GeometryAttribute::COLOR, draco::GeometryAttribute::TEX_COORD,
+      draco::GeometryAttribute::GENERIC};
+  return kKinds[static_cast<std::size_t>(use)];
+}
+
+/// Distinct values of an attribute, and which of them each point has.
+struct Values {
+  std::vector<std::uint32_t> of_points;
+  std::vector<std::uint32_t> firsts;  ///< the point that each value is of
+};
+
+// Draco's own search compares floats as numbers: -0 would become 0. Points that are `alone` share
+// their value with no other.
+Values distinct_values(const DracoAttribute& attribute, std::uint32_t points,
+                       const std::vector<bool>& alone) {
+  const std::size_t size = attribute.values.size() / points;
+  const auto* bytes = reinterpret_cast<const char*>(attribute.values.data());
+  Values values;
+  values.of_points.resize(points);
+  std::unordered_map<std::string_view, std::uint32_t> known;
+  known.reserve(points);
+  for (std::uint32_t i = 0; i < points; ++i) {
+    const auto next = static_cast<std::uint32_t>(values.firsts.size());
+    const std::string_view value(bytes + i * size, size);
+    const bool apart = !alone.empty() && alone[i];
+    values.of_points[i] = apart ? next : known.emplace(value, next).first->second;
+    if (values.of_points[i] == next) values.firsts.push_back(i);
+  }
+  return values;
+}
+
+// Points of triangles whose corners share a position. Draco tells corners apart by that, and leaves
+// such triangles out.
+std::vector<bool> find_collapsed(const DracoMesh& mesh, const Values& positions) {
+  std::vector<bool> collapsed(mesh.points);
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto corners = mesh.indices.subspan(i, 3);
+    const auto at = [&](std::size_t k) { return positions.of_points[corners[k]]; };
+    if (at(0) != at(1) && at(1) != at(2) && at(2) != at(0)) continue;
+    for (const std::uint32_t corner : corners) collapsed[corner] = true;
+  }
+  return collapsed;
+}
+
+void add(draco::Mesh& to, const DracoAttribute& attribute, const Values& values) {
+  const std::size_t size = attribute.values.size() / to.num_points();
+  draco::GeometryAttribute description;
+  description.Init(kind_of(attribute.use), nullptr, static_cast<std::uint8_t>(attribute.components),
+                   type_of(attribute.component), attribute.normalized,
+                   static_cast<std::int64_t>(size), 0);
+  const int index =
+      to.AddAttribute(description, false, static_cast<std::uint32_t>(values.firsts.size()));
+  draco::PointAttribute& added = *to.attribute(index);
+  for (std::uint32_t i = 0; i < values.firsts.size(); ++i) {
+    added.SetAttributeValue(AttributeValueIndex(i),
+                            attribute.values.data() + values.firsts[i] * size);
+  }
+  for (std::uint32_t i = 0; i < values.of_points.size(); ++i) {
+    added.SetPointMapEntry(PointIndex(i), AttributeValueIndex(values.of_points[i]));
+  }
+  added.set_unique_id(attribute.id);
+}
+
+void fill(draco::Mesh& to, const DracoMesh& mesh) {
+  to.set_num_points(mesh.points);
+  to.SetNumFaces(mesh.faces);
+  for (std::uint32_t i = 0; i < mesh.faces; ++i) {
+    to.SetFace(FaceIndex(i), {PointIndex(mesh.indices[i * std::size_t{3}]),
+                              PointIndex(mesh.indices[i * std::size_t{3} + 1]),
+                              PointIndex(mesh.indices[i * std::size_t{3} + 2])});
+  }
+  for (const DracoAttribute& attribute : mesh.attributes) {
+    Values values = distinct_values(attribute, mesh.points, {});
+    if (attribute.use == DracoUse::position) {
+      values = distinct_values(attribute, mesh.points, find_collapsed(mesh, values));
+    }
+    add(to, attribute, values);
+  }
+}
+
+draco::Status encode(const draco::Mesh& mesh, int speed, draco::EncoderBuffer& to) {
+  draco::ExpertEncoder encoder(mesh);
+  encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
+  encoder.SetSpeedOptions(speed, speed);
+  return encoder.EncodeToBuffer(&to);
+}
+
+}  // namespace
+
+Answer encode_draco(std::span<const std::byte> payload, const Output& output) {
+  const auto source = unpack(payload);
+  if (!source) return DecodeError{ErrorKind::malformed, "The mesh is inconsistent."};
+  draco::Mesh mesh;
+  fill(mesh, *source);
+  draco::EncoderBuffer quick;
+  draco::EncoderBuffer slow;
+  const draco::Status status = encode(mesh, 5, quick);
+  if (!status.ok()) return DecodeError{ErrorKind::malformed, status.error_msg_string()};
+  const bool shorter = encode(mesh, 0, slow).ok() && slow.size() < quick.size();
+  const draco::EncoderBuffer& best = shorter ? slow : quick;
+  const std::span<std::byte> to = output(best.size());
+  if (to.size() < best.size()) throw std::bad_alloc();
+  std::memcpy(to.data(), best.data(), best.size());
+  EncodedImage encoded;
+  encoded.size = best.size();
+  return encoded;
+}
+
+}  // namespace gltfx::codec
