@@ -41,12 +41,12 @@ std::uint64_t mix(std::uint64_t hash, std::uint64_t value) {
   return hash * 0xff51afd7ed558ccdULL;
 }
 
-// Hash of a code at one severity: an error is never folded into an info.
+// Hash of a code at one severity, so that an error is never folded into an info.
 std::uint64_t code_key(const Finding& finding, Severity severity) {
   return mix(static_cast<std::uint64_t>(finding.code), static_cast<std::uint64_t>(severity));
 }
 
-// Hash of that, what the finding is about and of the path with every array index made equal.
+// Hash of code, severity, `about` and the path with every array index made equal.
 std::uint64_t fold_key(const Path& path, const Finding& finding, Severity severity) {
   std::uint64_t hash =
       mix(code_key(finding, severity), std::hash<std::string_view>{}(finding.about));
@@ -56,7 +56,8 @@ std::uint64_t fold_key(const Path& path, const Finding& finding, Severity severi
   return hash;
 }
 
-// The name of the element of a root array that a pointer leads into: what an artist knows it by.
+// The name of the element of a root array that a pointer leads into: artists identify objects by
+// it.
 std::string nearest_name(model::ArrayLookup& arrays, const json::Document& document,
                          std::string_view pointer) {
   const std::size_t second = pointer.find('/', 1);
@@ -72,7 +73,8 @@ std::string nearest_name(model::ArrayLookup& arrays, const json::Document& docum
   return name != json::kNoNode && document.is_string(name) ? document.string(name) : std::string();
 }
 
-// The help of a rule in the form of the others: no capital, no full stop where it is one sentence.
+// The help of a rule in the style of other help: no capital, and no full stop after a single
+// sentence.
 std::string as_help(std::string_view text) {
   std::string help(text);
   const bool word = help.size() > 1 && help[1] >= 'a' && help[1] <= 'z';
@@ -105,7 +107,7 @@ bool ChangedLines::touches(Span span) const {
       std::upper_bound(spans_.begin(), spans_.end(), span.begin,
                        [](std::uint32_t byte, const Span& one) { return byte < one.end; });
   if (next != spans_.end()) return next->begin < std::max(span.end, span.begin + 1);
-  return last_line_ && span.begin >= size_;  // what is missing at the end of the text
+  return last_line_ && span.begin >= size_;  // something is missing at the end of the text
 }
 
 bool accepts(const ValidateOptions& options, Code code, Severity severity) {
@@ -113,7 +115,7 @@ bool accepts(const ValidateOptions& options, Code code, Severity severity) {
   if (!options.select.empty() && !options.select.contains(rule.code)) return false;
   if (options.ignore.contains(rule.code)) return false;
   if (options.profile == Profile::khronos) return rule.khronos;
-  // Hints are for those who ask: by profile, by name, or by a severity of their own.
+  // Hints are opt-in: by profile, by name, or by a severity of their own.
   return severity != Severity::hint || options.profile == Profile::strict ||
          options.select.contains(rule.code);
 }
@@ -150,7 +152,7 @@ Severity Collector::severity_of(const Finding& finding) const {
   return options_.profile == Profile::strict ? strict_severity(finding.code) : rule.severity;
 }
 
-// What nobody will see, where nothing folds into it, is counted alone.
+// Where findings are not folded, those beyond max_issues are only counted.
 bool Collector::leave_out(Phase phase, Severity severity, const Finding& finding) {
   PhaseFindings& findings = phases_[static_cast<std::size_t>(phase)];
   if (!deviations_.each_finding_is_listed || options_.max_issues == 0) return false;
@@ -250,7 +252,7 @@ void Collector::store(Phase phase, Severity severity, Finding finding, std::stri
 
 Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding finding,
                                      std::string pointer) const {
-  // What is wrong between objects seldom tells what to do by itself; a wrong value does.
+  // The message on objects that conflict seldom implies a fix; that on a wrong value does.
   const bool between_objects = phase == Phase::reference || phase == Phase::resources;
   const bool loud = severity == Severity::error || severity == Severity::warning;
   if (finding.help.empty() && between_objects && loud && !deviations_.each_finding_is_listed) {
@@ -282,7 +284,7 @@ void Collector::finish(FileReport& report, const json::Document& document,
       report.truncated = true;
     }
     if (findings.left_out.at_least(Severity::hint) > 0) report.truncated = true;
-    // Do not look a million lines and names up.
+    // Avoids a lookup of a million lines and names.
     if (!deviations_.each_finding_is_listed && !entries.empty()) {
       locate(entries, document, json_offset);
     }
@@ -309,7 +311,7 @@ void Collector::move_to(FileReport& report, std::vector<Entry>& entries) const {
   }
 }
 
-// Where the last of all marked spans ends.
+// The end of the last marked span.
 std::size_t Collector::last_place() const {
   std::uint32_t last = 0;
   for (const PhaseFindings& findings : phases_) {
@@ -335,7 +337,8 @@ void Collector::locate(std::vector<Entry>& entries, const json::Document& docume
 
 void Collector::locate(Entry& entry, const json::Document& document, std::uint64_t json_offset) {
   entry.diagnostic.object_name = nearest_name(*arrays_, document, entry.diagnostic.pointer);
-  // An empty span at 0 is no place; elsewhere it is the end of the text, marked behind it.
+  // An empty span at 0 means no place; any other is the end of the text, marked after the last
+  // character.
   if (entry.span.end != 0) entry.diagnostic.location = lines_->locate(entry.span, json_offset);
 }
 

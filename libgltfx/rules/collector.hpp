@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Gathers what the phases find into a report: severities, filters, folding, order, places.
+/// Combines the findings of all phases into a report: severities, filters, folding, order, places.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -27,38 +27,38 @@ namespace gltfx::validate {
 
 class ChangedLines {
  public:
-  /// `lines` in any order; those behind the end of the text are none. Lines end as in
+  /// `lines` in any order; lines after the end of the text are ignored. Lines end as in
   /// json::LineIndex. Time is linear in the text.
   ChangedLines(const std::vector<LineRange>& lines, std::string_view text);
 
-  /// Whether a place in the text touches one; what has no place (an empty span at 0) does when
-  /// anything changed.
+  /// Whether a span of the text touches a changed line. A finding without a place (an empty span at
+  /// 0) counts as touched when any line changed.
   bool touches(Span span) const;
 
  private:
   bool any_ = false;
-  bool last_line_ = false;   ///< changed
-  std::uint32_t size_ = 0;   ///< of the text
-  std::vector<Span> spans_;  ///< sorted, apart from each other
+  bool last_line_ = false;   ///< whether the last line is changed
+  std::uint32_t size_ = 0;   ///< size of the text
+  std::vector<Span> spans_;  ///< sorted, disjoint
 };
 
-/// The order of a report. Within a phase findings stand as they were found.
+/// The order of a report. Within a phase, findings are in the order in which they were found.
 enum class Phase : std::uint8_t { container, json, schema, reference, container_end, resources };
 inline constexpr std::size_t kPhaseCount = 6;
 static_assert(kPhaseCount <= Suppressions::kMostPhases);
 
-/// Whether the options ask for findings of that code and severity.
+/// Whether the options include findings of that code and severity.
 bool accepts(const ValidateOptions& options, Code code, Severity severity);
 
-/// Whether a rule would be heard as loud as its table says, or as the options say instead: what
-/// nobody hears need not be computed.
+/// Whether findings of a rule are reported at the severity of its table or of the options: a
+/// disabled rule need not be computed.
 bool is_enabled(const ValidateOptions& options, Code code);
 
-/// Findings of one asset. One about how objects go together that has no help of its own gets the
-/// rule's help. A repeat of a code at the same place, but for array indices, is folded
-/// into the first (unless Deviations::each_finding_is_listed), so a million errors cost a counter;
-/// the first thousands of repeats are kept beside it, unless max_issues asks for less. So are those
-/// of one code at ever new places, once very many have been listed: nobody reads on there.
+/// Findings of one asset. A finding on conflicting objects without help of its own gets the rule's
+/// help. A repeat of a code at the same place, array indices aside, is folded into the first
+/// finding (unless Deviations::each_finding_is_listed), so a million errors cost a counter; the
+/// first thousands of repeats are kept with it, unless max_issues asks for fewer. Findings of one
+/// code at different places are also folded once very many are listed.
 class Collector {
  public:
   explicit Collector(const ValidateOptions& options);
@@ -69,19 +69,19 @@ class Collector {
   Sink& sink(Phase phase) { return phases_[static_cast<std::size_t>(phase)].sink; }
   /// A finding on the container, at a byte of the file.
   void report_offset(Phase phase, std::uint64_t offset, Finding finding);
-  /// A finding that belongs to no value: about the file as a whole, or about its text.
+  /// A finding without a value: about the whole file, or about its text.
   void report_file(Phase phase, Finding finding);
-  /// The JSON text that spans refer to, before they come; may be null.
+  /// Keeps the JSON text that spans refer to; call it before findings come. May be null.
   void keep_text(SharedText text);
-  /// What the asset asks to leave out from now on; null: nothing. Outlives the collector's phases.
+  /// Suppressions of the asset from now on; null: none. Outlives the collector's phases.
   void suppress(Suppressions* suppressions) { suppressions_ = suppressions; }
 
-  /// What findings of rules that have a fix mark, of all phases; the first million of each.
+  /// The places of findings whose rules have a fix, of all phases; the first million of each rule.
   Sites take_sites();
 
   /// Moves everything into `report`: diagnostics in order, counts, and for those with a place in
-  /// the text its line, column, excerpt and name. `document` may be empty. `json_offset` is where
-  /// the text begins in the file. Call once.
+  /// the text its line, column, excerpt and name. `document` may be empty. `json_offset` is the
+  /// offset of the text in the file. Call once.
   void finish(FileReport& report, const json::Document& document, std::uint64_t json_offset);
 
  private:
@@ -91,12 +91,12 @@ class Collector {
   struct Entry {
     Diagnostic diagnostic;
     Span span;
-    std::vector<Entry> repeats = {};  ///< the first of those that are folded into it
+    std::vector<Entry> repeats = {};  ///< the first findings that are folded into it
   };
-  /// Where a code was found at one severity, but for array indices.
+  /// The entries of a code at one severity, by path without array indices.
   struct Places {
     std::size_t count = 0;
-    std::size_t last = 0;  ///< the last one that is listed: position in entries of its phase
+    std::size_t last = 0;  ///< the last listed one: position in entries of its phase
   };
   class PhaseSink final : public Sink {
    public:
@@ -112,7 +112,7 @@ class Collector {
     PhaseSink sink;
     Sites sites;
     std::vector<Entry> entries;
-    Counts left_out;                                        ///< by max_issues
+    Counts left_out;                                        ///< omitted because of max_issues
     std::unordered_map<std::uint64_t, std::size_t> listed;  ///< positions in entries by fold key
     std::unordered_map<std::uint64_t, Places> places;       ///< by code and severity
   };
@@ -138,7 +138,7 @@ class Collector {
   SharedText text_;
   std::optional<ChangedLines> changed_;
   std::uint64_t unchanged_ = 0;   ///< findings on other lines than `changed_`
-  std::size_t repeats_kept_ = 0;  ///< in all entries
+  std::size_t repeats_kept_ = 0;  ///< number of repeats in all entries
   Suppressions* suppressions_ = nullptr;
   std::optional<json::LineIndex> lines_;
   std::optional<model::ArrayLookup> arrays_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a rule is given, and how rules are hung into the phases.
+/// The input of rules, and their registration in the phases.
 #pragma once
 
 #include <gltfx/validate.hpp>
@@ -27,7 +27,7 @@
 
 namespace gltfx::validate {
 
-/// Everything a rule may look at. Lives for one asset; rules do not keep it.
+/// The data that a rule may read. Lives for one asset; rules do not keep it.
 struct Context {
   const container::Container& container;
   container::OpenedFiles& files;
@@ -35,22 +35,22 @@ struct Context {
   const schema::Set& schemas;
   const model::Asset& asset;
   const ValidateOptions& options;
-  /// What the schema walk learned. Complete for link rules; empty while object rules run.
+  /// Results of the schema walk. Complete for link rules; empty while object rules run.
   schema::CheckResult checked;
-  /// Phase 3, and phase 4 which is reported behind it.
+  /// Findings of phase 3, and of phase 4, which is reported after it.
   Sink& schema_sink;
   Sink& link_sink;
   /// Accessors, buffer views and their first uses. Complete for link rules; empty before.
   model::Views views{};
-  /// Who is whose parent. Likewise.
+  /// Parents of nodes. Complete for link rules; empty before.
   model::SceneGraph graph{};
-  /// Deviations::reading_order: behind `link_sink`, with the broken references that are yet to be
-  /// reported.
+  /// Deviations::reading_order: the sink that `link_sink` refers to, with the broken references
+  /// that are not reported yet.
   LinkOrder* order = nullptr;
-  /// Filled by the phases that look at data: URIs, of which no two run at once.
+  /// Filled by the phases that read data URIs; no two of them run at once.
   DataUris* data_uris = nullptr;
 
-  /// Of the profile, which rules do not ask.
+  /// Deviations of the profile; rules do not check the profile itself.
   const Deviations& deviations = deviations_of(options.profile);
 
   container::UriReading uri_reading() const {
@@ -59,26 +59,27 @@ struct Context {
   }
 };
 
-/// A rule about the members of one object, run right behind its members have been checked. Reports
-/// to `schema_sink`.
+/// A rule about the members of one object, run right after its members are checked. Reports to
+/// `schema_sink`.
 using ObjectRule = void (*)(const Context& context, json::NodeId object, const Path& path);
 
-/// A rule about how objects refer to each other, run once when all of them are known. Reports to
+/// A rule about references between objects, run once when all objects are read. Reports to
 /// `link_sink`.
 using LinkRule = void (*)(const Context& context);
 
-/// Deviations::reading_order may need a rule of its own in place of one that sees all members.
+/// Deviations::reading_order may need a separate rule in place of one that sees all members.
 enum class Runs : std::uint8_t { always, in_reading_order, otherwise };
 
 struct ObjectRuleEntry {
   std::string_view type;  ///< object type name: "node", "mesh.primitive"
   ObjectRule rule;
-  /// Reading order: the member behind whose place the rule runs; empty: behind all members.
+  /// Reading order: the rule runs after this member; empty: after all members.
   std::string_view behind = {};
   Runs runs = Runs::always;
 };
 
-/// Reading order: what is made of a member before its form is judged. Findings go to `schema_sink`.
+/// Reading order: decides how a member is treated before its form is checked. Findings go to
+/// `schema_sink`.
 using MemberRule = schema::Reading (*)(const Context& context, json::NodeId object,
                                        json::NodeId value, const Path& object_path);
 struct MemberRuleEntry {
@@ -90,8 +91,8 @@ struct MemberRuleEntry {
 using MapRule = void (*)(const Context& context, std::string_view name, json::NodeId value,
                          const Path& map_path);
 
-/// What a file of rules/ contributes to the walk over the objects and to the phase of links. It
-/// defines `const RuleGroup& NAME_rules()`, which rules/order.cpp lists.
+/// The rules that a file of rules/ contributes to the walk over the objects and to the phase of
+/// links. It defines `const RuleGroup& NAME_rules()`, which rules/order.cpp lists.
 struct RuleGroup {
   /// Deviations::no_additional_rules leaves its link rules out.
   bool additional = false;
@@ -99,21 +100,21 @@ struct RuleGroup {
   std::span<const LinkRule> link_rules = {};
   std::span<const MemberRuleEntry> member_rules = {};
   std::span<const MapRule> map_rules = {};
-  /// What of its findings can be fixed (rules/fix.hpp).
+  /// Fixes for its findings (rules/fix.hpp).
   std::span<const FixEntry> fixes = {};
 };
 
 /// All groups, in the order in which they run (rules/order.cpp).
 std::span<const RuleGroup> rule_groups();
 
-/// What is known of a rule.
+/// The description of a rule.
 const RuleDescription& description(Code code);
-/// Its severity in the profile `strict`.
+/// The severity of a rule in the profile `strict`.
 Severity strict_severity(Code code);
 
 /// Span of a member's value, or of the first character of the object when it has no such member.
 Span member_span(const json::Document& document, json::NodeId object, std::string_view member);
-/// The first character of a value: keeps the caret short where a whole object is meant.
+/// The first character of a value: keeps the caret short for a whole object.
 Span first_character(const json::Document& document, json::NodeId value);
 
 }  // namespace gltfx::validate

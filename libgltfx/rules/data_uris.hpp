@@ -13,18 +13,18 @@
 
 namespace gltfx::validate {
 
-/// A data: URI whose head could be read.
+/// A data URI whose head could be read.
 struct DataUriContent {
   std::string media_type;            ///< lower case
-  Result<container::Bytes> decoded;  ///< of the payload
+  Result<container::Bytes> decoded;  ///< bytes of the payload
 };
 
-/// Keeps what was decoded until it is destroyed. Not for several threads at once.
+/// Keeps decoded data until it is destroyed. Not thread-safe.
 class DataUris {
  public:
   explicit DataUris(container::UriReading reading) : reading_(reading) {}
 
-  /// What the text of the string at `value` holds. Decodes it on the first call for that value.
+  /// The content of the string at `value`. Decodes it on the first call for that value.
   const Result<DataUriContent>& get(json::NodeId value, std::string_view text);
 
  private:

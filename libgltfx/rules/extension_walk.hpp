@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Visits the objects of one extension; which extensions of an asset rules look into.
+/// Visits the objects of one extension; selects the extensions of an asset that rules read.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 
 namespace gltfx::validate {
 
-/// Those that the Set knows, unless Deviations::unsupported_extensions_are_skipped: then those that
-/// the Khronos validator supports and the asset declares. Made once for a link rule; the context
-/// must outlive it.
+/// The extensions of the Set, unless Deviations::unsupported_extensions_are_skipped: then those
+/// that the Khronos validator supports and the asset declares. Made once for a link rule; the
+/// context must outlive it.
 class ActiveExtensions {
  public:
   explicit ActiveExtensions(const Context& context);
@@ -26,23 +26,24 @@ class ActiveExtensions {
  private:
   const schema::Set& schemas_;
   bool all_;
-  std::vector<schema::ExtensionId> active_;  // unless all are
+  std::vector<schema::ExtensionId> active_;  // unless all are active
 };
 
 /// The extensions of the asset's `extensionsUsed` that are active, in its order.
 std::vector<const schema::Extension*> declared_extensions(const Context& context);
 
-/// Whether additional rules about an extension have anything to look at: the walk met its objects.
+/// Whether additional rules about an extension have anything to check: the walk found its objects.
 inline bool has_objects_of(const Context& context, std::string_view extension) {
   const auto& seen = context.checked.extensions_seen;
   return !context.deviations.no_additional_rules &&
          std::find(seen.begin(), seen.end(), extension) != seen.end();
 }
 
-/// The extensions that the walk met whose nodes draw a mesh many times, in the order of the Set.
+/// The extensions found by the walk that draw the mesh of a node many times, in the order of the
+/// Set.
 std::vector<const schema::Extension*> instancing_extensions(const Context& context);
 
-/// An object of an extension and the object it sits on.
+/// An object of an extension and its host object.
 struct ExtensionPlace {
   json::NodeId host;
   json::NodeId object;
@@ -67,7 +68,7 @@ void for_each_extension(const Context& context, model::RootArray array, std::str
   }
 }
 
-/// The same for each primitive of each mesh.
+/// Likewise for each primitive of each mesh.
 template <typename Use>
 void for_each_primitive_extension(const Context& context, std::string_view extension, Use use) {
   if (!has_objects_of(context, extension)) return;
@@ -94,7 +95,7 @@ inline json::NodeId root_extension(const Context& context, std::string_view exte
   return model::extension_object(context.document, context.document.root(), extension);
 }
 
-/// The objects of an array member; elements that are no objects are json::kNoNode.
+/// The objects of an array member; elements that are not objects are json::kNoNode.
 inline std::vector<json::NodeId> object_list(const json::Document& document, json::NodeId object,
                                              std::string_view member) {
   std::vector<json::NodeId> found;

@@ -18,7 +18,7 @@ namespace {
 using change::ByteRead;
 using model::RootArray;
 
-// Elements of the accessor, or the whole view where these cannot be told.
+// Elements of the accessor, or the whole view if they are unknown.
 ByteRead read_by(const model::Accessor& accessor, const model::BufferView& view) {
   const std::uint64_t begin = view.byte_offset.value_or(0);
   const std::uint64_t size = model::element_size(accessor.format);
@@ -83,7 +83,7 @@ void FilesRead::find_reads(Fixing& fixing) {
       reads.parts.push_back(read_by(views.accessors[accessor], view));
     }
   }
-  // Others than buffer views may refer to a buffer, seen or unseen.
+  // Objects other than buffer views may refer to a buffer, including objects of unknown extensions.
   const bool unknown = !fixing.graph().unknown_extensions().empty();
   for (std::size_t i = 0; i < reads_.size(); ++i) {
     reads_[i].all = unknown || mentions[i] != 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which bytes of which files an asset reads: what must be known before a file is changed.
+/// The bytes that an asset reads of each file, which must be known before a file is changed.
 #pragma once
 
 #include <cstdint>
@@ -16,11 +16,11 @@
 
 namespace gltfx::validate {
 
-/// A file that an asset refers to, under however many names.
+/// A file that an asset refers to, under any number of names.
 struct FileRead {
-  std::set<std::string> paths;         ///< as container::Uri has them
-  std::vector<std::uint32_t> buffers;  ///< that it is, by index
-  /// Something that is no buffer reads it too, such as an image, or it is the asset itself.
+  std::set<std::string> paths;         ///< as in container::Uri
+  std::vector<std::uint32_t> buffers;  ///< indices of the buffers with this file
+  /// It is also read as something other than a buffer, such as an image, or is the asset itself.
   bool otherwise = false;
 };
 
@@ -30,9 +30,9 @@ class FilesRead {
   explicit FilesRead(Fixing& fixing);
 
   const std::map<FileIdentity, FileRead>& files() const { return files_; }
-  /// What is read of the buffer with this index.
+  /// The reads of the buffer with this index.
   const change::FileReads& reads_of(std::uint32_t buffer) const { return reads_[buffer]; }
-  /// What is read of a file by all that names it.
+  /// The reads of a file by all objects that name it.
   change::FileReads reads_of(const FileRead& file) const;
 
  private:
@@ -43,11 +43,11 @@ class FilesRead {
   std::vector<change::FileReads> reads_;
 };
 
-/// Buffers that are one file get one content, under the index of one of them. The Error says why
-/// not: something else reads bytes that would change.
+/// Merges the content of buffers that share a file, under the index of one of them. The Error gives
+/// the reason for a refusal: bytes that would change have another reader.
 std::optional<Error> unite_buffers(Fixing& fixing, change::BufferContents& contents);
 
-/// Adds the other names of the files that are changed already.
+/// Adds the other names of the files that are already changed.
 void add_other_names(Fixing& fixing, std::vector<change::ReplacedFile>& files);
 
 }  // namespace gltfx::validate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How rules put findings together.
+/// Functions that create and report findings.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,12 @@
 namespace gltfx::validate {
 
 /// A finding that marks `value`: all of a scalar, only the first character of an object or array.
-/// With json::kNoNode it marks nothing.
+/// With json::kNoNode it has no mark.
 Finding finding_on(const Context& context, json::NodeId value, Code code, std::string message,
                    std::string help = {});
 
-/// Reports a finding on a member of the object at `path`: at the member when it is there, and
-/// otherwise at the object, with the pointer of the member in both cases.
+/// Reports a finding on a member of the object at `path`: at the member if it exists, otherwise at
+/// the object, with the pointer of the member in both cases.
 void report_member(Sink& sink, const Context& context, const Path& path, json::NodeId object,
                    std::string_view member, Code code, std::string message, std::string help = {},
                    std::optional<Severity> severity = {});
@@ -33,22 +33,22 @@ void report_link(const Context& context, const Path& path, Span span, Code code,
 void report_element(Sink& sink, const Context& context, model::RootArray array, std::size_t index,
                     Code code, std::string message, std::optional<Severity> severity = {});
 
-/// Reading order: reports the broken references inside `value` that have not been, at the point
-/// where linking comes to them. Otherwise the walk has reported them. Nothing for
+/// Reading order: reports the broken references inside `value` that are not reported yet, at the
+/// point where linking reaches them. Otherwise the walk has reported them. Nothing for
 /// json::kNoNode.
 void report_references(const Context& context, json::NodeId value);
 void report_references(const Context& context, Span place);
 
-/// How messages name another object: "node 1 ('tmpParent')", or "node 1" when it has no name.
+/// The label of another object in messages: "node 1 ('tmpParent')", or "node 1" if it has no name.
 std::string object_label(const Context& context, model::RootArray array, std::size_t index);
-/// The same for a member: "emissiveTexture of material 0 ('glass')".
+/// The label of a member: "emissiveTexture of material 0 ('glass')".
 std::string member_label(const Context& context, std::string_view pointer);
 
-/// Reports a finding at a pointer that is known as text, such as that of a texture slot.
+/// Reports a finding at a pointer given as text, such as that of a texture slot.
 void report_at(Sink& sink, std::string_view pointer, Finding finding);
 
-/// Reports UNSATISFIED_DEPENDENCY when the root object lacks the object of an extension that
-/// `object` needs. True when it is there.
+/// Reports UNSATISFIED_DEPENDENCY if the root object lacks the object of an extension that `object`
+/// needs. True if it exists.
 bool check_root_extension(const Context& context, std::string_view extension, json::NodeId object,
                           const Path& path);
 

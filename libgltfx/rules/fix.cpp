@@ -31,7 +31,7 @@ const FixEntry* find_fix(Code code) {
 
 namespace {
 
-// Where the text has none, fixes of the text work with the text alone.
+// Without a document, fixes of the text use only the text.
 const json::Document& document_of(const model::OpenedAsset& opened) {
   static constinit MadeOnce<json::Parsed> nothing;
   const json::Document& document = opened.document();
@@ -77,7 +77,7 @@ std::string* Fixing::content(std::uint32_t buffer) {
   return &contents_.changed.emplace(buffer, std::string(buffers[buffer]->text())).first->second;
 }
 
-// Nodes stand in the order of the text, and no two of them begin at one byte.
+// Nodes are in the order of the text, and no two of them begin at one byte.
 json::NodeId node_around(const json::Document& document, Span place) {
   if (place.end == 0) return json::kNoNode;
   json::NodeId first = 0;

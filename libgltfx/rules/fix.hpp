@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What fixes of rules have to work with: the asset, and the changes that they collect.
+/// The state that fixes of rules share: the asset, and the changes that they collect.
 #pragma once
 
 #include <map>
@@ -24,16 +24,17 @@
 
 namespace gltfx::validate {
 
-/// The innermost value or key that holds the first byte of `place`, or json::kNoNode.
+/// The innermost value or key that contains the first byte of `place`, or json::kNoNode.
 json::NodeId node_around(const json::Document& document, Span place);
-/// The value or key that begins where `place` does, or json::kNoNode.
+/// The value or key that begins at the start of `place`, or json::kNoNode.
 json::NodeId node_at(const json::Document& document, Span place);
 
-/// The changes of one asset, as fixes collect them. Each value is changed once: a fix that finds it
+/// The changes of one asset, as collected by fixes. Each value is changed once: a fix that finds it
 /// changed leaves it to the next run over the new asset.
 class Fixing {
  public:
-  /// Fixes may change as many bytes of buffers as `content_bytes`, whole buffers counted.
+  /// `content_bytes`: the maximum number of bytes in the buffers that fixes change; a changed
+  /// buffer counts as a whole.
   Fixing(const model::OpenedAsset& opened, const schema::Set& schemas,
          std::uint64_t content_bytes = UINT64_MAX);
 
@@ -42,15 +43,15 @@ class Fixing {
   const model::OpenedAsset& opened() const { return opened_; }
   const model::Asset& elements() const { return elements_; }
   const model::Views& views() const { return opened_.views(); }
-  /// Bytes of buffers and images, loaded when somebody asks.
+  /// Bytes of buffers and images, loaded on the first call.
   const model::ResourceData& resources();
 
-  /// Where values are; made at the first call, as all tables.
+  /// The parents of values; made on the first call, like all tables.
   const graph::Tree& tree();
-  /// What refers to what, which takes a walk over the whole document.
+  /// References between objects; made by a walk over the whole document.
   const graph::Graph& graph();
 
-  /// A table that the fixes of one run look into, made of this when the first of them asks.
+  /// A table shared by the fixes of one run, made from this object on the first call.
   template <class Table>
   Table& table() {
     auto& made = tables_[&kTableKey<Table>];
@@ -62,39 +63,39 @@ class Fixing {
   json::NodeId node_around(Span place) const { return validate::node_around(document_, place); }
   /// The object or array that holds a value or key; json::kNoNode for the root.
   json::NodeId parent(json::NodeId node) { return tree().parent(node); }
-  /// Whether no fix has changed the value in this run; from now on one has.
+  /// True if no fix has changed the value in this run yet; marks it as changed.
   bool claim(json::NodeId node);
   /// Whether a fix has changed the value in this run.
   bool is_claimed(json::NodeId node);
-  /// Whether claim() or is_claimed() met a changed value since the last call of this.
+  /// Whether claim() or is_claimed() found a changed value since the last call of this function.
   bool take_was_claimed() { return std::exchange(claimed_.was_met, false); }
-  /// Says that this fix is the same as all others that say so of `node`: one is made with all.
+  /// Declares that this fix is the same as all others with this `node`: making one makes all.
   void share(json::NodeId node) { shared_ = node; }
-  /// What share() was told since the last call of this, or json::kNoNode.
+  /// The argument of share() since the last call of this function, or json::kNoNode.
   json::NodeId take_shared() { return std::exchange(shared_, json::kNoNode); }
-  /// The position of an object in the array of the root that it is an element of, or UINT32_MAX.
+  /// The index of an object in its array of the root, or UINT32_MAX.
   std::uint32_t index_of(json::NodeId object);
 
-  /// Takes a member out, by its value. False: it is no member, or changed already.
+  /// Deletes a member, given its value. False: it is not a member, or already changed.
   bool remove_member(json::NodeId value);
   bool replace_scalar(json::NodeId value, std::string json);
-  /// Gives a value another JSON text.
+  /// Replaces a value by another JSON text.
   bool replace(json::NodeId value, std::string_view json);
   bool append_member(json::NodeId object, std::string_view name, std::string_view json);
-  /// Puts text in the place of a stretch of the text.
+  /// Replaces a span of the text.
   void replace_text(Span span, std::string text) { editor_.replace_text(span, std::move(text)); }
   json::Editor& editor() { return editor_; }
   change::NameList& extensions_used() { return names_.used; }
   change::NameList& extensions_required() { return names_.required; }
-  /// What a buffer holds from now on, to be changed in place; null where its bytes are missing
-  /// or too many.
+  /// The new content of a buffer, to be changed in place; null if its bytes are missing or too
+  /// many.
   std::string* content(std::uint32_t buffer);
-  /// Takes out the value of a JSON pointer, in a stage where nothing else is changed.
+  /// Deletes the value of a JSON pointer, in a stage without other changes.
   void delete_value(std::string pointer) { deleted_.insert(std::move(pointer)); }
-  /// The container is to be written anew, with right lengths and padding.
+  /// Requests that the container is written anew, with correct lengths and padding.
   void rewrite_container() { rewrites_container_ = true; }
 
-  /// What all fixes come to, placed. An Error says why not.
+  /// The combined changes of all fixes. The Error gives the reason if there are none.
   Result<change::Change> take();
 
  private:
@@ -110,7 +111,7 @@ class Fixing {
   } names_;
   struct {
     change::BufferContents changed;
-    std::uint64_t bytes_left;  ///< for more of them
+    std::uint64_t bytes_left;  ///< remaining for further buffers
   } contents_;
   struct {
     std::vector<bool> nodes;  ///< empty until a value is claimed
@@ -124,10 +125,10 @@ class Fixing {
   bool rewrites_container_ = false;
 };
 
-/// The fix of rules about members that are better not there: `place` is the value or the name.
+/// The fix of rules about members that should be absent: `place` is the value or the name.
 bool remove_marked(Fixing& fixing, Span place);
 
-/// `numbers` without those that were there before, in the order of the first ones.
+/// `numbers` without repeats, in the order of first occurrence.
 std::string without_repeats(const json::Document& document, json::NodeId numbers);
 
 }  // namespace gltfx::validate

@@ -11,7 +11,7 @@ struct Orphaned {
   graph::Orphans orphans;
 };
 
-// A name that occurs twice leaves open which value is meant.
+// With a name that occurs twice it is unclear which value is meant.
 bool is_sound(const Fixing& fixing) { return fixing.opened().parsed().errors.empty(); }
 
 }  // namespace

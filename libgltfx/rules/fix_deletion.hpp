@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fixes that take objects out. All of one run are planned as one deletion (change/deletion.hpp),
-/// in a stage of their own: what a document loses elsewhere would move under its indices.
+/// Fixes that delete objects. All of one run are planned as one deletion (change/deletion.hpp), in
+/// a stage of their own, because other changes of the document would conflict with new indices.
 #pragma once
 
 #include "rules/fix.hpp"
 
 namespace gltfx::validate {
 
-/// Deletes the value that `place` marks, and what refers to it as far as that cannot be without it.
+/// Deletes the value that `place` marks, and the references to it as far as their objects are
+/// invalid without them.
 bool delete_marked(Fixing& fixing, Span place);
 
-/// Deletes the object that `place` marks, to which nothing refers, and the objects in arrays of the
-/// root to which only deleted ones refer.
+/// Deletes the object that `place` marks, which has no references, and the objects in arrays of the
+/// root that only deleted objects refer to.
 bool delete_unused(Fixing& fixing, Span place);
 
 }  // namespace gltfx::validate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which rules have a fix. A fix is registered where its rule is (RuleGroup::fixes): it gets the
+/// The registration of fixes. A fix is registered with its rule (RuleGroup::fixes): it gets the
 /// place that a finding marks and adds to the changes of one asset (rules/fix.hpp).
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace gltfx::validate {
 
-/// What a finding of a rule that has a fix marks in the text; empty: nothing.
+/// The span of text that a finding of a rule with a fix marks; empty: none.
 struct Site {
   Code code;
   Severity severity;
@@ -21,24 +21,26 @@ struct Site {
 };
 using Sites = std::vector<Site>;
 
-/// Fixes of an earlier stage are made, and the asset validated again, before those of a later one.
+/// Fixes of an earlier stage are applied, and the asset is validated again, before those of a later
+/// stage.
 enum class FixStage : std::uint8_t {
-  container,  ///< of the file, whatever its text is
+  container,  ///< of the file, regardless of its text
   syntax,     ///< of the text: there may be no document
-  files,      ///< of references to files: what these hold is checked from then on
+  files,      ///< of references to files: their content is checked afterwards
   document,
-  deletion,  ///< of objects: what refers to others is counted anew
+  deletion,  ///< of objects: references are counted again afterwards
 };
 
 class Fixing;
-/// Adds what fixes the finding that marks `place`. False: this one stays, and nothing was added.
+/// Adds the changes that fix the finding that marks `place`. False: the finding remains, and
+/// nothing was added.
 using FixFunction = bool (*)(Fixing& fixing, Span place);
 
 struct FixEntry {
   Code code;
   FixFunction fix;
   FixStage stage = FixStage::document;
-  /// What is done besides where unsafe fixes are allowed and this rule is named; null: nothing.
+  /// The fix in addition when unsafe fixes are allowed and this rule is named; null: none.
   FixFunction unsafe = nullptr;
 };
 

@@ -14,7 +14,8 @@ using model::ViewUse;
 
 namespace {
 
-// Among the objects that refer to accessors, other elements of arrays are samplers and primitives.
+// Among the objects that refer to accessors, the other elements of arrays are samplers and
+// primitives.
 bool is_morph_target(Fixing& fixing, json::NodeId object) {
   const graph::Tree& tree = fixing.tree();
   return !tree.is_member(object) && tree.member(object, "input") == json::kNoNode &&
@@ -53,7 +54,7 @@ void Users::read(Fixing& fixing) {
   }
 }
 
-// References of objects that are neither accessors nor images: those of extensions.
+// References from objects that are neither accessors nor images, such as objects of extensions.
 void Users::find_others(Fixing& fixing) {
   const graph::Tree& tree = fixing.tree();
   const auto is_known = [&](json::NodeId object) {
@@ -84,7 +85,8 @@ void Users::find_roles(Fixing& fixing) {
   }
 }
 
-// In the order of their first bytes, one overlaps another where it begins before that ends.
+// In the order of their first bytes, a view overlaps the previous one if it begins before that
+// ends.
 void Users::find_overlaps() {
   struct Range {
     std::uint64_t begin, end;
@@ -154,8 +156,8 @@ bool remove_stride(Fixing& fixing, std::uint32_t view) {
 
 namespace {
 
-// Whether the elements of accessors fill a view when they lie one behind the other, each packed;
-// but for what pads the last one.
+// Whether the elements of accessors fill a view when they are stored one after the other, each
+// packed, except for padding after the last one.
 bool fill_in_turn(const model::Views& views, const model::BufferView& view,
                   const std::vector<std::uint32_t>& accessors) {
   std::vector<std::pair<std::uint64_t, std::uint64_t>> places;
@@ -175,7 +177,7 @@ bool fill_in_turn(const model::Views& views, const model::BufferView& view,
   return view.byte_length && end <= *view.byte_length && *view.byte_length <= end + 3;
 }
 
-// The distance of packed elements, where it is the same for all accessors.
+// The stride of packed elements if it is the same for all accessors.
 std::optional<std::uint64_t> common_stride(const model::Views& views,
                                            const std::vector<std::uint32_t>& accessors) {
   std::optional<std::uint64_t> common;
@@ -187,7 +189,7 @@ std::optional<std::uint64_t> common_stride(const model::Views& views,
   return common;
 }
 
-/// By buffer view: whether its stride is corrected. Many accessors of one view ask for that.
+/// By buffer view: whether its stride is corrected. Many accessors may use one view.
 struct CorrectedStrides {
   explicit CorrectedStrides(const Fixing&) {}
   std::map<std::uint32_t, bool> views;

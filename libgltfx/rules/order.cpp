@@ -27,10 +27,10 @@ const RuleGroup &accessor_layout_rules(), &accessor_timed_rules(), &accessor_val
 
 namespace {
 
-// Phases 3 and 4: rules about objects run in this order for each object, those about how objects
-// refer to each other once.
+// Phases 3 and 4: rules about objects run in this order for each object, rules about references
+// between objects once.
 constexpr const RuleGroup& (*kRuleGroups[])() = {
-    // Fixes alone: what they fix is found by the phases themselves.
+    // Only fixes: the phases themselves find the problems.
     container_rules,
     text_rules,
     schema_fix_rules,
@@ -44,10 +44,10 @@ constexpr const RuleGroup& (*kRuleGroups[])() = {
     element_values_rules,
     sparse_rules,
     influences_rules,
-    // Lists of extensions: what else is said depends on what is declared.
+    // Lists of extensions: other findings depend on the declarations.
     extension_use_rules,
     fallback_rules,
-    // Objects of glTF, each behind what it is made of, with the extensions on it.
+    // Objects of glTF, each after its parts, with the extensions on it.
     resource_rules,
     asset_root_rules,
     buffer_view_rules,
@@ -66,7 +66,7 @@ constexpr const RuleGroup& (*kRuleGroups[])() = {
     node_mesh_rules,
     mesh_quantization_rules,
     lights_punctual_rules,
-    // Skins and animations, then scenes, which show it all.
+    // Skins and animations, then scenes, which refer to all objects.
     skin_rules,
     animation_rules,
     animation_pointer_rules,
@@ -96,14 +96,14 @@ constexpr const RuleGroup& (*kRuleGroups[])() = {
     vrm_expressions_rules,
     vrm_avatar_rules,
     materials_mtoon_rules,
-    // What nothing uses: behind all that may use it.
+    // Unused objects: after all rules about possible users.
     unused_objects_rules,
-    // Extensions of which nothing else depends.
+    // Extensions that no other rule depends on.
     physics_rules,
     nonvisual_geometry_rules,
 };
 
-// Phases 5 to 7, behind the bytes of buffers, images and compressed views.
+// Phases 5 to 7, after the bytes of buffers, images and compressed views.
 constexpr DataRule kDataRules[] = {
     // Elements of accessors.
     {decode_geometry},
@@ -115,10 +115,10 @@ constexpr DataRule kDataRules[] = {
     {check_outlines, true},
     {check_manifolds, true},
     {check_volumes, true},
-    // What elements mean to an extension.
+    // Meaning of elements for an extension.
     {check_expression_weights},
     {check_metadata, true},
-    // Headers of images, and pixels as far as they are asked for.
+    // Headers of images, and pixels as far as requested.
     {check_textures},
     {check_texture_slots, true},
     {check_image_based_lights},

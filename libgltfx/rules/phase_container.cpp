@@ -37,7 +37,7 @@ void report_errors(const std::vector<container::ContainerError>& errors, Phase p
   }
 }
 
-// The name promises a GLB, the content is something else.
+// The file name implies a GLB, but the content is something else.
 bool check_promised_glb(const container::Container& container, Collector& collector) {
   if (container.format == container::Format::glb) return true;
   if (container.format == container::Format::empty) {
@@ -54,8 +54,8 @@ bool check_promised_glb(const container::Container& container, Collector& collec
 
 // --- Padding of the JSON chunk ---
 
-/// What fills the JSON chunk up to a multiple of 4, as part of its text. More than that is white
-/// space of the text itself, as is all in a file without chunks.
+/// The padding of the JSON chunk up to a multiple of 4, as a span of its text. Further characters
+/// are white space of the text itself, as is all in a file without chunks.
 Span json_padding(const container::Container& container) {
   if (container.format != container::Format::glb || container.chunks.empty()) return {};
   const std::string_view json = *container.json;
@@ -77,7 +77,7 @@ void check_json_padding(const container::Container& container, Collector& collec
                        static_cast<unsigned char>((*container.json)[byte]))));
 }
 
-// --- Fixes: a container that is written anew has right lengths and padding ---
+// --- Fixes: a container that is written anew has correct lengths and padding ---
 
 bool pad_with_spaces(Fixing& fixing, Span) {
   const Span padding = json_padding(fixing.opened().container());
@@ -91,7 +91,7 @@ bool rewrite(Fixing& fixing, Span) {
   return true;
 }
 
-// Zeros and blanks behind the last chunk are nobody's.
+// Zeros and blanks after the last chunk have no use.
 bool drop_trailing_zeros(Fixing& fixing, Span) {
   const container::Container& glb = fixing.opened().container();
   if (glb.chunks.empty()) return false;
@@ -102,11 +102,12 @@ bool drop_trailing_zeros(Fixing& fixing, Span) {
   return true;
 }
 
-// A text or a file of a known kind that is not JSON: the first error of its syntax would not tell.
+// A text or a file of a known kind other than JSON, for which the first syntax error would be no
+// help.
 bool check_kind(const container::Container& container, Collector& collector) {
   if (container.format == container::Format::glb) return true;
   const std::string_view bytes = container.bytes.text();
-  // A byte order mark is told of the text.
+  // A byte order mark is reported for the text.
   const std::size_t first = std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size());
   if (bytes.substr(first).starts_with('{')) return true;
   const container::Content found = container::name_content(bytes);

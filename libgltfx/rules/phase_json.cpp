@@ -78,7 +78,7 @@ std::string default_message(json::SyntaxError error) {
   }
 }
 
-// "found 'x'; JSON has none" as the sentence of a message.
+// "found 'x'; JSON has none" as a sentence of a message.
 std::string sentence(std::string text) {
   if (text.empty()) return text;
   if (!text.starts_with("glTF")) text = capitalized(std::move(text));
@@ -86,7 +86,7 @@ std::string sentence(std::string text) {
   return text;
 }
 
-// Where the comma belongs: behind the item before, which mostly ends on another line.
+// The place of the comma: after the previous item, which usually ends on another line.
 std::string comma_help(const json::ParseError& error, std::string_view text,
                        const json::LineIndex& lines) {
   const std::size_t before = text.find_last_not_of(" \t\r\n", error.span.begin - 1);
@@ -128,14 +128,14 @@ std::string help_for(const json::ParseError& error, std::string_view text,
   }
 }
 
-// Bytes of strings that another encoding reads: which string it is, and what it says.
+// Bytes in strings that are valid in another encoding: the string, and its text in that encoding.
 std::optional<Finding> explain_encoding(std::string_view text) {
   const auto legacy = json::read_legacy_text(text);
   if (!legacy || legacy->parts.empty()) return std::nullopt;
   const Span first = legacy->parts.front().span;
   const json::Parsed read = json::parse(share_text(json::apply_edits(text, legacy->parts)));
   if (read.document.empty()) return std::nullopt;
-  // Nothing before the first stretch has moved.
+  // Text before the first span has not moved.
   const json::Document& document = read.document;
   const json::NodeId node = node_around(document, {first.begin, first.begin + 1});
   if (node == json::kNoNode) return std::nullopt;
@@ -166,7 +166,7 @@ void report_error(const json::ParseError& error, std::string_view text,
   collector.report_file(Phase::json, std::move(finding));
 }
 
-// A text with thousands of equal errors is told once that there are more.
+// For a text with thousands of equal errors, reports once that there are more.
 void report_unlisted(std::uint64_t count, Collector& collector) {
   if (count == 0) return;
   Finding finding(Code::INVALID_JSON);
@@ -174,7 +174,7 @@ void report_unlisted(std::uint64_t count, Collector& collector) {
   collector.report_file(Phase::json, std::move(finding));
 }
 
-// Syntax, or a byte order mark, which does not end the report.
+// Syntax errors, except a byte order mark, which does not end the report.
 bool is_syntax(json::SyntaxError error) {
   return error != json::SyntaxError::duplicate_key && error != json::SyntaxError::lone_surrogate &&
          error != json::SyntaxError::number_out_of_range;
@@ -192,7 +192,7 @@ bool report_syntax(const json::Parsed& parsed, std::string_view text, const json
 
 // --- Fixes. The first finding of a kind fixes all errors of that kind. ---
 
-/// All errors, of which reports have the first.
+/// All errors; reports contain only the first ones.
 struct TextErrors {
   explicit TextErrors(Fixing& fixing) {
     constexpr std::uint32_t kMost = 1U << 20U;
@@ -207,7 +207,8 @@ struct TextErrors {
   }
   std::vector<json::ParseError> errors;
   std::set<json::SyntaxError> done;
-  std::unordered_map<std::uint32_t, Span> repeated;  ///< keys, by where the next one begins
+  std::unordered_map<std::uint32_t, Span>
+      repeated;  ///< keys, by the position of their next occurrence
 };
 
 template <class Fix>
@@ -246,7 +247,7 @@ bool has_repeats(const json::Document& document, json::NodeId value) {
   return false;
 }
 
-// Whichever of two equal values a reader takes, it is the same. Most take the last, which stays.
+// With two equal values, all readers use the same one. Most use the last, which is kept.
 bool remove_equal_repeat(Fixing& fixing, Span place) {
   const json::Document& document = fixing.document();
   const json::NodeId key = fixing.node_at(place);

@@ -24,8 +24,8 @@ namespace {
 
 using container::Bytes;
 
-// Whether an extension of the buffer says that its bytes are only needed where the extension is not
-// known, and need not be there.
+// Whether an extension declares that a buffer is only needed by readers without the extension, and
+// may be missing.
 bool is_fallback(const Context& context, json::NodeId buffer) {
   const json::Document& document = context.document;
   const json::NodeId extensions = model::object_member(document, buffer, "extensions");
@@ -41,7 +41,7 @@ bool is_fallback(const Context& context, json::NodeId buffer) {
 
 std::uint64_t padded(std::uint64_t length) { return length + (4 - length % 4) % 4; }
 
-// What fills the chunk up is behind the bytes of the buffer.
+// Padding of the chunk follows the bytes of the buffer.
 void check_bin_padding(const Resource& resource, std::string_view chunk, std::uint64_t declared) {
   if (chunk.size() <= declared || chunk.size() > padded(declared)) return;
   const std::size_t at = chunk.find_first_not_of('\0', static_cast<std::size_t>(declared));
@@ -73,7 +73,7 @@ std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared)
   return chunk;
 }
 
-// Buffers, by index, of which extensions say where the bytes of all views are, as those of
+// By index of buffers: whether extensions store the bytes of all its views elsewhere, as those of
 // compressed data do.
 std::vector<bool> stored_elsewhere(const Context& context) {
   const auto& views = context.asset.elements(model::RootArray::buffer_views);
@@ -91,7 +91,7 @@ std::vector<bool> stored_elsewhere(const Context& context) {
   return extended;
 }
 
-// An extension of the buffer may say where its data is, or that it has none.
+// An extension of the buffer may declare where its data is, or that it has none.
 void report_missing_data(const Resource& resource, std::size_t index) {
   const json::Document& document = resource.context.document;
   if (model::object_member(document, resource.object, "extensions") != json::kNoNode) return;
@@ -107,7 +107,7 @@ std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uin
                                  bool cut_short) {
   resource.info.byte_length = bytes.size();
   if (bytes.size() >= declared) return bytes;
-  if (cut_short) return std::nullopt;  // said of the container
+  if (cut_short) return std::nullopt;  // reported for the container
   const json::NodeId member = resource.context.document.find(resource.object, "byteLength");
   Finding finding(Code::BUFFER_BYTE_LENGTH_MISMATCH);
   finding.message =
@@ -123,7 +123,7 @@ std::optional<Bytes> long_enough(const Resource& resource, Bytes bytes, std::uin
   return kept ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-// What a data URI holds is kept whatever the buffer declares, but not listed.
+// The content of a data URI is kept even if the buffer declares no length, but not listed.
 std::optional<Bytes> undeclared_bytes(const Resource& resource) {
   const json::Document& document = resource.context.document;
   const std::string uri = model::string_member(document, resource.object, "uri");
@@ -168,7 +168,7 @@ void load_buffers(const Context& context, Sink& sink, FileReport& report, Resour
   }
 }
 
-// What a bufferView holds is truncated with its buffer.
+// The content of a bufferView is truncated with its buffer.
 bool is_truncated_file(const Context& context, json::NodeId object, bool buffer,
                        const std::optional<Bytes>& bytes) {
   if (!bytes || !container::is_truncated(*bytes)) return false;
@@ -184,7 +184,7 @@ void report_truncated(const Context& context, model::RootArray array, std::size_
 
 // --- Fixes ---
 
-// The bytes behind a buffer, whatever it declares; nothing where there are none.
+// The bytes of a buffer, regardless of its declared length; nothing if there are none.
 std::optional<Bytes> bytes_of(Fixing& fixing, json::NodeId buffer) {
   const std::string uri = model::string_member(fixing.document(), buffer, "uri");
   if (!uri.empty()) {
@@ -196,7 +196,7 @@ std::optional<Bytes> bytes_of(Fixing& fixing, json::NodeId buffer) {
   return glb.bytes.part(glb.bin->offset, glb.bin->length);
 }
 
-/// What buffer views need of each buffer.
+/// The bytes that buffer views need of each buffer.
 struct NeededBytes {
   explicit NeededBytes(Fixing& fixing) : of(fixing.elements().count(model::RootArray::buffers)) {
     for (const model::BufferView& view : fixing.views().buffer_views) {
@@ -209,7 +209,7 @@ struct NeededBytes {
   std::vector<std::uint64_t> of;
 };
 
-// Less is enough where no buffer view needs more.
+// A shorter buffer is enough if no buffer view needs more.
 bool declare_actual_length(Fixing& fixing, Span place) {
   const json::NodeId length = fixing.node_at(place);
   if (length == json::kNoNode) return false;

@@ -14,7 +14,7 @@
 namespace gltfx {
 namespace {
 
-// Appends what stands for `text*N`.
+// Appends the expansion of `text*N`.
 void append_repeat(std::string& out, std::string_view repeat) {
   const std::size_t star = repeat.rfind('*');
   if (star == std::string_view::npos) return;

@@ -58,7 +58,7 @@ std::optional<container::Bytes> open_file(const Resource& resource, const contai
   return resolved.bytes;
 }
 
-// Whether the data of a URI is kept: a wrong media type has been reported.
+// Whether the data of a URI is kept: a wrong media type is already reported.
 bool acceptable(const Resource& resource, const std::string& media_type,
                 const container::Bytes& bytes) {
   if (!resource.context.deviations.mistyped_data_uris_are_dropped) return true;

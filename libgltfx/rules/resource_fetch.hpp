@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Opens what a buffer, an image or another object names, and says why it cannot.
+/// Opens the resource of a buffer, an image or another object, and reports failures.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -18,26 +18,26 @@ namespace gltfx::validate {
 struct Resource {
   const Context& context;
   Sink& sink;
-  FileReport& report;  ///< its `unverified` is counted up
+  FileReport& report;  ///< its `unverified` is incremented
   const Path& path;    ///< of the buffer or image
   json::NodeId object = json::kNoNode;
-  ResourceInfo& info;                   ///< storage and uri are filled in
-  std::string_view uri_member = "uri";  ///< of the object, that names the file
+  ResourceInfo& info;                   ///< storage and uri are set
+  std::string_view uri_member = "uri";  ///< member of the object with the name of the file
 
-  /// A finding on the object, or on its member where one is named.
+  /// Reports a finding on the object, or on its member if one is named.
   void find(Code code, std::string_view where, std::string message, std::string help = {},
             std::optional<Severity> severity = {}) const;
 };
 
-/// Reports the form of the URI of a resource that is neither a buffer nor an image: theirs is
+/// Reports the form of the URI of a resource that is neither a buffer nor an image, whose URIs are
 /// checked with their other members.
 void check_resource_uri(const Resource& resource);
 
-/// The bytes that `resource.uri_member` names: mapped, copied or decoded. Nothing when there is no
-/// such member, it is malformed, or the file cannot be had, which is reported here.
+/// The bytes of `resource.uri_member`: mapped, copied or decoded. Nothing if there is no such
+/// member, it is malformed, or the file cannot be read, which is reported here.
 std::optional<container::Bytes> fetch_uri(const Resource& resource);
 
-/// The same, or what the member `bufferView` names. The buffers of `data` have been loaded.
+/// The bytes of the URI or of the member `bufferView`. The buffers of `data` must be loaded.
 std::optional<container::Bytes> fetch_uri_or_view(const Resource& resource,
                                                   const model::ResourceData& data);
 

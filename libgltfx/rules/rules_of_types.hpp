@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rules by the type of the objects that they are about.
+/// Rules by the type of their objects.
 #pragma once
 
 #include <array>
@@ -11,11 +11,12 @@
 
 namespace gltfx::validate {
 
-/// Remembers what was found out about types, for the next of a million objects.
+/// A cache of values by type, for assets with a million objects.
 template <class Value>
 class TypeCache {
  public:
-  /// `type` is an element of a Set that outlives this; `make(type)` is called when it is not known.
+  /// `type` is an element of a Set that outlives this; `make(type)` is called if there is no value
+  /// yet.
   template <class Make>
   const Value& of(const schema::ObjectType& type, const Make& make) {
     Slot& slot = slots_[type.shape % slots_.size()];
@@ -31,11 +32,11 @@ class TypeCache {
   std::array<Slot, 64> slots_;
 };
 
-/// Rules by the name of a type; `Rules` holds those of one.
+/// Rules by the name of a type; `Rules` holds the rules of one type.
 template <class Rules>
 class RulesByName {
  public:
-  /// Those of a type, to add to. The name must outlive the table.
+  /// The rules of a type, to add to. The name must outlive the table.
   Rules& to(std::string_view type) {
     const json::KeyId id = names_.intern(type);
     rules_.resize(names_.size());
@@ -48,7 +49,7 @@ class RulesByName {
 
  private:
   json::KeyTable names_;
-  std::vector<Rules> rules_;  // by number of the name
+  std::vector<Rules> rules_;  // by the number of the name
   Rules none_;
 };
 

@@ -68,7 +68,7 @@ class Walk {
     return document_.node(frames_.back().key).next == extras_;
   }
 
-  // Of the object around the extras.
+  // Pointer of the object around the extras.
   std::string host() const {
     std::string pointer;
     for (std::size_t i = 1; i + 1 < frames_.size(); ++i) {
@@ -87,7 +87,7 @@ class Walk {
   std::vector<Frame> frames_;
 };
 
-// Calls `use` with the path that a pointer spells.
+// Calls `use` with the path of a pointer.
 template <class Use>
 void with_path(std::string_view pointer, const Use& use) {
   const auto steps = split_pointer(pointer);
@@ -113,7 +113,7 @@ std::string nearest_code(std::string_view word) {
   return near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
 }
 
-// Rules that speak up only in runs that look into pixels, or set budgets, say nothing in others.
+// Whether a rule only runs with pixels or budgets, and so may have no finding in other runs.
 bool may_be_silent(Code code, const ValidateOptions& options) {
   const RuleDescription& rule = description(code);
   if (rule.code.starts_with("BUDGET_")) return true;

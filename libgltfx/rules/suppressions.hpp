@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Findings that an asset itself asks to leave out, object by object:
+/// Findings that an asset itself suppresses, per object:
 ///
 ///     "extras": {"gltfx": {"ignore": [{"code": "UNUSED_OBJECT", "reason": "loaded by name"}]}}
 ///
-/// on any object counts for findings on it and below it, whatever their severity. It is looked at
-/// only when the user asks (ValidateOptions::inline_suppressions): an asset that nobody vouches for
-/// shall not silence what is said about it.
+/// on any object applies to findings on it and below it, at any severity. It is read only if the
+/// user enables it (ValidateOptions::inline_suppressions): an untrusted asset must not suppress
+/// findings about itself.
 #pragma once
 
 #include <gltfx/validate.hpp>
@@ -22,32 +22,32 @@
 
 namespace gltfx::validate {
 
-/// The suppressions of one document. Phases that run at once may ask at once: each counts for
-/// itself.
+/// The suppressions of one document. Phases that run at once may call it at once: each has its own
+/// counts.
 class Suppressions {
  public:
   static constexpr std::size_t kMostPhases = 8;
 
   Suppressions() = default;
-  /// Reads them. The document outlives this.
+  /// Reads the suppressions. The document outlives this.
   explicit Suppressions(const json::Document& document);
 
   bool empty() const { return entries_.empty(); }
-  /// Whether a finding at `path` is left out, counted for `phase` (below kMostPhases).
+  /// Whether a finding at `path` is suppressed, counted for `phase` (below kMostPhases).
   bool covers(Code code, const Path& path, std::size_t phase, std::uint64_t count);
-  /// Findings left out.
+  /// Number of suppressed findings.
   std::uint64_t total() const;
-  /// Reports entries that are not understood, have no reason or left nothing out. For when all
-  /// phases are done.
+  /// Reports entries that are malformed, have no reason or suppress nothing. Call it after all
+  /// phases.
   void report(const ValidateOptions& options, Sink& sink) const;
 
  private:
   struct Entry {
     std::string host;   ///< pointer of the object
-    std::string place;  ///< pointer of the entry itself
+    std::string place;  ///< pointer of the entry
     json::NodeId node;
-    std::optional<Code> code;  ///< nothing: none that is known
-    std::string problem;       ///< why it is not understood
+    std::optional<Code> code;  ///< nothing: an unknown code
+    std::string problem;       ///< why it is malformed
     bool has_reason = false;
     std::array<std::uint64_t, kMostPhases> hits{};
     std::uint64_t total() const;

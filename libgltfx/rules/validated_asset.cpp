@@ -11,12 +11,12 @@ bool is_unlimited(const Budgets& budgets) {
   return (texture_size | total_pixels | triangles | draw_calls | file_size) == 0;
 }
 
-// Taken apart by name: a member that is added to the options has to be decided upon here.
+// Lists all members, so that a new member of the options does not compile until it is handled here.
 bool validates_by_default(const ValidateOptions& options) {
   const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, searched, max_issues,
                changed_lines, propose_fixes, targets, jobs, select, ignore, severity, schemas,
                cache] = options;
-  // Where files come from and what is known of glTF is a matter of the asset, not of taste.
+  // The root and the schemas depend on the asset, not on preferences.
   static_cast<void>(root);
   static_cast<void>(searched);
   static_cast<void>(schemas);

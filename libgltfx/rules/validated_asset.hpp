@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// An asset that was validated: what may be planned, drawn or converted.
+/// An asset with its report, for changes, rendering or conversion.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -14,34 +14,33 @@
 
 namespace gltfx::validate {
 
-/// An asset with the report that validation made of it. It may have any errors: who goes on with it
-/// looks at the report.
+/// An asset with its validation report. It may have any errors: callers check the report.
 class ValidatedAsset {
  public:
-  /// Validates.
+  /// Validates the asset.
   ValidatedAsset(model::OpenedAsset asset, const ValidateOptions& options);
-  /// `report` is of an earlier validation of the same bytes with the same options.
+  /// `report` is the report of an earlier validation of the same bytes with the same options.
   ValidatedAsset(model::OpenedAsset asset, FileReport report, const ValidateOptions& options);
 
   const model::OpenedAsset& asset() const { return asset_; }
   const FileReport& report() const { return report_; }
-  /// What findings with a fix mark; empty where the report is of an earlier validation.
+  /// The places of findings with a fix; empty if the report is from an earlier validation.
   const Sites& sites() const { return sites_; }
-  /// For what is said of findings beside them.
+  /// For additions to the report after validation.
   FileReport& report() { return report_; }
-  /// Whether the report has all errors and warnings that default options give.
+  /// Whether the report has all errors and warnings of a validation with default options.
   bool validated_by_default() const { return by_default_; }
-  /// Says how a finding, by its place in the report, can be fixed.
+  /// Attaches a proposed fix to a finding, given by its index in the report.
   void propose(std::size_t finding, std::shared_ptr<const ProposedFix> fix) {
     report_.diagnostics[finding].fix = std::move(fix);
   }
 
-  /// Gives back the memory of tables that may be large.
+  /// Frees the memory of tables that may be large.
   void forget_views() { asset_.forget_views(); }
   void forget_large_document() { asset_.forget_large_document(); }
-  /// Gives back what the report has beside findings.
+  /// Frees the parts of the report other than findings.
   void forget_info() { report_.info.reset(); }
-  /// For who needs nothing else any more.
+  /// Moves the report out, when nothing else is needed any more.
   FileReport take_report() { return std::move(report_); }
   model::OpenedAsset take_asset() { return std::move(asset_); }
 

@@ -20,7 +20,7 @@
 namespace gltfx::validate {
 namespace {
 
-// Object rules by type, so that the walk asks once per object.
+// Object rules by type, so that the walk looks them up once per object.
 using ObjectRules = RulesByName<std::vector<ObjectRuleEntry>>;
 
 ObjectRules make_object_rules(bool reading_order) {
@@ -35,21 +35,21 @@ ObjectRules make_object_rules(bool reading_order) {
   return rules;
 }
 
-// Those that run behind all members of an object.
+// The rules that run after all members of an object.
 const ObjectRules& object_rules(bool reading_order) {
   static constinit MadeOnce<ObjectRules> tables[2];
   return tables[reading_order ? 1 : 0].get([=] { return make_object_rules(reading_order); });
 }
 
-// Bytes of JSON above which a second thread is worth its start.
+// Bytes of JSON above which a second thread pays off.
 constexpr std::size_t kLargeText = std::size_t{1} << 20U;
 
 unsigned jobs_for(const Context& context) {
   return context.document.text().size() < kLargeText ? 1 : context.options.jobs;
 }
 
-// Phases 5 to 7: bytes of buffers and images, and what depends on them. The Khronos validator does
-// not come this far with a GLB that ends too early, nor with an asset whose version it cannot tell.
+// Phases 5 to 7: bytes of buffers and images, and checks that depend on them. The Khronos validator
+// does not run them for a GLB that ends too early or an asset with an unknown version.
 void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   const container::Container& container = context.container;
   const bool is_short = container.cut_short || container.ends_in_empty_chunk;
@@ -67,8 +67,8 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   report.info->resources = std::move(resources.listed);
 }
 
-// Phase 3: the schema walk with object rules at its heels. `own` is the document of a profile that
-// hides broken members.
+// Phase 3: the schema walk with the object rules. `own` is the document of a profile that hides
+// broken members.
 schema::CheckResult check_objects(Context& context, json::Document& own) {
   const ObjectRules& rules = object_rules(context.deviations.reading_order);
   TypeCache<const std::vector<ObjectRuleEntry>*> known;
@@ -91,9 +91,9 @@ void check_links(const Context& context) {
   }
 }
 
-// Phases 3 to 7. Each phase reports to a sink of its own, so that two of them can run at once:
-// what they share is only read, unless phase 3 hides broken members of the document.
-// Returns whether all of them could run.
+// Phases 3 to 7. Each phase reports to a separate sink, so that two of them can run at once: shared
+// data is only read, unless phase 3 hides broken members of the document. Returns whether all of
+// them could run.
 bool check_document(Context& context, json::Document& own, Collector& collector,
                     FileReport& report) {
   const unsigned jobs = jobs_for(context);
@@ -132,7 +132,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
   report.path = opened.name();
   Collector collector(options);
   const bool has_text = check_container(container, opened.name(), report, collector);
-  // Members that are hidden here are seen by others.
+  // Members that are hidden here are visible to other users of the document.
   json::Document own;
   if (has_text && hides) own = opened.document();
   const json::Document& document = has_text && !hides ? opened.document() : own;
@@ -142,7 +142,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
     Sink& forms = collector.sink(Phase::schema);
     Sink& links = collector.sink(Phase::reference);
     const bool additions = !deviations.no_additional_rules;
-    const model::Asset asset(document, !additions);  // one of which limits the objects
+    const model::Asset asset(document, !additions);  // an additional rule limits the objects
     const bool earlier = additions && !earlier_interactivity(document).empty();
     OutsideInteractivity outside_forms(forms);
     OutsideInteractivity outside_links(links);

@@ -12,10 +12,10 @@
 
 namespace gltfx::validate {
 
-/// Runs every phase that can run; each collects and none stops the next, unless what it would look
-/// at does not exist. The asset's name stands in the report, and its ending says which container
-/// was promised. The asset keeps the tables that were made of its document.
-/// `sites`, where it is not null, gets what findings with a fix mark.
+/// Runs all phases; a phase with findings does not stop the next, unless the input of that does not
+/// exist. The asset's name appears in the report, and its file extension gives the expected
+/// container. The asset keeps the tables that are made of its document. `sites`, if it is not null,
+/// gets the places of findings with a fix.
 FileReport validate(model::OpenedAsset& asset, const ValidateOptions& options,
                     Sites* sites = nullptr);
 
