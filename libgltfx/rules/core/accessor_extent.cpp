@@ -20,7 +20,7 @@ void check_alignment(const Context& context, const Extent& extent, bool with_vie
         fmt::format("byteOffset is {}, which is not a multiple of the component size, {} bytes.",
                     offset, extent.component_size));
   }
-  // Where the accessor's own offset is invalid, the sum says nothing new.
+  // If the accessor's own offset is invalid, the sum adds no information.
   if (!with_view || (!aligned && !context.deviations.consequences_are_reported)) return;
   const std::uint64_t view_offset = context.views.buffer_views[extent.view].byte_offset.value_or(0);
   const Checked total = checked_add(view_offset, offset);

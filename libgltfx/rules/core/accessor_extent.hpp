@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether numbers lie on their boundaries and inside their buffer view.
+/// Alignment of numbers, and whether they are inside their buffer view.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace gltfx::validate {
 
-/// Whether an accessor says enough to know where its elements lie. The Khronos validator takes a
-/// type that glTF does not have for one without components.
+/// Whether the place of an accessor's elements can be computed. The Khronos validator treats an
+/// unknown type as one without components.
 bool is_measurable(const Context& context, const model::Accessor& accessor);
 
-/// Numbers in a buffer view, as an accessor or a part of a sparse accessor has them.
+/// Numbers in a buffer view, of an accessor or a part of a sparse accessor.
 struct Extent {
-  json::NodeId object = json::kNoNode;       ///< the one with `byteOffset`
-  std::uint32_t view = 0;                    ///< index of the buffer view, which is an object
+  json::NodeId object = json::kNoNode;       ///< the object with `byteOffset`
+  std::uint32_t view = 0;                    ///< index of a buffer view that is an object
   std::optional<std::uint64_t> byte_offset;  ///< as written
   unsigned component_size = 1;               ///< bytes, at least 1
-  Checked length;                            ///< bytes; nothing: beyond 64 bits
+  Checked length;                            ///< bytes; nothing: more than 64 bits
 };
 
 /// Reports ACCESSOR_OFFSET_ALIGNMENT, ACCESSOR_TOTAL_OFFSET_ALIGNMENT and ACCESSOR_TOO_LONG.

@@ -28,7 +28,7 @@ void check_base(const Context& context, const model::Accessor& accessor, const P
         fmt::format("byteStride of buffer view {} is {}, but an element ({}) takes {} bytes.",
                     *accessor.buffer_view, *view->byte_stride, model::format_text(accessor.format),
                     size));
-    // Lengths counted with a wrong stride mean nothing.
+    // Lengths computed with a wrong stride are meaningless.
     if (!context.deviations.consequences_are_reported) return;
   }
   const std::uint64_t stride = view->byte_stride.value_or(model::packed_stride(accessor.format));
@@ -38,7 +38,7 @@ void check_base(const Context& context, const model::Accessor& accessor, const P
                path);
 }
 
-// Indices and values of a sparse accessor lie side by side, matrices without padding.
+// Indices and values of a sparse accessor are packed, matrices without padding.
 void check_part(const Context& context, const model::SparsePart& part, std::uint64_t count,
                 const Path& path) {
   const json::NodeId place = context.document.find(part.node, "bufferView");

@@ -39,7 +39,7 @@ void check_bound_values(const Context& context, const model::Accessor& accessor,
   }
 }
 
-// The schema bounds the length by 1 and 16; the type says which it is.
+// The schema limits the length to 1 to 16; the type gives the exact length.
 void report_bound_length(const Context& context, const model::Accessor& accessor,
                          json::NodeId array, std::size_t size, const Path& path) {
   const unsigned components = model::component_count(accessor.format.type);
@@ -109,7 +109,7 @@ schema::Reading read_offset(const Context& context, json::NodeId object, json::N
   return schema::Reading::drop;
 }
 
-// Integers: whatever is none, or none of the type's, makes the bound void.
+// Integers: any other value, or one outside the range of the type, invalidates the bound.
 schema::Reading read_integers(const Context& context, const model::Accessor& accessor,
                               json::NodeId array, const Path& path) {
   const json::Document& document = context.document;

@@ -12,7 +12,7 @@ using model::RootArray;
 
 Animated::Animated(const Context& context) {
   const json::Document& document = context.document;
-  // A graph of behaviour may set whatever it likes.
+  // A behavior graph may write any property.
   const json::NodeId root = object_member(document, document.root(), "extensions");
   if (root != json::kNoNode) {
     for (const auto member : document.members(root)) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Properties that get other values while an asset is shown.
+/// Properties whose values change while an asset is shown.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace gltfx::validate {
 
-/// Whether a value that is written is the only one a property will have. Made once for an asset.
+/// The properties with values that may change. Made once for an asset.
 class Animated {
  public:
   explicit Animated(const Context& context);
-  /// Whether the property at that pointer may get another value.
+  /// Whether the property at that pointer may change.
   bool contains(const std::string& pointer) const;
 
  private:

@@ -25,20 +25,19 @@ namespace {
 
 class SameTargets {
  public:
-  /// By nodes that are there and properties that nodes have;
-  /// Deviations::targets_compare_as_written.
+  /// Compares existing nodes and properties of nodes; Deviations::targets_compare_as_written.
   SameTargets(const Context& context, const model::Animation& animation);
 
-  /// Channels behind `channel` that have its target: the next one;
-  /// Deviations::each_finding_is_listed: all of them as long as there are not too many.
+  /// Later channels with the target of `channel`: the next one; Deviations::each_finding_is_listed:
+  /// all of them, up to a limit.
   std::vector<std::size_t> behind(std::size_t channel);
 
  private:
   bool all_;
   std::vector<std::vector<std::size_t>> groups_;
-  /// By channel: its group and the place in it.
+  /// By channel: its group and its position in the group.
   std::vector<std::pair<std::size_t, std::size_t>> place_;
-  std::size_t left_;  ///< pairs that may be told; there are as many as the square of the channels
+  std::size_t left_;  ///< pairs that may be reported; their number is quadratic in the channels
 };
 
 constexpr std::size_t kNoGroup = SIZE_MAX;

@@ -67,7 +67,7 @@ void check_output_count(const Context& context, const model::AnimationSampler& s
                         std::uint64_t values, json::NodeId channel, const Path& channel_path) {
   if (!sampler.output) return;
   if (sampler.interpolation == model::Interpolation::unknown) {
-    // A name that is reported is one that is not CUBICSPLINE.
+    // An unknown name, which is reported, is not CUBICSPLINE.
     const bool named = context.document.find(sampler.object, "interpolation") != json::kNoNode;
     if (!named || !context.deviations.consequences_are_reported) return;
   }

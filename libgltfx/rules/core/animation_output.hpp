@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What an animation sampler's output must look like for what it moves.
+/// The format and count that an animation sampler's output must have for its target.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace gltfx::validate {
 
-/// Whether an accessor with that format can be the output for a path of core glTF. True for formats
-/// that are not known and for paths of extensions: nothing can be said of those.
+/// Whether an accessor with that format can be the output for a path of core glTF. True for unknown
+/// formats and for paths of extensions.
 bool fits_path(model::AnimationPath path, const model::Format& format);
 /// "VEC4 of FLOAT or of normalized bytes or shorts".
 std::string_view path_formats_text(model::AnimationPath path);
 
-/// The elements of the output for a sampler whose property has `values` numbers or vectors a
-/// keyframe, or nothing when the times are not known or there are too many.
+/// The number of output elements for a sampler whose property has `values` numbers or vectors per
+/// keyframe, or nothing if the times are unknown or there are too many.
 std::optional<std::uint64_t> expected_outputs(const Context& context,
                                               const model::AnimationSampler& sampler,
                                               std::uint64_t values);

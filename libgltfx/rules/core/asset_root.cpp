@@ -49,7 +49,7 @@ void check_min_version(const Context& context, json::NodeId asset, const Path& p
                             least->minor, version.major, version.minor));
 }
 
-// glTF 1.0 and the draft of 2.1 are named by the identity phase, which is an addition.
+// glTF 1.0 and the draft of 2.1 are reported by the identity phase, which is an addition.
 void check_known(const Context& context, json::NodeId asset, const Path& path,
                  const Version& version) {
   if (version.major != 2) {

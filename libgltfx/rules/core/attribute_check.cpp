@@ -17,7 +17,7 @@ void report(const MeshState& state, const AttributeUse& use, const Path& path, C
   report_link(state.context, path, use.attribute.value, code, std::move(message), std::move(help));
 }
 
-// The Khronos validator forgets bounds that have an error; an error of theirs is reported already.
+// The Khronos validator ignores bounds with an error, which is reported already.
 bool has_bounds(const Context& context, const model::Accessor& accessor) {
   const json::Document& document = context.document;
   return document.find(accessor.node, "min") != json::kNoNode &&
@@ -40,7 +40,7 @@ std::string format_help(const MeshState& state, const AttributeUse& use) {
                      extension);
 }
 
-// True when the format is one the attribute may have, or nothing is known of it.
+// True if the format is allowed for the attribute, or there is no rule for it.
 bool check_format(const MeshState& state, const AttributeUse& use, const Path& path) {
   const model::Format format = use.accessor.format;
   const bool checked = format.known() && model::is_core_component(format.component);
@@ -53,7 +53,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
     return false;
   }
   if (format.known() && allows(*allowed, format)) return true;
-  // A type that glTF does not have is an error of the accessor, not of its use.
+  // An unknown type is an error of the accessor, not of its use.
   if (!checked && !state.context.deviations.unknown_formats_are_checked) return true;
   report(state, use, path, Code::MESH_PRIMITIVE_ATTRIBUTES_ACCESSOR_INVALID_FORMAT,
          fmt::format("{} is {}; it must be {}.", quoted(use.attribute.name),
@@ -62,7 +62,7 @@ bool check_format(const MeshState& state, const AttributeUse& use, const Path& p
   return false;
 }
 
-// Whether another rule has already said that the offset is no good.
+// Whether another rule has already reported the offset.
 bool offset_is_reported(const model::Accessor& accessor) {
   const unsigned component = model::component_size(accessor.format.component);
   if (component != 0 && *accessor.byte_offset % component != 0) return true;

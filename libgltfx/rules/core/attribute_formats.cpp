@@ -31,7 +31,7 @@ CoreFormats core_vertex_formats() {
            {FormatSet::of({ElementType::vec4}, {"FLOAT", "UBYTE_NORM", "USHORT_NORM"})}}};
 }
 
-// Offsets may be negative, so signed fractions are allowed too. Skinning cannot be morphed.
+// Offsets may be negative, so signed fractions are also allowed. Skinning cannot be morphed.
 CoreFormats core_morph_formats() {
   const std::initializer_list<std::string_view> signed_fractions{"FLOAT", "BYTE_NORM", "UBYTE_NORM",
                                                                  "SHORT_NORM", "USHORT_NORM"};
@@ -44,7 +44,7 @@ CoreFormats core_morph_formats() {
            {}}};
 }
 
-// The core semantic that a name of a schema file stands for.
+// The core semantic for a name of a schema file.
 SemanticKind kind_of(std::string_view semantic) {
   if (!semantic.ends_with("_n")) return model::parse_semantic(semantic).kind;
   semantic.remove_suffix(2);
@@ -125,7 +125,7 @@ AttributeFormats::AttributeFormats(const Context& context) {
 const FormatList* AttributeFormats::find(const model::Attribute& attribute, bool target) const {
   const Table& table = target ? morph_ : vertex_;
   SemanticKind kind = attribute.semantic.kind;
-  // The Khronos validator takes the format from what stands before the first underscore.
+  // The Khronos validator derives the format from the text before the first underscore.
   if (kind == SemanticKind::invalid) kind = kind_before_underscore(attribute.name);
   if (is_core(kind)) {
     const FormatList& formats = table.core()[static_cast<std::size_t>(kind)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which formats vertex attributes may have: those of the specification (section 3.7.2.1) and those
-/// that declared extensions add.
+/// Formats allowed for vertex attributes: by the specification (section 3.7.2.1) and by declared
+/// extensions.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ namespace gltfx::validate {
 
 /// Alternatives; empty allows nothing.
 using FormatList = std::vector<model::FormatSet>;
-/// Those of each core semantic, in the order of model::SemanticKind.
+/// The formats of each core semantic, in the order of model::SemanticKind.
 using CoreFormats = std::array<FormatList, model::kCoreSemanticCount>;
 bool allows(const FormatList& list, const model::Format& format);
 /// "VEC2 of FLOAT or normalized UNSIGNED_BYTE".
@@ -30,13 +30,13 @@ class AttributeFormats {
  public:
   explicit AttributeFormats(const Context& context);
 
-  /// What an attribute of a primitive, or of a morph target, may be; null where anything may.
+  /// The formats allowed for an attribute of a primitive or a morph target; null: any.
   const FormatList* find(const model::Attribute& attribute, bool target) const;
 
  private:
   struct Table {
-    const CoreFormats* base = nullptr;                       // of the specification, shared by all
-    std::optional<CoreFormats> extended;                     // with those that extensions add
+    const CoreFormats* base = nullptr;    // of the specification, shared by all assets
+    std::optional<CoreFormats> extended;  // with the formats of extensions
     std::vector<std::pair<std::string, FormatList>> others;  // sorted by name
     const CoreFormats& core() const { return extended ? *extended : *base; }
     void add(const schema::AttributeFormat& format);

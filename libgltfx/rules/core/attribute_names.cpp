@@ -20,7 +20,7 @@ namespace {
 using model::Attribute;
 using model::SemanticKind;
 
-// The sets of one indexed semantic that a primitive has.
+// The sets of one indexed semantic in a primitive.
 struct Sets {
   std::uint64_t count = 0;
   std::uint64_t highest = 0;
@@ -50,8 +50,8 @@ std::string suggestion(std::string_view name) {
   return "start the name of a custom attribute with an underscore, such as _TEMPERATURE";
 }
 
-// Extensions name attributes PREFIX_x:NAME. What one adds is in its schema file; of one without
-// such a file nothing is known, so any name of its own is taken.
+// Names of extension attributes are PREFIX_x:NAME. The schema file of an extension lists them;
+// without such a file, any name with its prefix is accepted.
 bool is_extension_attribute(const Context& context, std::string_view name, bool target) {
   if (context.deviations.unsupported_extensions_are_skipped) return false;
   const schema::ExtensionId id = context.schemas.find_extension(model::semantic_extension(name));
@@ -82,7 +82,7 @@ void check_name(const Context& context, std::string_view name, json::NodeId valu
 
 void check_names(const Context& context, const std::vector<Attribute>& attributes, bool target,
                  const Path& path) {
-  if (context.deviations.reading_order) return;  // told name by name
+  if (context.deviations.reading_order) return;  // reported name by name
   for (const Attribute& attribute : attributes) {
     check_name(context, attribute.name, attribute.value, target, path);
   }
@@ -94,7 +94,7 @@ void check_entry(const Context& context, std::string_view name, json::NodeId val
   check_name(context, name, value, map.is_index(), map);
 }
 
-// An extension that may be left out cannot be what brings the positions.
+// An optional extension cannot be the source of the positions.
 bool may_bring_positions(const Context& context, json::NodeId primitive) {
   const json::Document& document = context.document;
   const json::NodeId extensions = model::object_member(document, primitive, "extensions");
@@ -145,7 +145,7 @@ void check_sets(const Context& context, const model::Primitive& primitive, const
   check_continuity(context, primitive, SemanticKind::joints, joints, path);
   check_continuity(context, primitive, SemanticKind::weights, weights, path);
   check_continuity(context, primitive, SemanticKind::texcoord, texcoords, path);
-  // A gap is reported; what is missing may be just the other half.
+  // A gap is reported; the missing set may simply be the other half.
   const bool gap = !joints.continuous() || !weights.continuous();
   if (gap && !context.deviations.sets_with_gaps_are_empty) return;
   const std::uint64_t joint_sets = joints.continuous() ? joints.count : 0;

@@ -23,7 +23,7 @@ void check_stride(const Context& context, json::NodeId object, const Path& path)
                   fmt::format("byteStride is {}, but the buffer view has only {} bytes.",
                               *view.byte_stride, *view.byte_length));
   }
-  // Otherwise told by the walk.
+  // Otherwise the walk reports it.
   if (context.deviations.reading_order && *view.byte_stride % 4 != 0) {
     report_member(context.schema_sink, context, path, object, "byteStride", Code::VALUE_MULTIPLE_OF,
                   fmt::format("byteStride is {}; it must be a multiple of 4.", *view.byte_stride));
@@ -35,7 +35,7 @@ void check_stride(const Context& context, json::NodeId object, const Path& path)
   }
 }
 
-// With -1 for numbers that are missing.
+// With -1 for missing numbers.
 bool fits_minus_one(const Context& context, const model::BufferView& view, std::uint64_t size,
                     bool& begins_outside) {
   const bool broken = !view.byte_offset && context.document.has_value(view.node, "byteOffset");

@@ -14,7 +14,7 @@
 namespace gltfx::validate {
 namespace {
 
-// A member that the schema walk takes as it is; what breaks its range is reported there.
+// A number that the schema walk accepts; one outside its range is reported there.
 std::optional<double> positive(const Context& context, json::NodeId object, std::string_view name,
                                bool or_zero = false) {
   const auto value = model::number_member(context.document, object, name);
@@ -70,7 +70,7 @@ void check_near_and_far(const Context& context, json::NodeId object, const Path&
 }
 
 void check_camera(const Context& context, json::NodeId camera, const Path& path) {
-  // Only the projection that `type` names is in force.
+  // Only the projection named by `type` applies.
   const std::string type = model::string_member(context.document, camera, "type");
   const json::NodeId projection = model::object_member(context.document, camera, type);
   if (projection == json::kNoNode) return;
@@ -97,7 +97,7 @@ schema::Reading read_perspective(const Context& context, json::NodeId camera, js
   return read_projection(context, camera, "perspective");
 }
 
-// null is of the wrong type, and missing besides.
+// null has the wrong type and also counts as missing.
 void check_given(const Context& context, json::NodeId camera, const Path& path,
                  std::string_view name) {
   if (model::string_member(context.document, camera, "type") != name) return;

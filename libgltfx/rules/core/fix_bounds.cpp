@@ -87,7 +87,7 @@ std::optional<std::uint32_t> accessor_at(Fixing& fixing, Span place) {
                                  model::RootArray::accessors);
 }
 
-// Behind the samplers of an animation the place is the input itself.
+// For samplers of an animation, the place is the input itself.
 bool write_bounds(Fixing& fixing, const Accessor& accessor) {
   // Many primitives may share the accessor.
   if (fixing.is_claimed(accessor.node)) return false;
@@ -143,7 +143,7 @@ bool correct_bounds(Fixing& fixing, Span place) {
   const Accessor& accessor = fixing.views().accessors[index];
   const bool minimum = accessor.min == array;
   if (!minimum && accessor.max != array) return false;
-  // The finding on another number of the same array, or of the other one.
+  // For the finding on another number of the same array or of the other array.
   if (!model::is_sound_bound(fixing.document(), accessor.format, array)) return false;
   const auto bounds = read_bounds(fixing, accessor);
   if (!bounds) return false;

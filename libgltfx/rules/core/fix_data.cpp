@@ -17,7 +17,7 @@ namespace {
 
 using model::RootArray;
 
-/// The member at a place, and the accessor it leads to.
+/// The member at a place, and the accessor it refers to.
 struct Use {
   json::NodeId value = json::kNoNode;
   std::uint32_t accessor = UINT32_MAX;
@@ -37,7 +37,7 @@ Use use_at(Fixing& fixing, Span place) {
   return use;
 }
 
-/// Changes of a list of numbers, made only when all of them can be.
+/// Changes of a list of numbers, applied only if all of them are possible.
 class Changes {
  public:
   void set(std::uint64_t element, unsigned component, double value) {
@@ -70,10 +70,11 @@ double length_of(const Elements& elements, std::uint64_t element, unsigned compo
   return std::sqrt(square);
 }
 
-// What lengths may be off by without being touched: what single precision leaves.
+// Maximum deviation of lengths that are left unchanged: the error of single precision.
 constexpr double kUnit = 1e-4;
 
-// Vectors of the first `components` numbers, of those elements that `counts`.
+// Changes vectors of the first `components` numbers to unit length, for elements that `counts`
+// accepts.
 template <class Counts>
 bool make_unit(Fixing& fixing, std::uint32_t accessor, Elements& elements, unsigned components,
                const Counts& counts) {
@@ -160,7 +161,7 @@ bool normalize_weights(Fixing& fixing, Span place) {
   const Use use = use_at(fixing, place);
   const json::NodeId attributes =
       use.value == json::kNoNode ? json::kNoNode : fixing.parent(use.value);
-  // The sum is that of all sets of a vertex.
+  // The sum includes all sets of a vertex.
   if (use.name != "WEIGHTS_0" || fixing.document().find(attributes, "WEIGHTS_1") != json::kNoNode) {
     return false;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fixes of what is wrong with the elements of accessors. Each of them changes bytes where they
-/// are, and only where nobody else reads these bytes as something else.
+/// Fixes of invalid elements of accessors. Each of them changes bytes in place, and only if nothing
+/// else reads these bytes as something else.
 #pragma once
 
 #include "rules/fix.hpp"
@@ -9,38 +9,37 @@ namespace gltfx::validate {
 
 // Fixes for FixEntry. `place` is the member that uses the accessor, unless it says otherwise.
 
-/// Normals and tangents get the length 1 in their direction.
+/// Scales normals and tangents to length 1.
 bool make_unit_vectors(Fixing& fixing, Span place);
-/// The same; where no vertex of a face has a direction, normals come from the faces.
+/// Likewise; if no vertex of a face has a direction, normals are computed from the faces.
 bool make_unit_or_fill(Fixing& fixing, Span place);
-/// As fill_unused_vertices(), and make_unit_or_fill() for normals that are no numbers.
+/// Like fill_unused_vertices(), and like make_unit_or_fill() for normals that are not numbers.
 bool fill_unused_or_normals(Fixing& fixing, Span place);
-/// Normals without a direction come from the faces, whatever others have; `place` is the member or
-/// the accessor.
+/// Computes normals without a direction from the faces, regardless of other normals; `place` is the
+/// member or the accessor.
 bool fill_some_normals(Fixing& fixing, Span place);
-/// The sign of tangents becomes 1 or -1.
+/// Sets the sign of tangents to 1 or -1.
 bool make_signs(Fixing& fixing, Span place);
-/// Rotations of instances and splats.
+/// Scales rotations of instances and splats to length 1.
 bool make_unit_rotations(Fixing& fixing, Span place);
-/// Rotations that an animation writes; `place` is the sampler of the channel.
+/// Scales rotations that an animation writes to length 1; `place` is the sampler of the channel.
 bool make_unit_keyframes(Fixing& fixing, Span place);
-/// What is hardly below 0 or above 1.
+/// Clamps numbers that are slightly below 0 or above 1.
 bool clamp(Fixing& fixing, Span place);
-/// What is no finite number in vertices that no index refers to; `place` is the accessor.
+/// Replaces numbers that are not finite in vertices without an index; `place` is the accessor.
 bool fill_unused_vertices(Fixing& fixing, Span place);
-/// The weights of each vertex get the sum 1, where they nearly have it.
+/// Scales the weights of each vertex to the sum 1 if they nearly have it.
 bool normalize_weights(Fixing& fixing, Span place);
-/// Joints with a weight of 0 become joint 0.
+/// Replaces joints with a weight of 0 by joint 0.
 bool clear_unweighted_joints(Fixing& fixing, Span place);
-/// Indices of a sparse accessor in ascending order, with their values; `place` is the sparse
-/// object.
+/// Sorts indices of a sparse accessor, with their values; `place` is the sparse object.
 bool sort_sparse(Fixing& fixing, Span place);
 
-/// Gives an accessor the bounds it lacks; `place` is the member that uses it.
+/// Adds missing bounds of an accessor; `place` is the member that uses it.
 bool add_bounds(Fixing& fixing, Span place);
-/// Writes a bound of an accessor that is none, of which `value` is a part or all.
+/// Replaces an invalid bound of an accessor; `value` is the bound or a part of it.
 bool write_bound(Fixing& fixing, json::NodeId value);
-/// Corrects numbers of `min` or `max`, one of which `place` is.
+/// Corrects numbers of `min` or `max`; `place` is one of them.
 bool correct_bounds(Fixing& fixing, Span place);
 
 }  // namespace gltfx::validate

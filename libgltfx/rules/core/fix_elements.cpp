@@ -15,7 +15,7 @@ using model::Accessor;
 using model::BufferView;
 using model::ComponentType;
 
-// In a view of more accessors it would take too long to compare all of them with each other.
+// Limit, because each accessor of a view is compared with all others.
 constexpr std::size_t kMostNeighbours = 4096;
 
 std::uint64_t stride_of(const BufferView& view, const Accessor& accessor) {
@@ -38,7 +38,7 @@ std::optional<Extent> extent_of(const BufferView& view, const Accessor& accessor
   return Extent{begin, *end, stride, size};
 }
 
-// Elements of one stride lie side by side where their places within it do.
+// Elements of one stride do not overlap if their offsets within the stride do not.
 bool lie_apart(const Extent& a, const Extent& b) {
   if (a.end <= b.begin || b.end <= a.begin) return true;
   if (a.stride != b.stride) return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The elements of an accessor where they lie in a buffer, to be changed in place.
+/// The elements of an accessor in the bytes of a buffer, to be changed in place.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@ namespace gltfx::validate {
 
 using Elements = model::AccessorWriter;
 
-/// The elements of an accessor that can be changed: plain ones, neither sparse nor compressed,
-/// whose bytes lie apart from those of all other accessors. `role` as in Users::roles_of(): nothing
-/// where the accessor is used for something else, too. With an empty role any use will do. Nothing
-/// where it was changed before.
+/// The elements of an accessor that can be changed: plain ones, neither sparse nor compressed, with
+/// bytes that do not overlap those of any other accessor. `role` as in Users::roles_of(): nothing
+/// if the accessor has another use as well. An empty role allows any use. Nothing if it was changed
+/// before.
 std::optional<Elements> open_elements(Fixing& fixing, std::uint32_t accessor,
                                       std::string_view role);
 
 /// Claims an accessor whose elements changed, and corrects its declared bounds.
 void follow_with_bounds(Fixing& fixing, std::uint32_t accessor, const Elements& elements);
 
-/// How many numbers are looked at in one run: accessors may share their bytes.
+/// The maximum number of numbers that are read in one run: accessors may share their bytes.
 class ReadBudget {
  public:
   explicit ReadBudget(Fixing& fixing);
@@ -35,9 +35,9 @@ class ReadBudget {
   std::uint64_t left_ = std::uint64_t{1} << 24U;
 };
 
-/// A bound as it stands in the text.
+/// A bound as written in the text.
 std::string bound_text(model::ComponentType type, double value);
-/// Writes those numbers of an array that are not the wanted ones.
+/// Replaces the numbers of an array that differ from the wanted ones.
 void correct_numbers(Fixing& fixing, model::ComponentType type, json::NodeId array,
                      const std::vector<double>& wanted);
 

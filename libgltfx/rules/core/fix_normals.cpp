@@ -16,7 +16,7 @@ namespace {
 using model::AccessorData;
 using Direction = std::array<double, 3>;
 
-constexpr double kNoDirection = 1e-6;  // of a length that should be 1
+constexpr double kNoDirection = 1e-6;  // relative to a length that should be 1
 constexpr double kUnitLength = 1e-4;
 
 Direction difference(const Direction& a, const Direction& b) {
@@ -41,7 +41,7 @@ std::optional<AccessorData> open_data(Fixing& fixing, std::uint32_t accessor) {
   return affordable ? std::move(data) : std::nullopt;
 }
 
-// Whether an extension has the geometry in a buffer view of its own, compressed.
+// Whether an extension stores the geometry in a buffer view of its own, compressed.
 bool is_stored_elsewhere(const json::Document& document, const model::Primitive& primitive) {
   const json::NodeId extensions = document.find(primitive.node, "extensions");
   if (extensions == json::kNoNode || !document.is_object(extensions)) return false;
@@ -51,11 +51,11 @@ bool is_stored_elsewhere(const json::Document& document, const model::Primitive&
   return false;
 }
 
-/// The sum of the directions of the faces around each vertex, weighted by their angle there.
+/// The sum of the normals of the faces at each vertex, weighted by their angle there.
 class Faces {
  public:
-  /// Of all primitives with these normals. Nothing where they have other positions each, or some
-  /// that cannot be read.
+  /// Faces of all primitives with these normals. Nothing if the primitives have different
+  /// positions, or positions that cannot be read.
   static std::optional<Faces> around(Fixing& fixing, std::uint32_t normals, std::uint64_t count) {
     std::optional<std::uint32_t> positions;
     const auto primitives = primitives_with(fixing, normals);
@@ -75,7 +75,7 @@ class Faces {
   }
 
   bool has(std::uint64_t vertex) const { return angles_[vertex] > 0; }
-  /// Of length 1; nothing where the faces point in opposite directions.
+  /// Length 1; nothing if the faces point in opposite directions.
   std::optional<Direction> direction(std::uint64_t vertex) const {
     constexpr double kCancelled = 1e-3;
     const double total = length_of_direction(sums_[vertex]);
@@ -125,7 +125,7 @@ class Faces {
     return true;
   }
 
-  // Of other modes nobody knows which way their vertices face.
+  // The front side of other modes is undefined.
   bool add_primitive(Fixing& fixing, const model::Primitive& primitive) {
     if (!primitive.mode || !model::draws_triangles(*primitive.mode)) return false;
     if (is_stored_elsewhere(fixing.document(), primitive)) return false;
@@ -162,7 +162,7 @@ class Faces {
   std::vector<double> angles_;
 };
 
-// Integers stand for fractions of the greatest one.
+// Integers are fractions of the greatest value.
 double one_in(const Elements& elements) {
   return elements.is_float() ? 1 : model::value_range(elements.format().component).most;
 }
@@ -178,7 +178,7 @@ bool has_direction(const Elements& normals, std::uint64_t vertex) {
   return std::isfinite(own) && own >= kNoDirection;
 }
 
-// What no face has is not drawn: any direction will do.
+// A vertex without faces is not drawn: any direction is valid.
 std::optional<Direction> direction_for(const Faces& faces, std::uint64_t vertex) {
   return faces.has(vertex) ? faces.direction(vertex) : Direction{0, 0, 1};
 }

@@ -16,7 +16,7 @@ namespace {
 
 using model::AccessorData;
 
-// Marks the vertices that a primitive draws. False: all of them, or nobody knows.
+// Marks the vertices that a primitive draws. False: all of them, or unknown.
 bool mark_drawn(Fixing& fixing, const model::Primitive& primitive, std::vector<bool>& drawn) {
   if (!primitive.indices) return false;
   const model::Accessor& accessor = fixing.views().accessors[*primitive.indices];
@@ -36,7 +36,7 @@ bool mark_drawn(Fixing& fixing, const model::Primitive& primitive, std::vector<b
   return true;
 }
 
-// The vertices that are drawn of an attribute; empty: nobody knows.
+// The vertices of an attribute that are drawn; empty: unknown.
 std::vector<bool> drawn_vertices(Fixing& fixing, std::uint32_t accessor, std::uint64_t count) {
   std::vector<bool> drawn(static_cast<std::size_t>(count));
   bool any = false;
@@ -127,7 +127,7 @@ bool sort_sparse(Fixing& fixing, Span place) {
   });
   for (std::size_t i = 1; i < order.size(); ++i) {
     if (indices->index(order[i - 1]) == indices->index(order[i]))
-      return false;  // which one counts?
+      return false;  // it is unclear which one applies
   }
   const auto rearrange = [&](std::uint32_t buffer, std::uint64_t begin, std::uint64_t size) {
     std::string* content = fixing.content(buffer);

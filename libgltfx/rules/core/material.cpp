@@ -25,10 +25,10 @@ void check_alpha_cutoff(const Context& context, json::NodeId material, const Pat
   if (!given && !(broken && consequences)) return;
   const std::string mode = model::string_member(document, material, "alphaMode");
   if (mode == "MASK") return;
-  // A wrong mode or a wrong cutoff has been reported; which of the two was meant is not known.
+  // A wrong mode or cutoff is reported; it is unclear which of the two was meant.
   const auto sound = [&] { return is_known_mode(mode) && document.number(cutoff).value >= 0; };
   if (!consequences && !sound()) return;
-  // Readers ignore it beside another mode; without a mode it must not be there.
+  // Readers ignore it with another mode; without a mode it is not allowed.
   report_member(context.schema_sink, context, path, material, "alphaCutoff",
                 Code::MATERIAL_ALPHA_CUTOFF_INVALID_MODE,
                 fmt::format("alphaCutoff has no effect because alphaMode is {}.",

@@ -37,7 +37,7 @@ bool is_normal_map(std::string_view property) {
 
 namespace {
 
-// Directions of anisotropy are vectors in tangent space, too.
+// Directions of anisotropy are also vectors in tangent space.
 bool in_tangent_space(std::string_view property) {
   return is_normal_map(property) || property == "anisotropyTexture";
 }
@@ -50,7 +50,7 @@ MaterialNeeds::MaterialNeeds(const Context& context, const ActiveExtensions& act
   if (!context.deviations.fewer_materials_need_tangents) add_directions(context);
 }
 
-// Highlights that are longer in one direction need one, with or without a texture.
+// Anisotropic highlights need a tangent space, with or without a texture.
 void MaterialNeeds::add_directions(const Context& context) {
   const auto& materials = context.asset.elements(model::RootArray::materials);
   for (std::size_t i = 0; i < materials.size(); ++i) {
@@ -70,7 +70,7 @@ void MaterialNeeds::add(const Context& context, const ActiveExtensions& active,
   const std::string_view pointer = use.pointer;
   const std::string_view property = pointer.substr(pointer.rfind('/') + 1);
   if (in_tangent_space(property)) need.tangent_space = true;
-  // Other packings of the same vectors are no more particular about tangents.
+  // Only the core normal texture requires tangents; other encodings of normals do not.
   if (property == "normalTexture") need.normal_texture = true;
 
   const json::Document& document = context.document;

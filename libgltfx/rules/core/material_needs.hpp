@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What materials ask of the meshes they are on, and which of these may have an alpha of their own.
+/// Attributes that materials require of their meshes, and materials whose meshes may have vertex
+/// alpha.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +15,7 @@
 
 namespace gltfx::validate {
 
-/// Made once for an asset; linear in its primitives.
+/// Materials with vertex alpha. Made once for an asset; linear in its primitives.
 class VertexAlpha {
  public:
   explicit VertexAlpha(const Context& context);
@@ -24,16 +25,16 @@ class VertexAlpha {
   void add(const Context& context, const model::Primitive& primitive);
 
   std::set<std::uint32_t> materials_;
-  bool any_ = false;  // some primitive with such vertices may wear other materials too
+  bool any_ = false;  // some primitive with vertex alpha may have other materials too
 };
 
-/// The 12 of "/materials/12/normalTexture", or nothing when the slot is elsewhere.
+/// The 12 of "/materials/12/normalTexture", or nothing if the slot is elsewhere.
 std::optional<std::uint64_t> material_of(std::string_view pointer);
 
-/// Whether the slot of that property holds a normal map. Schema files do not say so; names do.
+/// Whether the slot of that property is a normal map, judged by name: schema files do not state it.
 bool is_normal_map(std::string_view property);
 
-/// A texture that reads a set of texture coordinates.
+/// pointer of the texture info, or of the extension on it that names the set
 struct TexCoordNeed {
   std::string pointer;  ///< of the texture info, or of the extension on it that names the set
   std::uint64_t set = 0;
@@ -41,11 +42,12 @@ struct TexCoordNeed {
 
 struct MaterialNeed {
   std::vector<TexCoordNeed> texcoords;
-  bool tangent_space = false;   ///< some texture is read in tangent space
-  bool normal_texture = false;  ///< the core one, from which tangents are made up
+  bool tangent_space = false;  ///< some texture is read in tangent space
+  bool normal_texture =
+      false;  ///< the core normal texture, from which missing tangents are computed
 };
 
-/// Needs of all materials, from the texture slots the walk has met.
+/// Needs of all materials, from the texture slots found by the walk.
 class MaterialNeeds {
  public:
   MaterialNeeds(const Context& context, const ActiveExtensions& active);

@@ -15,7 +15,7 @@ std::string targets_text(std::size_t count) {
   return fmt::format("{} morph target{}", count, count == 1 ? "" : "s");
 }
 
-// What is broken has been reported, and is not counted.
+// A broken value is already reported and not counted.
 bool lack_targets(const Context& context, json::NodeId primitive) {
   return !context.deviations.broken_values_are_absent &&
          model::has_broken_targets(context.document, primitive);

@@ -25,7 +25,7 @@ const model::Accessor& accessor_of(const Context& context, const Attribute& attr
   return context.views.accessors[*attribute.accessor];
 }
 
-// Attributes with a wrong name are reported; what they refer to means nothing.
+// Attributes with a wrong name are reported; their accessors are not checked.
 bool is_usable(const Context& context, const Attribute& attribute) {
   const bool named = attribute.semantic.kind != SemanticKind::invalid ||
                      context.deviations.consequences_are_reported;
@@ -87,7 +87,7 @@ void check_indices(const Context& context, const Primitive& primitive, const Pat
   report_use(context, *primitive.indices, model::AccessorUse::indices, place, at);
   const model::Accessor& accessor = context.views.accessors[*primitive.indices];
   const model::BufferView* view = context.views.view_of(accessor);
-  // A view with the target of indices is invalid itself, and reported.
+  // If the view has the target of indices, its stride is already reported as an error of the view.
   const bool at_error =
       view != nullptr && view->byte_stride &&
       (context.deviations.consequences_are_reported || view->target != model::ViewTarget::indices);

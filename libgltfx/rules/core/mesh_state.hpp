@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the rules on primitives carry from one to the next, such as their texture coordinates.
+/// State that rules on primitives share, such as their texture coordinates.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace gltfx::validate {
 
-/// The texture coordinates of a primitive, and which of them some material reads.
+/// The texture coordinates of a primitive, and those that some material reads.
 class TexCoords {
  public:
   TexCoords(const Context& context, const model::Primitive& primitive) {
@@ -38,7 +38,7 @@ class TexCoords {
     bool used;
   };
 
-  /// Marks a set as read; false when the primitive does not have it.
+  /// Marks a set as read; false if the primitive does not have it.
   bool use(std::uint64_t set) {
     const auto at = std::lower_bound(sets_.begin(), sets_.end(), set,
                                      [](const Set& each, std::uint64_t wanted) {
@@ -70,11 +70,11 @@ struct MeshState {
   AttributeFormats formats;
   MaterialNeeds materials;
   std::string_view unseen;           ///< see unseen_user()
-  std::vector<bool> seen_accessors;  ///< those that some attribute has used
-  std::vector<bool> views_in_use;    ///< those without a stride that some attribute has used
+  std::vector<bool> seen_accessors;  ///< accessors that some attribute has used
+  std::vector<bool> views_in_use;    ///< views without a stride that some attribute has used
 };
 
-/// An attribute whose index leads to an accessor.
+/// An attribute whose index refers to an accessor.
 struct AttributeUse {
   const model::Attribute& attribute;
   const model::Accessor& accessor;
@@ -87,16 +87,16 @@ void check_attribute(MeshState& state, const AttributeUse& use, const Path& path
 /// Reports an attribute that shares a view without byteStride with another one.
 void check_shared_view(MeshState& state, const AttributeUse& use, const Path& path);
 
-/// Reports what the materials of a primitive ask of its attributes.
+/// Checks the attributes of a primitive that its materials require.
 class MaterialCheck {
  public:
   /// Keeps references to all three.
   MaterialCheck(const MeshState& state, const model::Primitive& primitive, const Path& path)
       : state_(state), primitive_(primitive), path_(path), texcoords_(state.context, primitive) {}
 
-  /// Those of its variants. To be called before check_material().
+  /// Checks the materials of its variants. Call it before check_material().
   void check_variants();
-  /// Its own, and what none of all them reads.
+  /// Checks its own material, and reports attributes that no material reads.
   void check_material();
 
  private:
@@ -104,7 +104,7 @@ class MaterialCheck {
   const model::Primitive& primitive_;
   const Path& path_;
   TexCoords texcoords_;
-  bool tangent_space_ = false;  ///< some material needs one
+  bool tangent_space_ = false;  ///< some material needs a tangent space
 };
 
 }  // namespace gltfx::validate

@@ -44,7 +44,7 @@ std::string near_help(const container::Resolver& resolver, std::string_view path
 
 // --- Fixes ---
 
-/// A reference to a file that cannot be had.
+/// A reference to a file that cannot be opened.
 struct Reference {
   json::NodeId value = json::kNoNode;
   json::NodeId object = json::kNoNode;
@@ -69,7 +69,8 @@ std::optional<Reference> reference_at(Fixing& fixing, Span place) {
   return found;
 }
 
-// As many bytes as the buffer declares; a file of another name has no more of them than padding.
+// The file has as many bytes as the buffer declares; one with another name may exceed that only by
+// padding.
 bool is_wanted_buffer(const Fixing& fixing, const Reference& reference, Nearness nearness,
                       std::uint64_t size) {
   const auto declared = model::unsigned_member(fixing.document(), reference.object, "byteLength");
@@ -90,14 +91,14 @@ bool is_wanted_image(const Fixing& fixing, const Reference& reference,
   return core || "." + std::string(type.substr(type.find('/') + 1)) == ending_of(reference.path);
 }
 
-/// Paths that the document names, whether they lead to a file or not.
+/// Paths that the document names, whether they exist or not.
 struct Named {
   explicit Named(const Fixing& fixing) : paths(change::referred_paths(fixing.document())) {}
   std::set<std::string> paths;
 };
 
 bool is_wanted(Fixing& fixing, const Reference& reference, const NearFile& file) {
-  // Another object has it already, so this one is likely to mean another file.
+  // Another object refers to it already, so this one probably means another file.
   const bool taken = fixing.table<Named>().paths.contains(file.path);
   if (taken && file.nearness != Nearness::letter_case) return false;
   const container::Resolved found = fixing.opened().resolver().open(file.path);
@@ -106,7 +107,7 @@ bool is_wanted(Fixing& fixing, const Reference& reference, const NearFile& file)
                           : is_wanted_image(fixing, reference, found.bytes);
 }
 
-// The only file of the nearest kind that decodes as what is wanted.
+// The only file with the most similar name that decodes as the expected kind.
 bool name_near_file(Fixing& fixing, Span place) {
   const auto reference = reference_at(fixing, place);
   if (!reference) return false;

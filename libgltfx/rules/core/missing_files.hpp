@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files that are there instead of a missing one.
+/// Existing files with a name similar to a missing one.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace gltfx::validate {
 
-/// What to do where `path`, as container::Uri::path has it, cannot be opened: names the file that
-/// is near it, if there is one.
+/// Help for a `path`, as in container::Uri::path, that cannot be opened: names the file with a
+/// similar name, if there is one.
 std::string missing_file_help(const Context& context, container::ResolveError error,
                               std::string_view path);
 

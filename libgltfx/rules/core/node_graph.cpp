@@ -20,13 +20,13 @@
 namespace gltfx::validate {
 namespace {
 
-/// The scenes that list each root. Not thread-safe: keeps its answers.
+/// The scenes that list each root. Not thread-safe: caches its results.
 class SkinScenes {
  public:
   SkinScenes(const model::Asset& asset, const model::SceneGraph& graph);
 
-  /// A scene that shows the tree below `root`, but not the one below `other`. Each pair is compared
-  /// once, and up to the first difference.
+  /// A scene that contains the tree below `root`, but not the one below `other`. Each pair is
+  /// compared once, and up to the first difference.
   std::optional<std::uint32_t> scene_without(model::NodeIndex root, model::NodeIndex other);
 
  private:
@@ -44,7 +44,7 @@ SkinScenes::SkinScenes(const model::Asset& asset, const model::SceneGraph& graph
     const auto scene = static_cast<std::uint32_t>(i);
     model::for_each_index(asset, asset.document().find(scenes[i], "nodes"), model::RootArray::nodes,
                           [&](std::uint64_t, std::optional<std::uint32_t> node, Span) {
-                            // A listed node that is no root is reported as such.
+                            // A listed node that is not a root is reported as such.
                             if (!node || !graph.is_root(*node)) return;
                             Scenes& list = scenes_[*node];
                             if (list.empty() || list.back() != scene) list.push_back(scene);
@@ -116,7 +116,7 @@ class GraphCheck {
     }
   }
 
-  // The root above all joints, when there is one.
+  // The common root of all joints, if there is one.
   NodeIndex top_root(const std::vector<NodeIndex>& all) const {
     const auto joints = context_.deviations.common_root_starts_anew
                             ? model::joints_of_last_root(all, graph_)
@@ -135,7 +135,7 @@ class GraphCheck {
     return document.object_size(node.extensions) != 0;
   }
 
-  // The end of a joint, the eye of an avatar.
+  // Such as the end of a joint or the eye of an avatar.
   bool is_named_by_extension(NodeIndex index) const {
     const schema::TargetArray* const nodes = context_.checked.target("/nodes");
     return nodes != nullptr && nodes->used.is_used_by_extension(index);
@@ -157,7 +157,7 @@ class GraphCheck {
         has_children(node) || has_extension(node) || is_named_by_extension(index)) {
       return;
     }
-    // What hangs on it is there, but leads nowhere: reported as such.
+    // The node has a reference that is broken, and reported as such.
     const bool broken = node.mesh_value != json::kNoNode || node.camera_value != json::kNoNode;
     if (broken && !context_.deviations.broken_values_are_absent) return;
     report_link(
@@ -178,7 +178,7 @@ class GraphCheck {
                                               label(model::RootArray::nodes, parent)));
   }
 
-  // Whether a node or one above it moves: from the top down, each node once.
+  // Whether a node or one of its ancestors has a transform: from the top down, each node once.
   void find_transforms() {
     enum State : std::uint8_t { kUnseen, kOnTheWay, kStill, kMoved };
     moved_.assign(nodes_.size(), kUnseen);
@@ -215,7 +215,7 @@ class GraphCheck {
                     "The transforms of the parents have no effect because the mesh of the node is "
                     "skinned.");
       }
-      // One cause, one finding: a transform above says that there is an above.
+      // One finding for one cause: a transform of an ancestor implies that there is an ancestor.
       if (!moved || context_.deviations.consequences_are_reported) {
         report_link(
             context_, path, node.object, Code::NODE_SKINNED_MESH_NON_ROOT,
@@ -243,9 +243,9 @@ class GraphCheck {
   std::string_view unseen_ = unseen_user(context_);
   const model::SceneGraph& graph_;
   const std::vector<model::Node>& nodes_;
-  std::vector<NodeIndex> skins_;  ///< root above all joints, by skin
+  std::vector<NodeIndex> skins_;  ///< common root of the joints, by skin
   std::vector<std::uint8_t> is_joint_;
-  std::vector<std::uint8_t> moved_;  ///< the node or one above it has a transform
+  std::vector<std::uint8_t> moved_;  ///< the node or an ancestor has a transform
   std::optional<SkinScenes> scenes_;
 };
 

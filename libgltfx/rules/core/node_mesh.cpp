@@ -33,7 +33,7 @@ class NodeCheck {
         report_references(context_, value);
       }
       check(node, path);
-      std::uint32_t reported = 0;  // references before this place in the text
+      std::uint32_t reported = 0;  // references before this position in the text
       for (; next != overrides.end() && next->parent == i; ++next) {
         if (reported == 0) reported = context_.document.span(node.children).begin;
         report_references(context_,
@@ -76,7 +76,7 @@ class NodeCheck {
   }
 
   void check_skinned(const model::Node& node, const model::Deformation& mesh, const Path& path) {
-    // Joints that are there but not in order are reported at the mesh.
+    // Joints that exist but are not in order are reported at the mesh.
     const bool one_is_enough = context_.deviations.one_skinned_primitive_is_enough;
     if (one_is_enough ? mesh.has_joints : !mesh.has_rigid) return;
     report_link(context_, path, node.skin_value, Code::NODE_SKIN_WITH_NON_SKINNED_MESH,
@@ -86,8 +86,8 @@ class NodeCheck {
   }
 
   void report_override(const model::ParentOverride& found, const Path& parent) {
-    // A child listed twice by one node is reported as a repeated element. Nor is a loop two errors,
-    // one of which is that it meets the tree above it.
+    // A child listed twice by one node is reported as a repeated element, and a loop is one error,
+    // although it meets the tree above it.
     const bool reported = found.parent == found.previous || context_.graph.on_loop(found.child);
     if (reported && !context_.deviations.consequences_are_reported) return;
     const Path children(parent, "children");

@@ -51,8 +51,8 @@ double norm(const Rotation& m, const Matrix& whole) {
   return std::max(greatest, last);
 }
 
-// Shepperd's method: the quaternion x, y, z, w of a rotation matrix. Single precision where the
-// test in use has it.
+// Shepperd's method: the quaternion x, y, z, w of a rotation matrix. Single precision, as in the
+// established test.
 std::array<float, 4> quaternion(const Rotation& r) {
   const double trace = r[0][0] + r[1][1] + r[2][2];
   std::array<float, 4> q{};
@@ -98,11 +98,10 @@ bool shears(const Rotation& axes, const Vector& lengths) {
 
 double rounded(double value) { return double{static_cast<float>(value)}; }
 
-// Empty when the matrix can be taken apart, otherwise what it does instead, to follow "The
-// matrix": "shears: ...". Column-major, single precision as everywhere in glTF. The test is the
-// one that is in use in the field (taken apart and put together again, its norm changes by less
-// than 0.00005), which lets some sheared matrices pass; `strictly` asks for columns at right
-// angles, too.
+// Empty if the matrix can be decomposed, otherwise the reason, to follow "The matrix": "shears:
+// ...". Column-major, single precision as everywhere in glTF. The test is the established one (the
+// norm of the matrix after decomposition and composition changes by less than 0.00005), which
+// accepts some sheared matrices; `strictly` also requires columns at right angles.
 std::string_view why_not_decomposable(const Matrix& matrix, bool strictly) {
   if (matrix[3] != 0 || matrix[7] != 0 || matrix[11] != 0 || matrix[15] != 1) {
     return "its last row is not 0, 0, 0, 1";
@@ -127,7 +126,7 @@ std::string_view why_not_decomposable(const Matrix& matrix, bool strictly) {
   return change < kNormTolerance ? "" : "translation, rotation and scale do not reproduce it";
 }
 
-// What quantisation to 8 bits does to a unit quaternion, and a little more.
+// A little more than the error of a unit quaternion in 8 bits.
 constexpr double kUnitTolerance = 0.00769;
 
 void check_unit(const Context& context, json::NodeId rotation, const Path& path) {
@@ -198,7 +197,7 @@ std::vector<bool> animated_scales(const Context& context) {
   return animated;
 }
 
-// A scale that an animation begins or ends with is how glTF hides parts for a while.
+// A scale of zero at the start or end of an animation is the usual way to hide parts for a while.
 void check_scales(const Context& context) {
   std::optional<std::vector<bool>> animated;  // made at the first zero
   std::optional<Animated> by_pointer;
@@ -231,7 +230,7 @@ struct Forms {
         parts(model::read_transform(fixing.document(), node)) {
     std::swap(whole.matrix, parts.matrix);
   }
-  /// What is malformed here may be what another reader draws.
+  /// Readers may draw a malformed value differently.
   bool are_sound() const {
     const auto is_sound = [](json::NodeId member, const auto& value) {
       return member == json::kNoNode || value;
@@ -247,7 +246,7 @@ struct Forms {
   model::Transform parts, whole;
 };
 
-// To the precision of single floats.
+// Within single precision.
 bool Forms::are_equal() const {
   const auto affine = [](const auto& list, auto otherwise) {
     for (std::size_t i = 0; list && i < otherwise.size(); ++i) otherwise[i] = double{(*list)[i]};
@@ -267,8 +266,9 @@ bool Forms::are_equal() const {
   return true;
 }
 
-// Most viewers draw the matrix, and so does `bake`. So it goes where the other form is equal, and
-// parts go where they move nothing; a matrix that moves nothing while parts do stays.
+// Most viewers draw the matrix, and so does `bake`. So the matrix is deleted if the other form is
+// equal, and the other form if it is the identity; a matrix that is the identity is kept if the
+// other form is not.
 bool keep_one_form(Fixing& fixing, Span place) {
   const Forms forms(fixing, place);
   if (!forms.are_sound()) return false;
@@ -286,7 +286,7 @@ bool remove_default_matrix(Fixing& fixing, Span place) {
   return forms.are_sound() && forms.parts.is_identity() && remove_marked(fixing, place);
 }
 
-// The same rotation: readers normalize, or scale with the square of the length.
+// The rotation is the same: readers normalize, or scale with the square of the length.
 bool make_unit(Fixing& fixing, Span place) {
   const json::NodeId rotation = fixing.node_at(place);
   const auto value = model::float_array<4>(fixing.document(), rotation, -1, 1);

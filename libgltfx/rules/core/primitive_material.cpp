@@ -21,7 +21,7 @@ using model::Attribute;
 using model::Primitive;
 using model::SemanticKind;
 
-// One material on one primitive: the default one or that of a variant.
+// One material on one primitive: the default one or one of a variant.
 struct MaterialUse {
   const MeshState& state;
   const Primitive& primitive;
@@ -68,7 +68,7 @@ void check_tangent_space(const MaterialUse& material_use, const MaterialNeed& ne
   }
 }
 
-// Without NORMAL the tangents are ignored anyway, which is reported.
+// Without NORMAL, which is reported, tangents are ignored anyway.
 void check_unused_tangent(const Context& context, const Primitive& primitive, const Path& path) {
   const Attribute* tangent = primitive.find(SemanticKind::tangent);
   if (tangent == nullptr) return;

@@ -26,8 +26,8 @@ void report(const Context& context, const Path& path, json::NodeId value, Code c
   context.schema_sink.report(path, std::move(finding));
 }
 
-// An image whose type is not that of its data URI is an error of the URI; otherwise it is one of
-// the image, and found when that is read.
+// If the type differs from that of the data URI, it is an error of the URI; otherwise it is an
+// error of the image, found when the image is read.
 void check_image_type(const Context& context, json::NodeId value, const Path& path,
                       std::string_view media_type, const container::Bytes& data) {
   const image::Sniffed sniffed = image::sniff(data.view());

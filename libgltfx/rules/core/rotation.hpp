@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rotations of nodes and of whatever else is turned like one.
+/// Rotations of nodes and of other objects with a quaternion.
 #pragma once
 
 #include "rules/context.hpp"
 
 namespace gltfx::validate {
 
-/// An ObjectRule: the quaternion in the member `rotation`, if there is one, has the length 1.
+/// An ObjectRule: checks that the quaternion in the member `rotation`, if there is one, has length
+/// 1.
 void check_rotation(const Context& context, json::NodeId object, const Path& path);
 
 }  // namespace gltfx::validate

@@ -42,15 +42,15 @@ void check_scenes(const Context& context) {
   }
 }
 
-/// A list of roots is read once, whatever the number of findings in it.
+/// A list of roots is read once, regardless of the number of findings in it.
 struct RootLists {
   explicit RootLists(Fixing& fixing) : graph(fixing.elements(), fixing.views().nodes) {}
   model::SceneGraph graph;
   std::map<json::NodeId, bool> done;  ///< whether children were removed from a list
 };
 
-// A node that is listed behind its root is drawn below that, once; before, it would be drawn
-// without what is above it.
+// A node listed after its root is drawn below the root, once; a node listed before it would be
+// drawn without its ancestors.
 bool remove_children(Fixing& fixing, const model::SceneGraph& graph, json::NodeId list) {
   std::set<std::uint32_t> roots;
   std::string text = "[";

@@ -18,7 +18,7 @@
 namespace gltfx::validate {
 namespace {
 
-// The name of the member that a value is, or empty.
+// The name of the member with that value, or empty.
 std::string_view member_name(Fixing& fixing, json::NodeId value) {
   const json::NodeId object = fixing.parent(value);
   const bool member = object != json::kNoNode && fixing.document().is_object(object);
@@ -26,7 +26,8 @@ std::string_view member_name(Fixing& fixing, json::NodeId value) {
                 : std::string_view();
 }
 
-// `place` is the name of an extension's object. What is unknown may be misspelt, or no extension.
+// `place` is the name of an extension's object. An unknown name may be misspelt, or not an
+// extension.
 bool declare(Fixing& fixing, Span place) {
   const json::NodeId key = fixing.node_at(place);
   if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
@@ -37,7 +38,7 @@ bool declare(Fixing& fixing, Span place) {
   return true;
 }
 
-/// Names of all extensions with an object in the document, but for those in extras.
+/// Names of all extensions with an object in the document, except in extras.
 struct ExtensionsSeen {
   explicit ExtensionsSeen(const Fixing& fixing) {
     const json::Document& document = fixing.document();
@@ -47,7 +48,7 @@ struct ExtensionsSeen {
   std::set<std::string, std::less<>> names;
 };
 
-// `place` is a name in extensionsRequired. What is used is declared; what is not goes.
+// `place` is a name in extensionsRequired. A used extension is declared; an unused one is deleted.
 bool declare_or_forget(Fixing& fixing, Span place) {
   const json::NodeId node = fixing.node_at(place);
   if (node == json::kNoNode || !fixing.document().is_string(node)) return false;
@@ -65,7 +66,7 @@ bool declare_or_forget(Fixing& fixing, Span place) {
   return true;
 }
 
-// `place` is a name in extensionsUsed, or that of an extension's object.
+// `place` is a name in extensionsUsed, or the name of an extension's object.
 bool require_extension(Fixing& fixing, Span place) {
   const json::NodeId node = fixing.node_at(place);
   if (node == json::kNoNode || !fixing.extensions_required().can_change()) return false;
@@ -77,7 +78,7 @@ bool require_extension(Fixing& fixing, Span place) {
   return true;
 }
 
-// An empty member that an object must have is no better absent.
+// A required empty member is not deleted.
 bool remove_empty(Fixing& fixing, Span place) {
   constexpr std::array<std::string_view, 8> kNeeded{
       "asset", "attributes", "channels", "joints", "primitives", "samplers", "sparse", "target"};
@@ -89,7 +90,7 @@ bool remove_empty(Fixing& fixing, Span place) {
   return fixing.remove_member(value);
 }
 
-// At once: there may be more of them than a report has findings.
+// All at once: there may be more of them than a report has findings.
 bool remove_repeated_names(Fixing& fixing, json::NodeId list) {
   if (!fixing.claim(list)) return true;
   const json::Document& document = fixing.document();
@@ -101,7 +102,7 @@ bool remove_repeated_names(Fixing& fixing, json::NodeId list) {
   return true;
 }
 
-// Only in lists whose order and length nobody counts on, as they do with the joints of a skin.
+// Only in lists whose order and length have no meaning, unlike the joints of a skin.
 bool remove_repeat(Fixing& fixing, Span place) {
   const auto is_set = [](std::string_view name) {
     return name == "nodes" || name == "children" || name == "extensionsUsed" ||
@@ -122,7 +123,8 @@ bool remove_repeat(Fixing& fixing, Span place) {
   return true;
 }
 
-/// Names that properties had in earlier drafts, with the one they have now; empty where two had it.
+/// Current names of properties by their names in earlier drafts; empty if two properties had the
+/// name.
 struct DraftNames {
   explicit DraftNames(const Fixing& fixing) {
     const schema::Set& set = fixing.schemas();

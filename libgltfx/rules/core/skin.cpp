@@ -115,7 +115,7 @@ class SkinCheck {
              fmt::format("The skeleton root, {}, is not an ancestor of the joints.", label(root)));
     }
     for (const model::NodeIndex joint : joints) {
-      // Above and below mean nothing on a loop, which is reported as one.
+      // Ancestors are undefined on a loop, which is reported as such.
       if (context_.graph.root(joint) == model::kNoNodeIndex) return;
       if (ancestry_.is_ancestor_or_self(root, joint)) continue;
       report(path, "skeleton", skin.skeleton_value, Code::SKIN_SKELETON_INVALID,

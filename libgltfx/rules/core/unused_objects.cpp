@@ -26,14 +26,14 @@ using model::RootArray;
 
 // --- Objects ---
 
-// Root arrays whose objects only serve others, in the order of the report. Scenes and animations
-// are chosen at run time.
+// Root arrays whose objects are only used by other objects, in the order of the report. Scenes and
+// animations are chosen at run time.
 constexpr std::array kArrays{RootArray::accessors, RootArray::buffers, RootArray::buffer_views,
                              RootArray::cameras,   RootArray::images,  RootArray::materials,
                              RootArray::meshes,    RootArray::nodes,   RootArray::samplers,
                              RootArray::skins,     RootArray::textures};
 
-// Indices of `array` (of the member of an object) that lead to nodes.
+// Indices of `array` (of the member of an object) that refer to nodes.
 void mark_nodes(const Context& context, json::NodeId object, std::string_view member,
                 std::vector<bool>& used) {
   model::for_each_index(context.asset, context.document.find(object, member), RootArray::nodes,
@@ -53,7 +53,7 @@ void mark_animated(const Context& context, json::NodeId animation, std::vector<b
   }
 }
 
-// The root of a skeleton is no use of a node.
+// The skeleton of a skin does not count as a use of its node.
 std::vector<bool> nodes_in_fewer_uses(const Context& context) {
   std::vector<bool> used(context.asset.count(RootArray::nodes));
   for (const json::NodeId scene : context.asset.elements(RootArray::scenes)) {
@@ -71,7 +71,7 @@ std::vector<bool> nodes_in_fewer_uses(const Context& context) {
   return used;
 }
 
-// Nor is an accessor one of its view when it lacks what it takes to measure it.
+// An accessor does not count as a use of its view if its size cannot be computed.
 std::vector<bool> views_in_fewer_uses(const Context& context) {
   std::vector<bool> used(context.views.buffer_views.size());
   for (std::size_t i = 0; i < used.size(); ++i) {

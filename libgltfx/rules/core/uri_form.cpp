@@ -47,7 +47,7 @@ std::string characters_text(std::string_view characters) {
   return join_and(names);
 }
 
-// A file name with '#' or '?' in it leads to another file, or to none.
+// A '#' or '?' in a file name changes the file that the URI refers to.
 void check_suffix(const UriPlace& place, std::string_view text) {
   const std::string_view suffix = text.substr(text.find_first_of("?#"));
   const bool query = suffix.front() == '?';
@@ -93,7 +93,7 @@ bool is_there(const Fixing& fixing, const std::string& path) {
   return fixing.opened().resolver().stat(path, size) == container::ResolveError::none;
 }
 
-// Writes a URI where it names a file, and the file that is meant.
+// Writes a URI if it names a file, and that file is the one that is meant.
 bool write_uri(Fixing& fixing, json::NodeId value, const std::string& uri) {
   const container::Uri sound = container::classify_uri(uri);
   if (sound.kind != container::UriKind::relative_path || !is_there(fixing, sound.path))
@@ -117,7 +117,7 @@ bool remove_empty_uri(Fixing& fixing, json::NodeId value) {
          fixing.remove_member(value);
 }
 
-// Where a lenient reader finds a file, every reader finds it by the URI that says the same.
+// A URI that lenient readers resolve to a file is encoded so that all readers find that file.
 bool encode_uri(Fixing& fixing, Span place) {
   json::NodeId value = json::kNoNode;
   const std::string text = uri_at(fixing, place, value);
@@ -128,7 +128,7 @@ bool encode_uri(Fixing& fixing, Span place) {
          write_uri(fixing, value, uri.normalized);
 }
 
-// All readers that find the file as it is named find it by this name too.
+// All readers that find the file by the unescaped name also find it by this one.
 bool escape_uri(Fixing& fixing, Span place) {
   json::NodeId value = json::kNoNode;
   const std::string text = uri_at(fixing, place, value);
@@ -138,7 +138,7 @@ bool escape_uri(Fixing& fixing, Span place) {
   return !characters.empty() && fixing.replace_scalar(value, std::move(json));
 }
 
-// The file whose name has '#' or '?' in it, or that without what follows; not where both are there.
+// The file whose name contains '#' or '?', or the file without the suffix; not if both exist.
 bool escape_suffix(Fixing& fixing, Span place) {
   json::NodeId value = json::kNoNode;
   const std::string text = uri_at(fixing, place, value);

@@ -85,7 +85,7 @@ bool add_target(Fixing& fixing, Span place) {
                                   : fixing.replace(invalid, target_of(*use));
 }
 
-// The target follows the use: it says what the view is for, and changes nothing of that.
+// The target is set by the use: it describes the view's use and changes nothing else.
 bool correct_target(Fixing& fixing, Span place) {
   const auto view = view_behind(fixing, place);
   const auto use = view ? fixing.views().usage.view(*view).only() : std::nullopt;

@@ -34,7 +34,7 @@ const schema::Shape* shape_of(Fixing& fixing, json::NodeId value) {
   return id == schema::kNone ? nullptr : &fixing.schemas().shape(id);
 }
 
-// The name of the member that a value is, or empty.
+// The name of the member with that value, or empty.
 std::string_view name_of_member(Fixing& fixing, json::NodeId value) {
   const graph::Tree& tree = fixing.tree();
   return tree.is_member(value) ? tree.name(value) : std::string_view();
@@ -48,7 +48,7 @@ bool is_required_member(Fixing& fixing, json::NodeId value) {
   return property != nullptr && property->required;
 }
 
-// Absent is what programs mean that write null for what they have not.
+// Programs write null for absent values.
 bool remove_null(Fixing& fixing, json::NodeId value) {
   const std::string_view name = name_of_member(fixing, value);
   if (name.empty() || is_required_member(fixing, value)) return false;
@@ -74,7 +74,7 @@ bool correct_value_type(Fixing& fixing, Span place) {
   return (text || fixing.document().is_string(value)) && write_meant(fixing, value);
 }
 
-// Readers may have passed over a number for a flag or a texture: then the picture changes.
+// Readers may have ignored a number in place of a flag or a texture: then the picture changes.
 bool write_any_type(Fixing& fixing, Span place) {
   const json::NodeId value = fixing.node_at(place);
   return value != json::kNoNode && write_meant(fixing, value);
@@ -103,7 +103,8 @@ struct CorrectedLists {
   std::map<json::NodeId, bool> done;
 };
 
-// All elements of a list that are of the wrong type, or none: one of them may have been reported.
+// Corrects all elements of a list that are of the wrong type, or none: one of them may have been
+// reported.
 bool correct_elements(Fixing& fixing, Span place) {
   const json::NodeId node = fixing.node_around(place);
   const json::NodeId list = node == json::kNoNode ? node : fixing.parent(node);
@@ -128,7 +129,7 @@ bool correct_length(Fixing& fixing, Span place) {
   return true;
 }
 
-// What arithmetic in single precision leaves of a number at the limit.
+// The error of single precision for a number at the limit.
 std::optional<double> nearly_at_limit(const schema::Shape& shape, double number) {
   constexpr double kRounding = 4 * FLT_EPSILON;
   if ((shape.types & schema::kNumber) == 0) return std::nullopt;
@@ -178,7 +179,7 @@ bool correct_range(Fixing& fixing, Span place) {
   return clamp_rounding(fixing, node, place);
 }
 
-/// Members that were moved, by the object that has them now, and objects that were made for them.
+/// Members that were moved, by their new object, and objects that were made for them.
 struct Moves {
   explicit Moves(const Fixing&) {}
   std::set<std::pair<json::NodeId, std::string>> members, made;
@@ -190,7 +191,7 @@ bool move_member(Fixing& fixing, json::NodeId value, const schema::Home& home) {
   const std::string text(fixing.document().raw(value));
   const json::NodeId object = fixing.parent(value);
   if (home.object == json::kNoNode) {
-    // Others go into the object when it is there.
+    // Further members are added to the object once it exists.
     const std::string through(home.through);
     if (fixing.document().holds(object, through)) return false;
     if (!moves.made.emplace(object, through).second || !fixing.remove_member(value)) return false;
@@ -234,7 +235,8 @@ schema::Home home_at(Fixing& fixing, json::NodeId key) {
              : schema::find_home(fixing.schemas(), fixing.document(), around, name);
 }
 
-// `place` is the name of the member. What moves into the object about the asset is drawn by nobody.
+// `place` is the name of the member. A member that moves into the asset object has no effect on the
+// picture.
 bool move_into(Fixing& fixing, Span place, bool only_asset) {
   const json::NodeId key = fixing.node_at(place);
   if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;

@@ -7,7 +7,7 @@
 namespace gltfx::validate {
 namespace {
 
-// Steps that are left over when all animations are done stay in front of what comes behind them.
+// Steps that remain after all animations are prepended to all later pointers.
 void leave_animations(const Context& context) {
   const auto& animations = context.views.animations;
   if (context.order == nullptr || animations.empty()) return;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The places at which the Khronos validator finds things in animations. Behind a channel without a
-/// sampler index it goes on as if it were still in it, so that pointers carry steps along, even
-/// behind the animations.
+/// The pointers of the Khronos validator's findings in animations. After a channel without a
+/// sampler index it continues as if it were still in that channel, so that later pointers keep its
+/// steps, even after the animations.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,14 @@
 
 namespace gltfx::validate {
 
-/// Whether a channel has an index of a sampler, be it of one that is not there.
+/// Whether a channel has an index of a sampler, which may be missing.
 bool has_sampler_index(const Context& context, const model::AnimationChannel& channel);
 
-/// Whether references from the animation are followed: that validator needs both of its lists.
+/// Whether references from the animation are followed: the Khronos validator needs both of its
+/// lists.
 bool is_linked(const Context& context, const model::Animation& animation);
 
-/// A path that is added to and taken from, from /animations on.
+/// A path from /animations on with steps that are pushed and popped.
 class AnimationPaths {
  public:
   AnimationPaths() { push("animations"); }
@@ -41,7 +42,7 @@ class AnimationPaths {
   }
 
  private:
-  static constexpr std::size_t kMost = 32;  // enough to know them by
+  static constexpr std::size_t kMost = 32;  // enough to identify a pointer
   Path root_;
   std::deque<Path> steps_;
   std::size_t beyond_ = 0;

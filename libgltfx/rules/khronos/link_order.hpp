@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The order in which the Khronos validator speaks of how objects refer to each other.
+/// The order in which the Khronos validator reports references between objects.
 #pragma once
 
 #include <cstddef>
@@ -50,19 +50,20 @@ class PathCopy {
 
 namespace gltfx::validate {
 
-/// A sink for link rules that holds broken references back until the rule comes by that looks at
-/// the index. What nobody comes by for, that validator does not look at either.
+/// A sink for link rules that holds broken references back until a rule checks the index.
+/// References that no rule checks are not checked by the Khronos validator either.
 class LinkOrder final : public Sink {
  public:
   explicit LinkOrder(Sink& reported) : reported_(reported) {}
 
-  /// Where the walk leaves broken references.
+  /// The sink for broken references found by the walk.
   Sink& held() { return held_; }
-  /// Reports those whose index stands inside `place`, in the order of the walk; each once.
+  /// Reports the held references whose index is inside `place`, in the order of the walk; each
+  /// once.
   void release(Span place);
 
   void report(const Path& path, Finding finding) override;
-  /// From now on everything is reported below `path`. The path is copied.
+  /// Reports all following findings below `path`. The path is copied.
   void report_below(const Path& path) { below_.emplace(path); }
   void report_from_root() { below_.reset(); }
 
@@ -81,7 +82,8 @@ class LinkOrder final : public Sink {
 
   Sink& reported_;
   HoldingSink held_;
-  std::vector<std::size_t> by_place_;  ///< positions in held_.all by where their index stands
+  std::vector<std::size_t>
+      by_place_;  ///< positions in held_.all, sorted by the place of their index
   std::optional<PathCopy> below_;
 };
 

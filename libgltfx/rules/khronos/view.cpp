@@ -18,7 +18,7 @@ namespace {
 
 using model::RootArray;
 
-// The rules of members of a type.
+// The rules on members of a type.
 struct MemberRules {
   std::vector<MemberRuleEntry> before;
   std::vector<ObjectRuleEntry> behind;
@@ -99,7 +99,7 @@ class Reader final : public schema::MemberVisitor {
   TypeCache<Known> known_;
 };
 
-// --- What is not linked ---
+// --- Objects that are not linked ---
 
 class Unlinking {
  public:
@@ -110,7 +110,7 @@ class Unlinking {
   bool run() {
     for (const json::NodeId accessor : asset_.elements(RootArray::accessors)) cut_sparse(accessor);
     for (const json::NodeId animation : asset_.elements(RootArray::animations)) {
-      // Extensions of its channels are linked all the same.
+      // Extensions of its channels are linked nevertheless.
       if (!has(animation, {"channels", "samplers"})) hide(animation, {"samplers"});
     }
     const json::NodeId variants =

@@ -72,7 +72,7 @@ class BudgetCheck {
     return limit == 0 || value <= limit;
   }
 
-  // Bytes that were opened for "/images/3" or "/buffers/0".
+  // Number of bytes that were read for "/images/3" or "/buffers/0".
   std::uint64_t size_of(std::string_view pointer) const {
     const std::string_view digits = pointer.substr(pointer.rfind('/') + 1);
     std::size_t index = 0;

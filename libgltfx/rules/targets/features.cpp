@@ -7,7 +7,7 @@
 namespace gltfx::validate {
 namespace {
 
-// The string of a list of names at the root.
+// The string of that name in a list of the root object.
 json::NodeId declaration(const json::Document& document, std::string_view list,
                          std::string_view name) {
   const json::NodeId array = document.find(document.root(), list);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which features of schema/targets/features.json an asset has, and where. A feature is detected
-/// as its member `has` states.
+/// The features of schema/targets/features.json in an asset, and their places. The member `has` of
+/// a feature defines how it is detected.
 #pragma once
 
 #include <gltfx/targets.hpp>
@@ -16,28 +16,29 @@
 
 namespace gltfx::validate {
 
-/// How an asset has a feature.
+/// The use of a feature by an asset.
 enum class FeatureUse : std::uint8_t { used, required, required_with_fallback };
 
 struct FeaturePlace {
-  json::NodeId node = json::kNoNode;  ///< the first object that has it; kNoNode: the file itself
+  json::NodeId node = json::kNoNode;  ///< the first object with it; kNoNode: the file itself
   FeatureUse use = FeatureUse::used;
-  bool fallback = false;  ///< of an extension: each object with it has something to fall back to
+  bool fallback = false;  ///< of an extension: each object with it has a fallback
 };
 
-/// By name. Names of features that are no extensions have static storage; those of extensions live
-/// in the context.
+/// Features by name. Names of features other than extensions have static storage; those of
+/// extensions live in the context.
 class Features {
  public:
   explicit Features(std::span<const TargetChoice> targets) : targets_(targets) {}
 
-  /// Whether one of the targets refuses or ignores it. Others need not be looked for; it is for
-  /// features whose search costs something.
+  /// Whether one of the targets refuses or ignores the feature. Used to skip features with an
+  /// expensive search.
   bool matters(std::string_view name) const;
   /// Keeps the first place.
   void note(std::string_view name, json::NodeId node, FeatureUse use = FeatureUse::used,
             bool fallback = false) {
-    // Many objects have what one before them had: its literal tells without a comparison of texts.
+    // Many objects have the features of an earlier object: comparing the address of the literal
+    // avoids a comparison of texts.
     const char*& last = recent_[(reinterpret_cast<std::uintptr_t>(name.data()) >> 3U) % 16];
     if (last == name.data()) return;
     last = name.data();
@@ -58,7 +59,7 @@ class Features {
 /// All features of an asset whose links were checked. Linear in the document.
 Features find_features(const Context& context, const model::ResourceData& resources);
 
-// Its parts, each in a file of its own.
+// Parts of the search, each in a file of its own.
 void find_geometry_features(const Context& context, Features& features);
 void find_material_features(const Context& context, Features& features);
 void find_scene_features(const Context& context, Features& features);

@@ -96,7 +96,7 @@ class GeometryFeatures {
     }
   }
 
-  // An unlit material does not ask for normals.
+  // An unlit material does not need normals.
   bool is_unlit(const model::Primitive& primitive) const {
     if (!primitive.material) return false;
     const json::NodeId material = asset_.elements(model::RootArray::materials)[*primitive.material];

@@ -69,7 +69,7 @@ class MaterialFeatures {
     return slot;
   }
 
-  // Slots of all materials, those of extensions too; those of one material follow one another.
+  // Slots of all materials, including those of extensions; slots of one material are consecutive.
   void find_slots() {
     std::string_view material;
     std::optional<model::TextureSlot> first;

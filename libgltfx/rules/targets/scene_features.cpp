@@ -108,7 +108,7 @@ class SceneFeatures {
     note_if(std::any_of(name.begin(), name.end(), is_special), "node.name-special", object);
   }
 
-  // A name of a node that moves and of another one.
+  // Finds a name shared by an animated node and another one.
   void find_doubled_names() {
     json::KeyTable moving;
     std::set<std::uint32_t> seen;
@@ -221,8 +221,8 @@ class SceneFeatures {
   const json::Document& document_;
   const model::Views& views_;
   Features& features_;
-  bool scales_, special_names_;  // whether a target cares
-  std::vector<bool> meshes_;     // whether a node has had the mesh
+  bool scales_, special_names_;  // whether a target depends on it
+  std::vector<bool> meshes_;     // by mesh: whether a node uses it
   json::KeyId name_key_;
   std::set<std::uint32_t> skins_;
 };

@@ -21,8 +21,8 @@ bool is_extension(std::string_view feature) {
   return feature.front() < 'a' && feature.find('_') != std::string_view::npos;
 }
 
-// Where a way was not measured, the one without a fallback says the same of an engine that does
-// not read the extension.
+// If a use was not measured, the outcome without a fallback is the same for an engine that does not
+// read the extension.
 const TargetRange* find_outcome(const TargetChoice& choice, std::string_view name, FeatureUse use) {
   const auto found = choice.target->features.find(name);
   if (found == choice.target->features.end()) return nullptr;
@@ -67,7 +67,7 @@ class TargetCheck {
               std::optional<Severity> severity, std::string message, const Feature& feature) const {
     Finding finding = finding_on(context_, place.node, code, std::move(message), feature.help);
     finding.severity = severity;
-    finding.about = name;  // findings about other features and targets are no repeats
+    finding.about = name;  // findings about other features and targets are not repeats
     finding.about += finding.message;
     const bool is_file = place.node == json::kNoNode;
     report_at(sink_, is_file ? std::string() : context_.document.pointer_of(place.node),
