@@ -28,13 +28,14 @@ using model::PropertyType;
 constexpr std::string_view kAnimationPointerExtension = "KHR_animation_pointer";
 constexpr std::string_view kPath = "pointer";
 
-// Who moves a property, as a whole or element by element: channel numbers of one animation.
+// The channels that write a property, as a whole or element by element: channel numbers of one
+// animation.
 struct Claims {
   std::optional<std::size_t> whole;
   std::optional<std::size_t> any_element;
   std::map<std::uint64_t, std::size_t> elements;
 
-  // The channel that is in the way of this one, which is entered when there is none.
+  // The channel that conflicts with this one; this one is entered if there is none.
   std::optional<std::size_t> claim(std::size_t channel, std::optional<std::uint64_t> element) {
     if (whole) return whole;
     if (!element) {
@@ -48,7 +49,7 @@ struct Claims {
 };
 using ClaimsByProperty = std::unordered_map<std::string, Claims>;
 
-// The element type an output accessor has for a data type (the extension's table).
+// The element type of an output accessor for a data type (the extension's table).
 model::ElementType element_type(PropertyType type) {
   switch (type) {
     case PropertyType::float2:
@@ -135,7 +136,7 @@ class PointerCheck {
     for (std::size_t i = 0; i < animation.channels.size(); ++i) {
       const AnimationChannel& channel = animation.channels[i];
       const std::string_view path = model::animation_path_name(channel.path);
-      // Two plain targets that are the same are reported by the rules on animations.
+      // Two equal core targets are reported by the rules on animations.
       if (channel.node && !path.empty()) {
         claims[fmt::format("/nodes/{}/{}", *channel.node, path)].claim(i, std::nullopt);
       }
@@ -177,7 +178,7 @@ class PointerCheck {
         target.nearest.empty() ? std::string() : fmt::format("did you mean {}?", target.nearest);
     switch (target.status) {
       case PropertyTarget::Status::malformed:
-        return;  // told by the schema walk
+        return;  // reported by the schema walk
       case PropertyTarget::Status::unresolved:
         report_link(context_, at, value, Code::ANIMATION_POINTER_UNRESOLVED,
                     fmt::format("The pointer does not resolve: {}.", target.reason), help);
@@ -192,7 +193,7 @@ class PointerCheck {
     }
     const auto other = claims[target.property].claim(index, target.element);
     if (other) report_duplicate(at, value, *other);
-    // With another path, which is reported, that one says what the output is for.
+    // With another path, which is reported, that path defines the output.
     const bool heeded =
         model::string_member(context_.document, animation.channels[index].target, "path") == kPath;
     if (heeded && target.status == PropertyTarget::Status::mutable_property) {

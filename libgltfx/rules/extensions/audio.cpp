@@ -102,7 +102,7 @@ void check_scene_emitters(const Context& context) {
       });
 }
 
-// What sound data may be, and which extension says so.
+// A format that sound data may have, and the extension that defines it.
 struct AudioFormat {
   std::string_view mime_type, suffix, extension;
 };
@@ -126,7 +126,7 @@ void check_audio_format(const Context& context, json::NodeId audio, std::size_t 
   for (const AudioFormat& format : kAudioFormats) {
     if (format.extension != extension) continue;
     if (by_name ? uri.ends_with(format.suffix) : type == format.mime_type) return;
-    if (by_name && format.mime_type == "video/webm") continue;  // as audio/webm
+    if (by_name && format.mime_type == "video/webm") continue;  // reported as audio/webm
     allowed.emplace_back(by_name ? format.suffix : format.mime_type);
   }
   const std::string_view member = by_name ? "uri" : "mimeType";

@@ -23,16 +23,16 @@ namespace {
 
 constexpr std::string_view kEdgeVisibilityExtension = "EXT_mesh_primitive_edge_visibility";
 
-// An edge as one of its triangles has it.
+// An edge with its value in one of its triangles.
 struct CodedEdge {
   std::uint64_t edge = 0;
-  std::uint32_t value = 0;  ///< 0 hidden, 1 silhouette, 2 hard, 3 hard and told before
+  std::uint32_t value = 0;  ///< 0 hidden, 1 silhouette, 2 hard, 3 hard and coded before
 };
 
-// How often each value was given to one edge.
+// The number of occurrences of each value for one edge.
 struct Tally {
   std::array<std::uint64_t, 4> of{};
-  // One 2 and else 3; or one 1 and else 0; or nothing but 0.
+  // One 2 and otherwise 3; or one 1 and otherwise 0; or only 0.
   bool sound() const {
     const bool hard = of[2] + of[3] != 0;
     return hard ? of[2] == 1 && of[0] + of[1] == 0 : of[1] <= 1;
@@ -82,7 +82,7 @@ class VisibilityCheck {
     report_member(phase_.sink, context_, path_, object_, member, code, std::move(message));
   }
 
-  // --- visibility: two bits an edge, three edges a triangle ---
+  // --- visibility: two bits per edge, three edges per triangle ---
 
   void read_visibility(const std::vector<Triangle>& triangles) {
     const auto index = accessor("visibility");
@@ -92,7 +92,7 @@ class VisibilityCheck {
                            ? read_indices(phase_, *index)
                            : std::nullopt;
     const std::size_t bits = triangles.size() * 6;
-    if (!bytes || bytes->size() != (bits + 7) / 8) return;  // told of the accessor
+    if (!bytes || bytes->size() != (bits + 7) / 8) return;  // reported for the accessor
     std::vector<CodedEdge> coded;
     coded.reserve(triangles.size() * 3);
     std::size_t bit = 0;
@@ -138,7 +138,7 @@ class VisibilityCheck {
     }
   }
 
-  // --- silhouetteNormals: those of the two faces beside each edge of value 1 ---
+  // --- silhouetteNormals: normals of the two faces at each edge of value 1 ---
 
   void check_normals(std::uint64_t silhouettes) {
     const auto index = accessor("silhouetteNormals");
@@ -192,7 +192,7 @@ class VisibilityCheck {
     }
   }
 
-  // Integers stand for what they are divided by their greatest value.
+  // Integers are fractions of their greatest value.
   template <typename T>
   static double length_of(const T* vector) {
     double sum = 0;
@@ -212,7 +212,7 @@ class VisibilityCheck {
     return kernels::kVectorTolerance;
   }
 
-  // --- lineStrings: vertices one after the other, lines apart by a restart value ---
+  // --- lineStrings: consecutive vertices, lines separated by a restart value ---
 
   void check_lines() {
     const Path list(path_, "lineStrings");
@@ -231,7 +231,7 @@ class VisibilityCheck {
         model::value_range(context_.views.accessors[accessor].format.component).most);
     std::string error;
     std::string repeat;
-    std::size_t run = 0;  // vertices of the line so far
+    std::size_t run = 0;  // number of vertices of the line so far
     const auto end_run = [&](std::size_t at) {
       if (run < 2 && error.empty()) {
         error = fmt::format(
@@ -278,9 +278,9 @@ class VisibilityCheck {
   json::NodeId object_;
   const Path& path_;
   model::Primitive primitive_;
-  std::vector<std::uint64_t> edges_;         ///< of the primitive, sorted
-  std::vector<std::uint64_t> hard_;          ///< by visibility, sorted
-  std::unordered_set<std::uint64_t> drawn_;  ///< by lines
+  std::vector<std::uint64_t> edges_;         ///< edges of the primitive, sorted
+  std::vector<std::uint64_t> hard_;          ///< edges that are hard by visibility, sorted
+  std::unordered_set<std::uint64_t> drawn_;  ///< edges drawn by lines
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 using model::ComponentType;
 using model::ElementType;
 
-// Which component types a member takes, none of them normalized unless said.
+// The component types allowed for a member, not normalized unless stated.
 enum class Components : std::uint8_t {
   floats,
   bytes,
@@ -63,7 +63,7 @@ struct Wanted {
   Components components;
 };
 
-// Where members stand, from the extension's object: itself, or the objects of one of its lists.
+// The objects with the members: the extension's object itself, or the objects of one of its lists.
 struct Home {
   enum class On : std::uint8_t { root, mesh, primitive };
   std::string_view extension;
@@ -166,7 +166,7 @@ void check_formats(const Context& context) {
   }
 }
 
-// The count of an accessor that a member leads to.
+// The count of the accessor that a member refers to.
 std::optional<std::uint64_t> count_of(const Context& context, json::NodeId object,
                                       std::string_view member) {
   const auto index = context.asset.index(object, member, model::RootArray::accessors);
@@ -179,7 +179,7 @@ void report_count(const Context& context, const Path& path, json::NodeId object,
                 Code::EXTENSION_ACCESSOR_INVALID_COUNT, std::move(message));
 }
 
-// Two indices an edge.
+// Two indices per edge.
 void check_outlines(const Context& context) {
   for_each_primitive_extension(
       context, "CESIUM_primitive_outline", [&](const ExtensionPlace& place, const Path& path) {
@@ -191,7 +191,7 @@ void check_outlines(const Context& context) {
       });
 }
 
-// Two bits an edge, three edges a triangle.
+// Two bits per edge, three edges per triangle.
 void check_visibility(const Context& context) {
   for_each_primitive_extension(
       context, "EXT_mesh_primitive_edge_visibility",

@@ -27,15 +27,15 @@ json::KeyTable as_set(const std::vector<std::string>& names) {
   return set;
 }
 
-// So many extensions are told apart; what says the same of more is folded.
+// The number of extensions with separate findings; equal findings on further ones are folded.
 constexpr std::uint64_t kMostTold = 50;
 
-// The three lists, to look names up in.
+// The three lists as tables.
 struct Names {
   json::KeyTable used, required, seen, without_fallback;
   std::string_view unseen;                                          ///< see unseen_user()
   std::unordered_map<std::string_view, std::string_view> misspelt;  ///< to what is meant
-  std::vector<std::string> required_unknown;  ///< in the order of extensionsUsed
+  std::vector<std::string> required_unknown;                        ///< to the correct name
   explicit Names(const Context& context)
       : used(as_set(context.checked.extensions_used)),
         required(as_set(context.checked.extensions_required)),
@@ -83,7 +83,7 @@ std::string names_text(std::vector<std::string> names) {
   return fmt::format("{}and {} others", text, others);
 }
 
-// What is required and unknown is one finding, whatever the number: nothing more can be said.
+// All required unknown extensions get one finding: there is nothing to say about each.
 void report_unknown(const Entry& entry) {
   const auto misspelt = entry.names.misspelt.find(entry.name);
   if (misspelt != entry.names.misspelt.end()) {
@@ -142,7 +142,7 @@ void report_status(const Entry& entry, const schema::Extension& extension) {
   }
 }
 
-// An extension either has objects, or formats of attributes alone.
+// An extension has either objects or only formats of attributes.
 bool is_unused(const Entry& entry, const schema::Extension& extension) {
   if (!extension.attachment_points.empty()) return !entry.names.seen.contains(extension.name);
   const bool formats = !extension.vertex_attributes.empty() || !extension.morph_attributes.empty();
@@ -152,7 +152,7 @@ bool is_unused(const Entry& entry, const schema::Extension& extension) {
 
 void report_use(const Entry& entry, const schema::Extension& extension) {
   if (is_unused(entry, extension)) {
-    // It may be used inside of one that is not looked into, such as a transform of its textures.
+    // It may be used inside an extension without a schema, such as a transform of its textures.
     if (!entry.names.unseen.empty()) return;
     entry.report(Code::EXTENSION_UNUSED,
                  fmt::format("{} is declared but not used.", extension.name));
@@ -217,7 +217,7 @@ std::string name_at(const Fixing& fixing, Span place) {
   return text ? fixing.document().string(name) : std::string();
 }
 
-// An object of that name in a wrong place may be what is meant.
+// An object of that name in a wrong place may be the intended use.
 bool forget(Fixing& fixing, Span place) {
   const std::string name = name_at(fixing, place);
   if (name.empty() || !fixing.extensions_used().has(name)) return false;
@@ -242,7 +242,7 @@ bool make_optional(Fixing& fixing, Span place) {
   return true;
 }
 
-// Every object of that name gets the one that is meant.
+// Every object of that name gets the correct name.
 bool rename_misspelt(Fixing& fixing, Span place) {
   const json::Document& document = fixing.document();
   const std::string name = name_at(fixing, place);

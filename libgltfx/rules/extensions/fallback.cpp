@@ -18,7 +18,7 @@ bool is_required(const Context& context, std::string_view name) {
   return std::find(required.begin(), required.end(), name) != required.end();
 }
 
-// A member that names an accessor without data of its own; sparse values count as data.
+// Whether a member names an accessor without data of its own; sparse values count as data.
 bool accessor_is_hollow(const Context& context, json::NodeId object, std::string_view member) {
   const auto index = context.asset.index(object, member, model::RootArray::accessors);
   if (!index) return false;
@@ -27,7 +27,7 @@ bool accessor_is_hollow(const Context& context, json::NodeId object, std::string
          context.document.find(accessor, "sparse") == json::kNoNode;
 }
 
-// The primitive as a program sees it that ignores the extension.
+// Whether the primitive lacks data for a program that ignores the extension.
 bool primitive_lacks_data(const Context& context, json::NodeId primitive, json::NodeId extension) {
   const json::Document& document = context.document;
   if (accessor_is_hollow(context, primitive, "indices")) return true;
@@ -61,7 +61,7 @@ void check_object(const Context& context, json::NodeId object, const Path& path,
     const schema::ExtensionId id = context.schemas.find_extension(name);
     if (id == schema::kNone) continue;
     const schema::Extension& extension = context.schemas.extensions()[id];
-    // With a `fallback` member the schema walk decides.
+    // If there is a `fallback` member, the schema walk decides.
     if (extension.must_be_required != schema::MustBeRequired::without_fallback ||
         !extension.fallback.empty() || is_required(context, name) ||
         !lacks(context, object, member.value)) {

@@ -20,7 +20,7 @@ constexpr std::string_view kHarmonics = "KHR_gaussian_splatting:SH_DEGREE_";
 constexpr std::string_view kCoefficient = "_COEF_";
 constexpr std::size_t kDegrees = 4;
 
-// The coefficients of each degree that are there: bit n for coefficient n.
+// The existing coefficients of each degree: bit n for coefficient n.
 using Coefficients = std::array<std::uint32_t, kDegrees>;
 
 std::optional<unsigned> small_number(std::string_view text) {
@@ -42,7 +42,7 @@ void note(std::string_view name, Coefficients& found) {
   }
 }
 
-// The name of the first coefficient missing below the highest degree that is there; empty: none.
+// The name of the first coefficient missing below the highest existing degree; empty: none.
 std::string missing_coefficient(const Coefficients& found) {
   std::size_t highest = kDegrees;
   while (highest > 0 && found[highest - 1] == 0) --highest;
@@ -62,7 +62,7 @@ void check_harmonics(const Context& context, const ExtensionPlace& place, json::
   for (const auto member : context.document.members(attributes)) {
     note(context.document.key(member.key_id), found);
   }
-  // Without the first one none may be there: that is a missing attribute.
+  // Without the first one, no others are allowed: that is a missing attribute.
   if (found[0] == 0) return;
   const std::string missing = missing_coefficient(found);
   if (missing.empty()) return;
@@ -80,7 +80,7 @@ void check_primitive(const Context& context, const schema::Extension& extension,
   }
   const json::NodeId attributes = model::object_member(document, place.host, "attributes");
   if (attributes == json::kNoNode) return;
-  // An extension of the extension carries the splats in another form.
+  // An extension of the extension stores the splats in another form.
   if (document.find(place.object, "extensions") != json::kNoNode) return;
   for (const schema::AttributeFormat& wanted : extension.vertex_attributes) {
     if (!wanted.required || document.find(attributes, wanted.semantic) != json::kNoNode) continue;

@@ -13,7 +13,7 @@
 namespace gltfx::validate {
 namespace {
 
-// How schema files write a component type: "BYTE_NORM".
+// The name of a component type in schema files: "BYTE_NORM".
 std::string schema_name(const model::Format& format) {
   std::string name(model::component_type_name(format.component));
   constexpr std::string_view kUnsigned = "UNSIGNED_";

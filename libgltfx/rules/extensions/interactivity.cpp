@@ -42,7 +42,7 @@ const Signature* find_signature(std::string_view name) {
   return found == kSignatures.end() ? nullptr : found;
 }
 
-// Settings that operations have no default for: indices of a list of the graph, or a text, or a
+// Settings of operations without a default: indices of a list of the graph, or a text, or a
 // boolean.
 struct NeededSetting {
   std::string_view operation, setting, list;
@@ -114,7 +114,8 @@ class GraphCheck {
     }
   }
 
-  // What makes declarations equal: the operation, its extension, names and types of its inputs.
+  // The properties that make declarations equal: the operation, its extension, names and types of
+  // its inputs.
   std::string identity(json::NodeId declaration) const {
     std::string identity =
         operations_.back() + '\n' + model::string_member(document_, declaration, "extension");
@@ -211,7 +212,7 @@ class GraphCheck {
     }
   }
 
-  // Values come from nodes before, flows go to nodes behind: so a graph has no cycles.
+  // Values come from earlier nodes, flows go to later nodes: so a graph has no cycles.
   void check_order(json::NodeId node, std::string_view member, std::size_t index,
                    const Path& path) {
     const json::NodeId map = model::object_member(document_, node, member);
@@ -286,7 +287,7 @@ class GraphCheck {
   const json::Document& document_;
   json::NodeId graph_;
   const Path& path_;
-  std::vector<const Signature*> types_;  ///< null: custom, or not known
+  std::vector<const Signature*> types_;  ///< null: custom, or unknown
   std::vector<std::string> operations_;  ///< by declaration
   std::unordered_map<std::string_view, std::size_t> sizes_;
 };

@@ -29,7 +29,7 @@ std::string_view mark_of_node(const json::Document& document, json::NodeId node)
     if (document.is_array(map)) return "node sockets are arrays";
     if (document.is_object(map) && document.object_size(map) == 0) ++empty;
   }
-  // One alone may be a slip.
+  // A single one may be a mistake.
   return empty < 2 ? "" : "there are empty arrays";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Behaviour graphs of earlier drafts, whose form differs at every turn: one finding says so.
+/// Behavior graphs of earlier drafts, which differ in most details: they get one finding.
 #pragma once
 
 #include <string_view>
@@ -13,12 +13,12 @@ namespace gltfx::validate {
 
 inline constexpr Code kEarlierInteractivity = Code::INTERACTIVITY_EARLIER_DRAFT;
 
-/// What tells that the graphs of an asset follow an earlier draft, as the end of a sentence. Empty:
-/// nothing does, or there are none.
+/// The evidence that the graphs of an asset follow an earlier draft, as the end of a sentence.
+/// Empty: there is none, or there are no graphs.
 std::string_view earlier_interactivity(const json::Document& document);
 
-/// Passes on what is found outside of the graphs of an asset, that they are earlier ones, and that
-/// their extension is not declared.
+/// Passes on findings outside the graphs of an asset, the finding on the earlier draft, and a
+/// missing declaration of the extension.
 class OutsideInteractivity final : public Sink {
  public:
   explicit OutsideInteractivity(Sink& next) : next_(next) {}

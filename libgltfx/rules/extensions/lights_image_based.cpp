@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kImageBasedLightExtension = "EXT_lights_image_based";
 
-// What a face is like instead of what it must be; empty: nothing is wrong.
+// The actual form of a face that is invalid; empty: it is valid.
 std::string error_of(const image::Header& header, std::size_t level,
                      std::optional<std::uint64_t> size) {
   if (header.width != header.height) {

@@ -15,7 +15,7 @@
 namespace gltfx::validate {
 namespace {
 
-// An angle of a cone, `otherwise` when it is absent, nothing when it is wrong (and reported).
+// An angle of a cone, `otherwise` if it is absent, nothing if it is invalid (and reported).
 std::optional<double> angle(const json::Document& document, json::NodeId spot,
                             std::string_view member, double otherwise) {
   if (!document.has_value(spot, member)) return otherwise;
@@ -66,7 +66,7 @@ schema::Reading read_spot(const Context& context, json::NodeId light, json::Node
   return spot ? schema::Reading::check : schema::Reading::keep;
 }
 
-// Lights on nodes of an asset that has none. Otherwise the index is reported.
+// Reports lights on nodes of an asset without lights. Otherwise the index is reported.
 void check_lights_exist(const Context& context) {
   constexpr std::string_view kLightsPunctualExtension = "KHR_lights_punctual";
   if (!context.deviations.root_extension_is_a_dependency) return;

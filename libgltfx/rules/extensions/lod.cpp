@@ -55,7 +55,7 @@ class LodCheck {
         });
   }
 
-  // extras of the object that has the levels: a habit of programs, not a part of the extension.
+  // extras of the object with the levels: a convention of programs, not a part of the extension.
   void check_coverage(const ExtensionPlace& place, const Path& path) {
     constexpr std::string_view kMember = "MSFT_screencoverage";
     const json::Document& document = context_.document;
@@ -80,8 +80,8 @@ class LodCheck {
             : std::string("The values of MSFT_screencoverage are not in decreasing order."));
   }
 
-  // Takes away, again and again, what nothing that is left refers to; then the same against the
-  // direction of the references. What remains lies on cycles or between them.
+  // Repeatedly removes nodes that no remaining node refers to; then the same against the direction
+  // of the references. The remaining ones are on cycles or between them.
   void find_cycles() {
     on_cycle_.assign(levels_.size(), true);
     std::vector<std::vector<std::uint32_t>> hosts(levels_.size());

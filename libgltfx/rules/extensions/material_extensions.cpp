@@ -37,7 +37,7 @@ struct Subject {
 
 // --- Textures that share a tangent space with the normal texture ---
 
-// A set that is no number is none.
+// A set that is not a number counts as none.
 std::optional<std::uint64_t> texcoord(const json::Document& document, json::NodeId texture) {
   if (!document.has_value(texture, "texCoord")) return 0;
   return model::unsigned_member(document, texture, "texCoord");
@@ -52,7 +52,7 @@ bool is_transformed(const json::Document& document, json::NodeId one, json::Node
          object_member(document, other, "extensions") != json::kNoNode;
 }
 
-// Tiling more or less often leaves the tangents where they are; turning does not.
+// Different tiling keeps the tangents; rotation does not.
 void check_shared_mapping(const Subject& subject, json::NodeId normal, std::string_view member,
                           Code code) {
   const Context& context = subject.context;
@@ -137,8 +137,8 @@ void check_emissive_strength(const Subject& subject) {
 
 // --- Volume ---
 
-// Light passes through a surface when an extension says how much of it does. Of extensions that
-// nobody described the best is assumed.
+// Light passes through a surface if an extension states how much. Extensions without a schema are
+// assumed to transmit light.
 bool lets_light_through(const Subject& subject, std::string_view name) {
   const schema::Set& schemas = subject.context.schemas;
   const schema::ExtensionId id = schemas.find_extension(name);

@@ -28,7 +28,7 @@ namespace {
 using model::number_member;
 using model::object_member;
 
-// What all materials of an asset share.
+// Data shared by all materials of an asset.
 struct Shared {
   const Context& context;
   const Animated& animated;
@@ -65,7 +65,7 @@ class MaterialCheck {
     return fmt::format("{}/{}", path_.pointer(), member);
   }
 
-  // Whether a member of an extension that is missing may be there under another name.
+  // Whether a missing member of an extension may exist under another name.
   bool is_doubtful(std::string_view name) const {
     const schema::Set& schemas = context_.schemas;
     const schema::ExtensionId id = schemas.find_extension(name);
@@ -75,7 +75,7 @@ class MaterialCheck {
            has_unknown_member(context_, schemas.shape(home).type, extension(name));
   }
 
-  // A factor of an extension that has a number by default; nothing when it may change.
+  // A factor of an extension that has a numeric default; nothing if it may change.
   std::optional<double> fixed(std::string_view name, std::string_view member,
                               double otherwise) const {
     const json::NodeId object = extension(name);
@@ -99,7 +99,7 @@ class MaterialCheck {
     }
   }
 
-  // An index of 0 reflects everything: no light gets in.
+  // An index of 0 reflects everything: no light enters.
   void check_ior() const {
     const json::NodeId object = extension("KHR_materials_ior");
     const auto ior = number_member(document_, object, "ior");
@@ -120,7 +120,7 @@ class MaterialCheck {
   void check_dispersion() const {
     const json::NodeId object = extension("KHR_materials_dispersion");
     const auto dispersion = number_member(document_, object, "dispersion");
-    constexpr double kRutile = 2.04;  // as much as any mineral has
+    constexpr double kRutile = 2.04;  // the maximum of all minerals
     if (!dispersion || *dispersion <= kRutile) return;
     report("KHR_materials_dispersion", "dispersion", Code::KHR_MATERIALS_DISPERSION_UNUSUAL,
            fmt::format("dispersion is {}, which is more than that of any material.",
@@ -152,7 +152,7 @@ class MaterialCheck {
     }
   }
 
-  // Transmission is no coverage: glass is there, as a whole.
+  // Transmission is not coverage: glass is fully present.
   void check_alpha_mode() const {
     const std::string mode = model::string_member(document_, material_, "alphaMode");
     if (mode != "BLEND" && mode != "MASK") return;
@@ -178,7 +178,7 @@ class MaterialCheck {
     return last != 1;
   }
 
-  // The text recommends what stands in for an unlit surface where the extension is not known.
+  // The specification recommends fallback values for an unlit surface.
   void check_unlit_fallback() const {
     const auto& required = context_.checked.extensions_required;
     if (std::find(required.begin(), required.end(), "KHR_materials_unlit") != required.end()) {
@@ -206,7 +206,7 @@ class MaterialCheck {
     return false;
   }
 
-  // What an unlit material has beside its base colour is for readers that cannot show it.
+  // Other members of an unlit material are for readers without the extension.
   void check_unlit() const {
     if (extension("KHR_materials_unlit") == json::kNoNode) return;
     check_unlit_fallback();
@@ -230,7 +230,7 @@ class MaterialCheck {
 
   // --- Extensions whose main factor is 0 ---
 
-  // Whether an extension does nothing until its main factor is set.
+  // Whether an extension has no effect until its main factor is set.
   bool is_off_by_default(const schema::Extension& extension) const {
     const schema::Set& schemas = context_.schemas;
     const schema::ShapeId home = extension.shape_on(schemas.find_type("material"));
@@ -268,7 +268,7 @@ class MaterialCheck {
     return true;
   }
 
-  // Textures that a factor of 0 hides are reported where they are.
+  // Textures hidden by a factor of 0 are reported at their place.
   void report_off(const schema::Extension& off) const {
     std::vector<std::string> others;
     for (const auto member : document_.members(extension(off.name))) {

@@ -40,8 +40,8 @@ void check_toon_material(const Context& context, const ExtensionPlace& place, co
                            : "a blended material"));
 }
 
-// A member that describes an outline, although there is none; empty: there is one, or nothing says
-// how it looks.
+// A member that describes an outline although there is none; empty: there is one, or no member
+// describes it.
 std::string_view idle_outline(const json::Document& document, json::NodeId object) {
   const std::string mode = model::string_member(document, object, "outlineWidthMode");
   if (!mode.empty() && mode != "none") return {};
@@ -60,7 +60,7 @@ std::string_view idle_outline(const json::Document& document, json::NodeId objec
   return {};
 }
 
-// Programs write the members of all materials alike: one is named.
+// Programs write the members of all materials alike, so only one is reported.
 void check_outlines_shown(const Context& context) {
   std::size_t count = 0;
   for_each_extension(context, model::RootArray::materials, kToon,

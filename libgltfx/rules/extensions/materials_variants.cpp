@@ -27,7 +27,8 @@ bool check_variants_exist(const Context& context, json::NodeId mapping, const Pa
          check_root_extension(context, kVariantsExtension, mapping, path);
 }
 
-// A repeat inside one mapping is one in an array of unique elements, which the schema reports.
+// A repeat inside one mapping is a repeat in an array of unique elements, which the schema walk
+// reports.
 void check_unique_variants(const Context& context, json::NodeId mapping, std::uint64_t index,
                            const Path& path, SeenVariants& seen) {
   const json::Document& document = context.document;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which materials a primitive has in the variants of an asset (KHR_materials_variants).
+/// The materials of a primitive in the variants of an asset (KHR_materials_variants).
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,20 @@ namespace gltfx::validate {
 
 inline constexpr std::string_view kVariantsExtension = "KHR_materials_variants";
 
-/// The `mappings` array of a primitive, or json::kNoNode when it has none or they are not looked
-/// into.
+/// The `mappings` array of a primitive, or json::kNoNode if there is none or the extension is not
+/// active.
 json::NodeId variant_mappings(const Context& context, const ActiveExtensions& active,
                               json::NodeId primitive);
 
-/// Reports a mapping in an asset that has no variants, where
-/// Deviations::root_extension_is_a_dependency. True when there are some.
+/// Reports a mapping in an asset without variants, with Deviations::root_extension_is_a_dependency.
+/// True if there are variants.
 bool check_variants_exist(const Context& context, json::NodeId mapping, const Path& path);
 
-/// Variants of one primitive by the index of the mapping that had them first.
+/// Variants of one primitive, with the index of the first mapping that contains them.
 using SeenVariants = std::unordered_map<std::uint64_t, std::uint64_t>;
 
-/// Reports the variants of one mapping that an earlier one has too. `path` is that of the mapping.
+/// Reports the variants of one mapping that an earlier mapping also contains. `path` is that of the
+/// mapping.
 void check_unique_variants(const Context& context, json::NodeId mapping, std::uint64_t index,
                            const Path& path, SeenVariants& seen);
 

@@ -22,17 +22,17 @@ bool is_thick(const Context& context, std::uint32_t material) {
   return model::number_member(context.document, object, "thicknessFactor").value_or(0) > 0;
 }
 
-// Edges of a surface that no second triangle shares, whatever the vertices are called: seams have
-// two at one position, or nearly.
+// Edges of a surface that no second triangle shares, compared by position: at seams, vertices have
+// the same position, or nearly.
 class Boundary {
  public:
   explicit Boundary(DataPhase& phase) : phase_(phase) {}
 
-  /// False when the primitive cannot be read.
+  /// False if the primitive cannot be read.
   bool add(const model::Primitive& primitive) {
     const model::Attribute* position = primitive.find(model::SemanticKind::position);
     if (position == nullptr || !position->accessor || !primitive.mode) return false;
-    if (*primitive.mode < model::Mode::triangles) return true;  // beside the surface
+    if (*primitive.mode < model::Mode::triangles) return true;  // not a part of the surface
     const auto triangles = read_triangles(phase_, primitive);
     if (!triangles || !place(*position->accessor)) return false;
     for (Triangle each : *triangles) {
@@ -46,7 +46,7 @@ class Boundary {
     return true;
   }
 
-  /// Edges that have no even number of triangles.
+  /// Number of edges with an odd number of triangles.
   std::size_t open_edges() {
     std::sort(edges_.begin(), edges_.end());
     std::size_t open = 0;
@@ -61,7 +61,7 @@ class Boundary {
   }
 
  private:
-  // Vertices of another accessor would have to be compared with those of this one.
+  // Vertices of several accessors would have to be compared with each other.
   bool place(std::uint32_t accessor) {
     if (placed_) return accessor_ == accessor;
     auto first = first_near_position(phase_, accessor);

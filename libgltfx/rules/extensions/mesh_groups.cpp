@@ -33,7 +33,7 @@ bool same_attributes(const model::Primitive& a, const model::Primitive& b) {
   });
 }
 
-// Members but for the indices, and those that are compared as what they mean.
+// Members except the indices and those that are compared by their meaning.
 std::map<std::string_view, json::NodeId> other_members(const json::Document& document,
                                                        const model::Primitive& primitive) {
   std::map<std::string_view, json::NodeId> members;
@@ -58,7 +58,7 @@ bool same_but_indices(const json::Document& document, const model::Primitive& a,
                     });
 }
 
-// Why a primitive cannot be in a group; empty: it can.
+// The reason why a primitive cannot be in a group; empty: it can.
 std::string why_not_grouped(const json::Document& document, const model::Primitive& primitive) {
   if (primitive.mode && !is_strip(*primitive.mode)) {
     return fmt::format("its mode is {}, which does not use primitive restart",
@@ -127,7 +127,7 @@ class RestartCheck {
   const Context& context_;
   std::vector<json::NodeId> groups_;
   const std::vector<model::Primitive>& primitives_;
-  std::vector<std::size_t> owner_;  ///< group a primitive is in
+  std::vector<std::size_t> owner_;  ///< group of each primitive
   Path list_;
 };
 
@@ -138,13 +138,13 @@ void check_restart(const Context& context) {
                      });
 }
 
-// What all primitives of a manifold have in common.
+// Properties shared by all primitives of a manifold.
 struct Shared {
   std::unordered_map<std::string_view, std::uint32_t> accessors;  ///< by attribute name
   std::optional<std::uint32_t> index_view;
 };
 
-// Why a primitive cannot be part of the manifold; empty: it can.
+// The reason why a primitive cannot be part of the manifold; empty: it can.
 std::string why_no_part(const Context& context, const model::Primitive& primitive, Shared& shared) {
   if (primitive.mode && *primitive.mode != model::Mode::triangles) {
     return fmt::format("its mode is {}, not TRIANGLES", model::mode_name(*primitive.mode));
@@ -185,7 +185,7 @@ void check_manifold(const Context& context, const ExtensionPlace& place, const P
       model::object_member(context.document, place.object, "manifoldPrimitive");
   if (whole == json::kNoNode) return;
   const std::string why = why_no_part(context, model::read_primitive(context.asset, whole), shared);
-  // Its own mode and indices are in the schema file.
+  // The schema file checks the manifold's own mode and indices.
   if (why.empty() || !why.starts_with("its ") || why.starts_with("its mode")) return;
   report_member(context.link_sink, context, path, place.object, "manifoldPrimitive",
                 Code::MANIFOLD_PRIMITIVE_UNFIT,

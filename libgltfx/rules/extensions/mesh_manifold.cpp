@@ -42,7 +42,7 @@ class ManifoldCheck {
     report_member(phase_.sink, context_, path_, object_, member, code, std::move(message));
   }
 
-  // Each side of a triangle has exactly one other, which runs the other way.
+  // Each edge of a triangle is shared with exactly one other triangle, in the opposite direction.
   void check_closed(const std::vector<Triangle>& triangles) const {
     std::vector<std::uint64_t> sides;
     sides.reserve(triangles.size() * 3);
@@ -67,13 +67,13 @@ class ManifoldCheck {
                        first >> 32U, first & UINT32_MAX, errors, sides.size()));
   }
 
-  // --- Where the indices of the manifold differ from those that are drawn ---
+  // --- Differences between the indices of the manifold and those that are drawn ---
 
   std::optional<std::uint32_t> accessor(std::string_view member) const {
     return context_.asset.index(object_, member, model::RootArray::accessors);
   }
 
-  // The indices of all primitives, in the order in which they lie in their buffer view.
+  // The indices of all primitives, in their order in the buffer view.
   std::optional<Indices> drawn_indices() const {
     std::vector<std::uint32_t> parts;
     for (const model::Primitive& each : mesh_.primitives) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kNodeConstraint = "VRMC_node_constraint";
 
-// The object with the source; the first of the kinds that is there.
+// The object with the source: the first existing kind.
 json::NodeId constraint_of(const Context& context, json::NodeId extension) {
   const json::NodeId constraint = model::object_member(context.document, extension, "constraint");
   for (const std::string_view kind : {"roll", "aim", "rotation"}) {
@@ -24,7 +24,7 @@ json::NodeId constraint_of(const Context& context, json::NodeId extension) {
   return json::kNoNode;
 }
 
-// Each node follows one other at most: a walk from any node ends, or comes to where it was.
+// Each node follows at most one other: a walk from any node ends or returns to a visited node.
 std::vector<bool> nodes_on_cycles(const std::vector<model::NodeIndex>& sources) {
   std::vector<bool> on_cycle(sources.size(), false);
   std::vector<std::size_t> walk_of(sources.size(), 0);  // 0: not visited

@@ -54,7 +54,7 @@ void check_shape_mode(const Context& context, const ExtensionPlace& place, const
   }
 }
 
-// Separate lines are a path only when there is one of them.
+// Separate lines are a path only if there is just one.
 void check_path(const Context& context, const ExtensionPlace& place, const Path& path) {
   if (model::string_member(context.document, place.object, "shape") != "path") return;
   const model::Primitive primitive = model::read_primitive(context.asset, place.host);
@@ -71,7 +71,7 @@ void check_path(const Context& context, const ExtensionPlace& place, const Path&
 
 constexpr std::string_view kNonvisual = "MAXAR_nonvisual_geometry";
 
-// The mesh that a node names has to say of what kind its geometry is.
+// The mesh that a node names must state the kind of its geometry.
 void check_nonvisual_mesh(const Context& context, const ExtensionPlace& place, const Path& path) {
   const auto mesh = context.asset.index(place.object, "mesh", model::RootArray::meshes);
   if (!mesh) return;

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view kDraco = "KHR_draco_mesh_compression";
 
-// One attribute of the compressed data serves one attribute of the primitive.
+// One attribute of the compressed data belongs to one attribute of the primitive.
 void check_draco_ids(const Context& context, json::NodeId packed, const Path& path) {
   std::unordered_map<std::uint64_t, std::string_view> known;
   for (const auto member : context.document.members(packed)) {
@@ -41,7 +41,7 @@ bool has_own_data(const Context& context, const std::optional<std::uint32_t>& ac
   return accessor && context.views.accessors[*accessor].buffer_view.has_value();
 }
 
-// Who cannot decode the geometry does not get so far.
+// If the extension is required, readers that cannot decode the geometry do not load the asset.
 void check_draco_copy(const Context& context, const ExtensionPlace& place, const Path& path) {
   const auto& required = context.checked.extensions_required;
   if (std::find(required.begin(), required.end(), kDraco) == required.end()) return;
@@ -130,7 +130,7 @@ bool is_fallback(const Context& context, json::NodeId buffer, std::string_view e
   return mark != json::kNoNode && model::true_member(context.document, mark, "fallback");
 }
 
-// A buffer that only says how large the decoded bytes are has none to read.
+// A buffer that only declares the size of the decoded bytes has no bytes to read.
 void check_fallback(const Context& context, std::string_view extension) {
   const json::Document& document = context.document;
   const auto& buffers = context.asset.elements(model::RootArray::buffers);
@@ -148,7 +148,7 @@ void check_fallback(const Context& context, std::string_view extension) {
   }
 }
 
-// Nor has it streams.
+// A fallback buffer has no streams either.
 void check_source(const Context& context, std::string_view extension, const ExtensionPlace& place,
                   const Path& path) {
   const auto buffer = context.asset.index(place.object, "buffer", model::RootArray::buffers);

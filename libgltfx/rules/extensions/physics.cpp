@@ -25,7 +25,7 @@ constexpr std::string_view kVehicle = "OMI_vehicle_body";
 constexpr std::string_view kVehicleParts[] = {"OMI_vehicle_wheel", "OMI_vehicle_thruster",
                                               "OMI_vehicle_hover_thruster"};
 
-// The triggers that make up another one.
+// The triggers that a compound trigger consists of.
 void check_trigger_parts(const Context& context) {
   for (const std::string_view extension : kBodies) {
     if (!has_objects_of(context, extension)) continue;
@@ -55,7 +55,7 @@ void check_trigger_parts(const Context& context) {
 
 using NodeMarks = std::vector<bool>;
 
-// Nodes with a marked one above them.
+// Nodes below a marked node.
 NodeMarks below(const Context& context, const NodeMarks& marked) {
   const std::size_t count = context.graph.size();
   NodeMarks found(count, false);
@@ -75,7 +75,7 @@ NodeMarks below(const Context& context, const NodeMarks& marked) {
   return found;
 }
 
-// Nodes whose object of the extension is as asked.
+// Nodes whose object of the extension satisfies the predicate.
 template <typename Predicate>
 NodeMarks nodes_with(const Context& context, std::string_view extension, Predicate is_one) {
   NodeMarks marks(context.graph.size(), false);
@@ -85,7 +85,7 @@ NodeMarks nodes_with(const Context& context, std::string_view extension, Predica
   return marks;
 }
 
-// The same nodes and those below them.
+// The same nodes and their descendants.
 template <typename Predicate>
 NodeMarks parts_of(const Context& context, std::string_view extension, Predicate is_one) {
   NodeMarks marks = nodes_with(context, extension, is_one);
@@ -143,7 +143,7 @@ void check_joints(const Context& context) {
       });
 }
 
-// Joints of KHR_physics_rigid_bodies may lead to what does not move, but not on both sides.
+// Joints of KHR_physics_rigid_bodies may connect one static side, but not two.
 void check_joint_motions(const Context& context) {
   if (!has_objects_of(context, kRigidBodies)) return;
   const json::Document& document = context.document;
@@ -166,7 +166,7 @@ void check_joint_motions(const Context& context) {
       });
 }
 
-// Why a node is no place for gravity; empty: it is one.
+// The reason why a node is invalid for gravity; empty: it is valid.
 std::string gravity_refusal(const Context& context, const ExtensionPlace& place,
                             const NodeMarks& parts) {
   const json::Document& document = context.document;
@@ -223,7 +223,7 @@ void check_gravity(const Context& context) {
       });
 }
 
-// The mode of a primitive that has no triangles.
+// The mode of a primitive without triangles.
 std::optional<model::Mode> other_mode(const model::Mesh& mesh) {
   for (const model::Primitive& primitive : mesh.primitives) {
     if (primitive.mode && !model::draws_triangles(*primitive.mode)) return primitive.mode;

@@ -20,7 +20,7 @@ void report_missing(const Context& context, const Path& path, json::NodeId place
   report_link(context, path, place, Code::SINGLE_ROOT_MISSING, std::move(message));
 }
 
-// What is wrong with the only scene's list of nodes; empty: nothing.
+// The problem of the only scene's list of nodes; empty: none.
 std::string roots_error(const Context& context, json::NodeId list) {
   std::uint64_t count = 0;
   bool first = false;

@@ -67,7 +67,7 @@ class Springs {
            "The spring has one joint; the last one only ends a chain, so that nothing swings.");
   }
 
-  // Bones are moved by the pose; what swings as well moves twice.
+  // Bones are moved by the pose; a bone that also swings moves twice.
   void check_bones(std::uint32_t spring, const std::vector<json::NodeId>& joints) {
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const auto node = context_.asset.index(joints[j], "node", model::RootArray::nodes);
@@ -80,8 +80,8 @@ class Springs {
     }
   }
 
-  // The node and those between it and the joint before it. Ends where a node belongs to a spring
-  // already, so that each is visited once.
+  // Claims the node and the nodes between it and the previous joint. Ends at a node that belongs to
+  // a spring already, so that each is visited once.
   void claim(std::uint32_t spring, model::NodeIndex node, std::optional<std::uint32_t> last,
              const std::string& place, json::NodeId value) {
     const model::NodeIndex end = last ? *last : context_.graph.parent(node);
@@ -97,7 +97,7 @@ class Springs {
     }
   }
 
-  // For each node two different springs at it and above it; kNoSpring: there are fewer.
+  // For each node, two different springs at it or its ancestors; kNoSpring: there are fewer.
   void find_owners_above() {
     const std::size_t count = owner_.size();
     above_.assign(count, {kNoSpring, kNoSpring});
@@ -152,7 +152,7 @@ class Springs {
   const Context& context_;
   std::vector<json::NodeId> springs_;
   std::vector<std::uint32_t> owner_;
-  std::unordered_map<model::NodeIndex, std::string> bones_;  // of the avatar
+  std::unordered_map<model::NodeIndex, std::string> bones_;  // bones of the avatar
   std::vector<std::pair<std::uint32_t, std::uint32_t>> above_;
 };
 

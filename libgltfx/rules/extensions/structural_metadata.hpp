@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What metadata needs of meshes.
+/// Attributes of meshes that metadata needs.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +9,7 @@
 
 namespace gltfx::validate {
 
-/// Calls `use` with the n of each TEXCOORD_n that feature ids of a primitive are read by. True: it
+/// Calls `use` with the n of each TEXCOORD_n by which feature IDs of a primitive are read. True: it
 /// has property textures, which may read any of them.
 bool visit_data_texcoords(const Context& context, json::NodeId primitive,
                           const std::function<void(std::uint64_t)>& use);

@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 16> kUniforms{"LOCAL",
                                                      "VIEWPORT",
                                                      "JOINTMATRIX",
                                                      "ALPHACUTOFF"};
-// The extension is older than some of today's names.
+// The extension is older than some current names.
 constexpr std::array<std::string_view, 8> kAttributes{"POSITION", "NORMAL", "TANGENT", "TEXCOORD",
                                                       "COLOR",    "JOINT",  "JOINTS",  "WEIGHTS"};
 constexpr std::string_view kOneWeight = "WEIGHT";

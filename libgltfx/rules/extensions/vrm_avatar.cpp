@@ -37,7 +37,7 @@ void check_annotations(const Context& context) {
   }
 }
 
-// Loaders of avatars move and scale textures only.
+// Avatar loaders only apply offset and scale to textures.
 void check_texture_transforms(const Context& context) {
   if (root_extension(context, kAvatarWithMeshes) == json::kNoNode) return;
   const json::Document& document = context.document;

@@ -41,7 +41,7 @@ Weights read_weights(const Context& context, json::NodeId object) {
   return weights;
 }
 
-// The first X of `accessor` that is no weight. Tangents of cubic splines are no values.
+// The first X of `accessor` that is not a weight. Tangents of cubic splines are not values.
 std::optional<float> bad_weight(DataPhase& phase, std::uint32_t accessor, bool cubic) {
   const model::Format& format = phase.context.views.accessors[accessor].format;
   if (format.type != model::ElementType::vec3 ||

@@ -22,7 +22,7 @@ constexpr std::string_view kExpressionsOf = "VRMC_vrm";
 constexpr std::string_view kFirstExpressionsOf = "VRM";
 constexpr std::string_view kToonMaterial = "VRMC_materials_mtoon";
 
-// How many morph targets each primitive of a mesh has, by mesh; nothing: unknown.
+// The number of morph targets per primitive, by mesh; nothing: unknown.
 std::vector<std::optional<std::uint64_t>> target_counts(const Context& context) {
   std::vector<std::optional<std::uint64_t>> counts;
   for (const model::Mesh& mesh : context.views.meshes) {
@@ -59,7 +59,7 @@ class MorphBinds {
   std::vector<std::optional<std::uint64_t>> counts_;
 };
 
-// Weights that are none: a program that counts to 100 writes many, so that one is named.
+// Invalid weights: a program that uses percentages writes many of them, so only one is reported.
 struct BadWeights {
   std::size_t count = 0;
   double weight = 0;
@@ -82,7 +82,7 @@ struct BadWeights {
   }
 };
 
-// Only toon materials have the other colours.
+// Only toon materials have the other colors.
 void check_colors(const Context& context, json::NodeId expression, const std::string& place) {
   const json::Document& document = context.document;
   const auto list = object_list(document, expression, "materialColorBinds");
@@ -133,7 +133,7 @@ void check_expressions(const Context& context) {
   bad.report(context);
 }
 
-// Programs look for the preset or, where there is none, the name, both in capitals.
+// Programs look up the preset or, if there is none, the name, both in upper case.
 std::string identifier(const json::Document& document, json::NodeId group) {
   std::string id = model::string_member(document, group, "presetName");
   if (id.empty() || id == "unknown") id = model::string_member(document, group, "name");

@@ -23,7 +23,7 @@ namespace {
 constexpr std::string_view kAvatar = "VRMC_vrm";
 constexpr std::string_view kFirstAvatar = "VRM";
 
-// A bone and the one that it hangs on; '*' is the side, the same for both.
+// A bone and its parent bone; '*' is the side, the same for both.
 struct BoneParent {
   std::string_view bone, parent;
 };
@@ -60,7 +60,8 @@ constexpr BoneParent kBoneParents[] = {
     {"*LittleDistal", "*LittleIntermediate"},
 };
 
-// What an avatar of VRM 0.x must have. Later ones list bones by name, which their schema requires.
+// The bones required for an avatar of VRM 0.x. Later versions list bones by name, and their schema
+// requires them.
 constexpr std::string_view kFirstRequired[] = {
     "hips",          "spine",     "chest",         "neck",          "head",     "leftUpperArm",
     "leftLowerArm",  "leftHand",  "leftUpperLeg",  "leftLowerLeg",  "leftFoot", "rightUpperArm",
@@ -81,9 +82,10 @@ std::string parent_bone(std::string_view bone) {
   return {};
 }
 
-constexpr double kUniform = 0.001;  // of the greatest scale, for programs that multiply floats
+constexpr double kUniform =
+    0.001;  // relative to the greatest scale, for programs that multiply floats
 
-// That of a matrix is the length of its columns; a mirror is a negative one.
+// The scale of a matrix is the length of its columns; a mirroring matrix has a negative one.
 std::array<float, 3> scale_of(const model::Transform& transform) {
   if (transform.scale) return *transform.scale;
   if (!transform.matrix) return {1, 1, 1};
@@ -186,7 +188,7 @@ void check_humanoids(const Context& context) {
   for (const std::string_view extension : {kAvatar, kAvatarAnimation, kFirstAvatar}) {
     const json::NodeId object = root_extension(context, extension);
     if (model::object_member(context.document, object, "humanoid") == json::kNoNode) {
-      // The others require it by their schemas, where they need it.
+      // The schemas of other extensions require it, if they need it.
       if (extension != kFirstAvatar || object == json::kNoNode) continue;
       report_at(context.link_sink, fmt::format("/extensions/{}", extension),
                 finding_on(context, object, Code::HUMANOID_BONE_MISSING,
@@ -204,7 +206,7 @@ void check_humanoids(const Context& context) {
   }
 }
 
-// Eyes turn by their bones only when there are such.
+// Eyes turn by their bones only if the bones exist.
 void check_look_at(const Context& context) {
   const json::NodeId object = root_extension(context, kAvatar);
   const json::Document& document = context.document;
@@ -218,7 +220,7 @@ void check_look_at(const Context& context) {
                        "The type is bone, but the avatar has neither leftEye nor rightEye."));
 }
 
-// Animations of avatars: other bodies than the one they were made for have bones of other lengths.
+// Animations of avatars: other bodies have bones of other lengths than the original one.
 void check_animation_paths(const Context& context) {
   const json::NodeId object = root_extension(context, kAvatarAnimation);
   if (object == json::kNoNode) return;

@@ -15,13 +15,13 @@ inline constexpr std::string_view kAvatarAnimation = "VRMC_vrm_animation";
 
 struct HumanBone {
   std::string name;
-  std::string place;                   ///< of that index, below `humanBones`: "hips/node"
-  json::NodeId value = json::kNoNode;  ///< the index of its node, as it stands in the text
+  std::string place;                   ///< place of that index, below `humanBones`: "hips/node"
+  json::NodeId value = json::kNoNode;  ///< the index of its node in the text
   model::NodeIndex node = 0;
 };
 
-/// Those of `humanoid`.`humanBones` that have a node; `extension` is the object that has the
-/// humanoid. Both forms are read: an object of bones, and the list of VRM 0.x.
+/// The bones of `humanoid`.`humanBones` with a node; `extension` is the object with the humanoid.
+/// Both forms are read: an object of bones, and the list of VRM 0.x.
 std::vector<HumanBone> read_human_bones(const Context& context, json::NodeId extension);
 
 }  // namespace gltfx::validate

@@ -20,9 +20,9 @@ namespace {
 
 using model::Vector3;
 
-constexpr std::string_view kFirst = "VRM";  // looks along -Z, the others along +Z
+constexpr std::string_view kFirst = "VRM";  // faces -Z, the others face +Z
 
-// Arms that hang by 37 degrees or more are no T-pose.
+// Arms that are 37 degrees or more below horizontal are not a T-pose.
 constexpr double kOutstretched = 0.8;
 constexpr double kNear = 1e-6;
 
@@ -34,7 +34,7 @@ class BonePlaces {
     for (const HumanBone& bone : bones) places_[bone.name] = pose.world[bone.node].columns[3];
   }
 
-  // From one bone to another; nothing where one is missing, or both are in one place.
+  // From one bone to another; nothing if one is missing, or both have the same position.
   std::optional<Vector3> between(const std::string& from, const std::string& to) const {
     const auto a = places_.find(from);
     const auto b = places_.find(to);
@@ -49,7 +49,7 @@ class BonePlaces {
   std::unordered_map<std::string, Vector3> places_;
 };
 
-// Whether the bones stand where those of a body do: head above hips, feet below.
+// Whether the bones are arranged like those of a body: head above hips, feet below.
 bool is_upright(const BonePlaces& places) {
   const auto head = places.between("hips", "head");
   const auto left = places.between("hips", "leftFoot");
@@ -57,7 +57,7 @@ bool is_upright(const BonePlaces& places) {
   return head && left && right && (*head)[1] > 0 && (*left)[1] < 0 && (*right)[1] < 0;
 }
 
-// How many of the bones have the left one beside the right one, on the side of `left` on X.
+// The number of bones whose left one is on the side of `left` on X, relative to the right one.
 int bones_on_side(const BonePlaces& places, double left) {
   int count = 0;
   for (const std::string bone : {"UpperLeg", "UpperArm", "Hand"}) {
@@ -67,8 +67,8 @@ int bones_on_side(const BonePlaces& places, double left) {
   return count;
 }
 
-// What is wrong with the pose, a sentence; empty: nothing, or it cannot be told. `left`: on which
-// side of X the left half of the body has to be.
+// The problem of the pose, as a sentence; empty: none, or unknown. `left`: the side of X where the
+// left half of the body must be.
 std::string pose_problem(const BonePlaces& places, double left) {
   constexpr int kAll = 3;
   if (!is_upright(places)) return {};
@@ -87,7 +87,7 @@ std::string pose_problem(const BonePlaces& places, double left) {
   return {};
 }
 
-// What a bone of VRM 0.x should not have.
+// A part of a local transform that bones of VRM 0.x should not have.
 std::string_view local_transform(const Context& context, model::NodeIndex node) {
   constexpr double kRounding = 1e-3;
   const model::Transform transform =

@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::string_view kRdf = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 
-// The prefixes of a packet, and the one of them that languages are written with.
+// The prefixes of a packet, and the one used for languages.
 class Prefixes {
  public:
   Prefixes(const json::Document& document, json::NodeId object) {
@@ -41,8 +41,7 @@ class Prefixes {
   std::string_view rdf_ = "rdf";
 };
 
-// Members and elements are walked without recursion: paths live in the stack of those that are
-// open.
+// Members and elements are visited without recursion: paths are on the stack of open ones.
 class PacketCheck {
  public:
   PacketCheck(const Context& context, const Prefixes& prefixes, bool json_ld)
@@ -70,8 +69,8 @@ class PacketCheck {
 
  private:
   struct Entry {
-    std::string_view name;    ///< of a member
-    std::uint64_t index = 0;  ///< of an element
+    std::string_view name;    ///< name of a member
+    std::uint64_t index = 0;  ///< index of an element
     json::NodeId key = json::kNoNode;
     json::NodeId value = json::kNoNode;
   };
@@ -144,7 +143,7 @@ class PacketCheck {
     }
   }
 
-  // Only the packet has a context; what is inside may have a language.
+  // Only the packet has a context; its values may have a language.
   void check_context(const Entry& entry, const Path& path) const {
     if (frames_.size() < 2 || !json_ld_) return;
     const bool object = document_.is_object(entry.value);
@@ -159,7 +158,8 @@ class PacketCheck {
                 "A @context inside of a packet may only have a @language.");
   }
 
-  // A text in a language may be written as {"@language": ..., "@value": ...}, nothing else.
+  // A text in a language may be written as {"@language": ..., "@value": ...}, without other
+  // members.
   bool refuse_value(json::NodeId object, const Path& path) const {
     const json::NodeId value = document_.find(object, "@value");
     if (!json_ld_ || value == json::kNoNode) return false;
@@ -169,7 +169,7 @@ class PacketCheck {
     return true;
   }
 
-  // A language alternative outside of an object of their type.
+  // A language alternative outside an object of its type.
   bool refuse_language(const Entry& entry, const Path& path) const {
     const bool numbered = entry.name.starts_with(fmt::format("{}:_", prefixes_.rdf()));
     if (!json_ld_ || !numbered) return false;
@@ -220,7 +220,7 @@ class PacketCheck {
   const json::Document& document_;
   const Prefixes& prefixes_;
   bool json_ld_;
-  std::deque<Frame> frames_;  // which does not move them: paths point at each other
+  std::deque<Frame> frames_;  // does not move elements: paths point to each other
 };
 
 void check_namespaces(const Context& context, json::NodeId object, const Path& path) {
@@ -271,7 +271,7 @@ void check_xmp(const Context& context) {
   for_each_packet(context, "KHR_xmp_json_ld", [&](json::NodeId packet, const Path& path) {
     check_packet(context, packet, path);
   });
-  // There packets share a context.
+  // Packets of the older extension share a context.
   constexpr std::string_view kOlder = "KHR_xmp";
   const json::NodeId shared =
       model::object_member(context.document, root_extension(context, kOlder), "@context");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is asked of the elements of accessors, and from where.
+/// The checks of the elements of accessors, and their places.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace gltfx::validate {
 
-/// Where a check comes from, and so where its findings point.
+/// The place of a check, which its findings point to.
 struct Place {
   enum class Kind : std::uint8_t {
     accessor,
@@ -30,9 +30,9 @@ struct Place {
   Kind kind = Kind::accessor;
   std::uint32_t outer = 0;            ///< index of the accessor, mesh, animation, skin or node
   std::uint32_t inner = 0;            ///< index of the primitive, sampler or channel
-  std::string_view name;              ///< of the attribute; lives in the document
+  std::string_view name;              ///< name of the attribute; lives in the document
   json::NodeId node = json::kNoNode;  ///< the value to mark
-  std::string_view extension = {};    ///< that the attribute of instances belongs to
+  std::string_view extension = {};    ///< extension of the attribute of instances
 };
 
 /// Calls `use` with the path of a place.
@@ -77,15 +77,15 @@ enum class CheckKind : std::uint8_t {
   splat_rotation,
   splat_scale,
   splat_opacity,
-  limits,  ///< of the property that is animated
+  limits,  ///< limits of the animated property
 };
 
-/// What a number may be.
+/// The allowed range of a number.
 struct Limits {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool above_least = false;  ///< not the least itself
-  bool below_most = false;   ///< likewise
+  bool above_least = false;  ///< the least is excluded
+  bool below_most = false;   ///< the most is excluded
 
   bool any() const { return std::isfinite(least) || std::isfinite(most); }
   bool exclude(double value) const {
@@ -96,17 +96,18 @@ struct Limits {
 
 struct Check {
   CheckKind kind = CheckKind::finite;
-  bool triangles = false;   ///< index: of a list of triangles
-  bool cubic = false;       ///< quaternion, limits: only the middle one of three counts
-  std::int64_t most = 0;    ///< index: the last vertex; -1 without any. limits: whose they are
-  std::size_t same_as = 0;  ///< the first check of this accessor that asks the same; may be itself
+  bool triangles = false;  ///< index: of a list of triangles
+  bool cubic = false;      ///< quaternion, limits: only the middle one of three counts
+  /// index: the last vertex, -1 if there is none. limits: count of numbers of the property.
+  std::int64_t most = 0;
+  std::size_t same_as = 0;  ///< the first equal check of this accessor; may be itself
   Place place;
-  std::vector<double> bounds;  ///< minimum, maximum: as declared, one a component
+  std::vector<double> bounds;  ///< minimum, maximum: as declared, one per component
   Limits limits;
-  std::uint64_t group = 1;    ///< limits: components of one of a cubic spline's three
-  double bound_slack = 0;     ///< what declared bounds may differ by, in components as stored
-  double bound_widening = 0;  ///< how far declared bounds may lie outside, beyond that
-  double length_slack = 0;    ///< what lengths may differ by beyond the usual
+  std::uint64_t group = 1;    ///< limits: components of one of the three vectors of a cubic spline
+  double bound_slack = 0;     ///< allowed difference of declared bounds, in components as stored
+  double bound_widening = 0;  ///< further distance by which declared bounds may be outside
+  double length_slack = 0;    ///< additional allowed difference of lengths
 };
 
 /// An accessor with its checks, in the order in which they are reported.
@@ -115,24 +116,24 @@ struct Schedule {
   std::vector<Check> checks;
 };
 
-/// All checks of an asset, in the order of the Khronos validator: accessors in the order in which
-/// they got their first check.
+/// All checks of an asset, in the order of the Khronos validator: accessors in the order of their
+/// first checks.
 std::vector<Schedule> schedule_checks(const Context& context);
 
-/// The check of a vertex attribute by its whole name; nothing where any finite value may stand.
+/// The check of a vertex attribute by its whole name; nothing if any finite value is allowed.
 std::optional<CheckKind> vertex_value_check(std::string_view name);
 
 /// The check of an attribute of instances.
 std::optional<CheckKind> instance_value_check(std::string_view name, const model::Format& format);
 
-/// The check of what a channel writes into a property that it names by a pointer: a rotation, or
-/// numbers with limits. Nothing for other properties and other channels. `model` is that of the
-/// asset; the place is left to the caller.
+/// The check of the values that a channel writes into a property given by a pointer: a rotation, or
+/// numbers with limits. Nothing for other properties and other channels. `model` is the object
+/// model of the asset; the caller sets the place.
 std::optional<Check> pointer_value_check(const Context& context, model::ObjectModel& model,
                                          const model::AnimationChannel& channel);
 
-/// How far from 1 a unit vector of `components` numbers of that type may be when each of them is
-/// off by one step; 0 for floats.
+/// The maximum distance from 1 of the length of a unit vector of `components` numbers of that type
+/// if each is off by one step; 0 for floats.
 double length_of_steps(model::ComponentType type, unsigned components);
 
 }  // namespace gltfx::validate

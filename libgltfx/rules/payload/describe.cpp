@@ -85,9 +85,9 @@ std::string sentence(const ScanResult& scan_result, const DataError& error) {
   return {};
 }
 
-// Whether a vector of that length is of unit length in numbers of fewer bits than their type has:
-// an encoder that was asked for such a precision did not scale them up. Readers that normalize, as
-// they do with vectors between vertices anyway, see nothing of it.
+// Whether a vector of that length has unit length in numbers of fewer bits than their type: an
+// encoder with such a precision did not scale them up. Readers that normalize, as they do between
+// vertices anyway, do not show a difference.
 bool has_fewer_bits(model::ComponentType type, double length) {
   if (type != model::ComponentType::int8 && type != model::ComponentType::int16) return false;
   const double greatest = model::value_range(type).most;
@@ -100,7 +100,7 @@ bool has_fewer_bits(model::ComponentType type, double length) {
   return false;
 }
 
-// Whether an error may come of values that were rounded.
+// Whether an error may be due to rounded values.
 bool is_of_values(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::not_unit:
@@ -115,7 +115,7 @@ bool is_of_values(ErrorKind kind) {
   }
 }
 
-// What an encoder may have changed is no error of the asset's author, and no reader minds.
+// Changes by an encoder are not errors of the asset's author, and readers accept them.
 void soften(const ScanResult& scan_result, Finding& finding) {
   if (!scan_result.draco) return;
   if (scan_result.lossy) finding.severity = Severity::warning;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What was found in data, as findings.
+/// Creates findings for problems of data.
 #pragma once
 
 #include <cstdint>
@@ -10,39 +10,39 @@
 
 namespace gltfx::validate {
 
-/// The accessor that was looked into.
+/// The accessor that was read.
 struct ScanResult {
   const Context& context;
   const Schedule& schedule;
   unsigned components = 1;
   std::uint64_t count = 0;  ///< elements
-  /// Type of the components where they were decoded; none for plain ones.
+  /// Component type of decoded elements; none for plain ones.
   model::ComponentType decoded = model::ComponentType::none;
-  bool draco = false;  ///< the elements come out of a Draco bitstream
-  /// And are not those that went in: values were quantised, indices and their order are the
-  /// encoder's.
+  bool draco = false;  ///< the elements are decoded from a Draco bitstream
+  /// The elements differ from the originals: values are quantized, and the encoder chose indices
+  /// and their order.
   bool lossy = false;
 };
 
-/// The sentence that ends messages about what Draco has decoded.
+/// The sentence that ends messages about data decoded by Draco.
 inline constexpr std::string_view kAfterDraco =
     " This is the value after Draco decoding, which is lossy.";
 
-/// One error, or `count` of them of which `error` is the first.
+/// One error, or `count` errors of which `error` is the first.
 Finding describe(const ScanResult& scan_result, const Check& check, const DataError& error,
                  std::uint64_t count);
-/// A declared bound that is not the real one, and how many elements lie beyond it.
+/// A declared bound that differs from the real one, and the number of elements outside it.
 Finding describe_mismatch(const ScanResult& scan_result, const Check& check,
                           const BoundError& error);
 Finding describe_outside(const ScanResult& scan_result, const Check& check,
                          const BoundError& error);
-/// Triangles without area; there are `count` of them.
+/// Triangles without area; `count` is their number.
 Finding describe_degenerate(const ScanResult& scan_result, const Check& check, std::uint64_t count);
 
-/// Number `position` of an array of numbers in the text.
+/// The span of number `position` of an array of numbers in the text.
 Span element_span(const json::Document& document, json::NodeId array, std::uint64_t position);
 
-/// A number as messages show it; infinities and what is no number by name.
+/// A number in messages; infinities and NaN by name.
 std::string value_text(double value);
 
 }  // namespace gltfx::validate

@@ -121,7 +121,7 @@ class PrimitiveCheck {
     const auto& plain = site_.primitive->attributes;
     const auto attribute = std::find_if(plain.begin(), plain.end(),
                                         [&](const auto& each) { return each.name == name; });
-    if (attribute == plain.end()) return;  // said of the extension
+    if (attribute == plain.end()) return;  // reported for the extension
     const codec::DracoAttribute* decoded = model::find_attribute(mesh_, id);
     if (decoded == nullptr) {
       return report(name, value, Code::DRACO_ATTRIBUTE_ID_UNKNOWN,
@@ -133,7 +133,7 @@ class PrimitiveCheck {
     if (sound) keep(*attribute->accessor, *decoded);
   }
 
-  // True when the accessor says what the bitstream holds.
+  // True if the accessor matches the bitstream.
   bool check_format(std::string_view name, json::NodeId value, std::uint32_t index,
                     const codec::DracoAttribute& decoded) {
     const Format& format = accessor(index).format;
@@ -163,7 +163,7 @@ class PrimitiveCheck {
     if (data) phase_.decoded.emplace(index, *std::move(data));
   }
 
-  // A plain copy beside the bitstream is checked by itself.
+  // A plain copy of the data is checked separately.
   bool needs_data(std::uint32_t index) const {
     const Accessor& target = accessor(index);
     return !target.buffer_view && target.sparse == json::kNoNode;
@@ -174,10 +174,10 @@ class PrimitiveCheck {
     const std::uint32_t index = *site_.primitive->indices;
     const Accessor& target = accessor(index);
     const std::uint64_t count = mesh_.indices.size();
-    // How a strip is made of triangles is up to the reader.
+    // Readers choose how to split a strip into triangles.
     if (site_.primitive->mode != model::Mode::triangles || !target.count) return;
-    // Where the points do not go with the accessors, neither do indices of them: that has been
-    // said.
+    // If the points do not match the accessors, neither do the indices of points: that is reported
+    // already.
     if (!reported_counts_.empty()) return;
     if (*target.count != count) {
       return report_indices(Code::DRACO_COUNT_MISMATCH,
@@ -206,8 +206,8 @@ class PrimitiveCheck {
   std::set<std::uint64_t> reported_counts_;
 };
 
-// Compares a decoded mesh with the accessors of its primitive: ids, formats, counts, and what
-// indices can hold. Elements of accessors that match and have no other data go to `phase.decoded`.
+// Compares a decoded mesh with the accessors of its primitive: ids, formats, counts, and the range
+// of indices. Elements of accessors that match and have no other data go to `phase.decoded`.
 void check_draco_primitive(DataPhase& phase, const DracoPrimitive& primitive,
                            std::string_view extension, const codec::DracoMesh& mesh) {
   PrimitiveCheck(phase, primitive, extension, mesh).run();
@@ -242,7 +242,7 @@ class GeometryDecoding {
 
   void check(const DracoPrimitive& primitive) {
     const auto* decoded = meshes_.find(primitive.reference.buffer_view);
-    if (decoded == nullptr) return;  // said of the buffer view or the buffer
+    if (decoded == nullptr) return;  // reported for the buffer view or the buffer
     if (const auto* mesh = std::get_if<codec::DracoMesh>(decoded)) {
       return check_draco_primitive(phase_, primitive, kDracoGeometryExtension, *mesh);
     }

@@ -17,9 +17,9 @@
 namespace gltfx::validate {
 namespace {
 
-// What a declared bound may be beside data that went through a filter. Integers are computed and
-// rounded by decoders, one up and another down. Floats are rounded by encoders to the bits that
-// they are asked for, most often after the bounds were taken.
+// The allowed difference between a declared bound and filtered data. Integers are computed and
+// rounded by decoders, up or down. Floats are rounded by encoders to a given number of bits,
+// usually after the bounds were computed.
 double bound_slack(const Check& check, model::ComponentType type) {
   constexpr double kRounding = 1.0 / 1024;
   if (model::is_integer(type)) return 1;
@@ -28,7 +28,7 @@ double bound_slack(const Check& check, model::ComponentType type) {
   return greatest * kRounding;
 }
 
-// The widest extent of a component by its declared bounds; 0 when one of them is missing.
+// The largest extent of a component by its declared bounds; 0 if one of them is missing.
 double declared_extent(const Schedule& schedule) {
   const auto bounds = [&](CheckKind kind) -> std::span<const double> {
     const auto at = std::find_if(schedule.checks.begin(), schedule.checks.end(),
@@ -45,15 +45,14 @@ double declared_extent(const Schedule& schedule) {
   return extent;
 }
 
-// What the view of an accessor was decoded to, or null.
+// The decoded view of an accessor, or null.
 const model::DecodedView* decoded_view(const DataPhase& phase, const Schedule& schedule) {
   const model::Accessor& accessor = phase.context.views.accessors[schedule.accessor];
   const model::BufferView* view = phase.context.views.view_of(accessor);
   return view == nullptr ? nullptr : phase.resources.decoded(*view);
 }
 
-// Gives checks of accessors whose view went through a filter that rounds the slack that this
-// takes.
+// Sets the slack of checks of accessors whose view has a filter that rounds.
 void allow_rounding(const DataPhase& phase, Schedule& schedule) {
   const model::DecodedView* decoded = decoded_view(phase, schedule);
   if (decoded == nullptr || !decoded->rounded) return;
@@ -64,9 +63,9 @@ void allow_rounding(const DataPhase& phase, Schedule& schedule) {
   }
 }
 
-// The same for values that were quantised in steps of `step`: they are no more than a step away
-// from those that were meant, but for what single precision loses. Encoders widen bounds by a
-// whole step, and some by one of eight bits where they leave the values as they are (`step` 0).
+// Likewise for values that were quantized in steps of `step`: they are at most one step away from
+// the originals, plus the error of single precision. Encoders widen bounds by a whole step, and
+// some by one of eight bits if they keep the values (`step` 0).
 void allow_quantization(Schedule& schedule, const std::optional<double>& step) {
   if (!step) return;
   constexpr double kRounding = 1.01;
@@ -117,7 +116,7 @@ class ElementReport {
     with_path(check.place, [&](const Path& path) { phase_.sink.report(path, std::move(finding)); });
   }
 
-  // What has no order has no bounds either.
+  // Without an order there are no bounds.
   static bool has_invalid_floats(const std::vector<Outcome>& outcomes) {
     constexpr auto kKind = static_cast<std::size_t>(ErrorKind::invalid_float);
     return !outcomes.empty() && outcomes.front().errors[kKind].count != 0;
@@ -175,7 +174,7 @@ void report_unchecked(DataPhase& phase, std::uint32_t index) {
                              *accessor.count));
 }
 
-// Accessors that one thread looks at, one after the other.
+// Accessors that one thread reads, one after the other.
 struct Batch {
   std::vector<const Schedule*> schedules;
   std::vector<bool> affordable;
@@ -184,12 +183,12 @@ struct Batch {
 
 // An accessor invalid.
 struct Scan {
-  std::size_t position;  // in its batch
+  std::size_t position;  // position in its batch
   AccessorData data;
   std::vector<Outcome> outcomes;
 };
 
-// What can be read, as far as the budget goes, in batches that are worth a thread.
+// The accessors that can be read, within the budget, in batches large enough for a thread.
 std::vector<Batch> plan_batches(DataPhase& phase, std::vector<Schedule>& schedules) {
   constexpr std::uint64_t kWorthAThread = 1U << 20U;
   std::vector<Batch> batches;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Judges components one after the other, exactly as the Khronos validator does.
+/// Checks components one after the other, exactly as the Khronos validator does.
 #pragma once
 
 #include <cmath>
@@ -32,10 +32,10 @@ inline constexpr std::size_t kErrorKinds = 15;
 /// One component or element that is invalid.
 struct DataError {
   ErrorKind kind = ErrorKind::invalid_float;
-  std::uint64_t index = 0;  ///< of the component, counted over all elements
-  unsigned component = 0;   ///< within its element
+  std::uint64_t index = 0;  ///< index of the component, counted over all elements
+  unsigned component = 0;   ///< index within its element
   double value = 0;         ///< the component, or the length of the vector
-  double other = 0;         ///< the time before; the last vertex
+  double other = 0;         ///< the previous time; the last vertex
 };
 
 /// One check over one accessor. Components come in order, from the first to the last.
@@ -75,7 +75,7 @@ class Evaluator {
         feed_time(index, value, emit);
         break;
       case CheckKind::quaternion:
-        // Of a cubic spline's three vectors the first and the last are tangents.
+        // Of the three vectors of a cubic spline, the first and the last are tangents.
         if (check_->cubic && index / 4 % 3 != 1) break;
         feed_quaternion(ErrorKind::not_unit_quaternion, index, component, value, emit);
         break;

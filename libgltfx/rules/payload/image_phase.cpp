@@ -30,7 +30,7 @@ using image::HeaderError;
 using MediaTypes = std::vector<std::string_view>;
 using namespace std::literals;
 
-// What images may be: the formats of the specification and those that declared extensions bring.
+// The allowed formats of images: those of the specification and of declared extensions.
 MediaTypes enabled_media_types(const Context& context) {
   MediaTypes types{"image/jpeg", "image/png"};
   for (const schema::Extension* extension : declared_extensions(context)) {
@@ -43,7 +43,7 @@ bool contains(const MediaTypes& types, std::string_view type) {
   return std::find(types.begin(), types.end(), type) != types.end();
 }
 
-// Whether an extension that is not supported has a say in an image, which then is left alone.
+// Whether an image has an extension that is not supported, and is therefore skipped.
 bool is_skipped(const Context& context, json::NodeId image) {
   const json::NodeId extensions = model::object_member(context.document, image, "extensions");
   if (extensions == json::kNoNode || !context.deviations.extended_images_are_skipped) return false;
@@ -56,8 +56,7 @@ bool is_skipped(const Context& context, json::NodeId image) {
 
 class ImageCheck {
  public:
-  /// `user`: what may show the image and is not known here; empty where there is nothing of the
-  /// kind.
+  /// `user`: an unknown extension that may use the image; empty if there is none.
   ImageCheck(const Resource& resource, const MediaTypes& enabled, std::string_view user)
       : resource_(resource),
         enabled_(enabled),
@@ -80,7 +79,7 @@ class ImageCheck {
   }
 
  private:
-  // AVIF is a format like others where an extension brings it.
+  // AVIF is a format like others if an extension allows it.
   bool is_known(std::span<const std::byte> bytes) const {
     if (image::sniff(bytes).format != image::Format::avif) return true;
     return !deviations().few_image_formats && contains(enabled_, "image/avif");
@@ -113,7 +112,7 @@ class ImageCheck {
     }
   }
 
-  // The one format that read_header() leaves to a reader of its own.
+  // The one format that read_header() leaves to a separate reader.
   void check_ktx2(model::ImageData& data) const {
     data.ktx2 = std::make_shared<const image::Ktx2>(image::read_ktx2(data.bytes->view()));
     for (const image::Ktx2Error& error : data.ktx2->errors) {
@@ -148,8 +147,8 @@ class ImageCheck {
                    found.image || found.name.empty() ? "" : "export or download the image again");
   }
 
-  // Formats that no reader here knows, but a declared extension does: told by the type that the
-  // image says it has, where its bytes do not belie that.
+  // Formats without a reader here that a declared extension allows: identified by the declared type
+  // of the image, unless its bytes contradict it.
   bool is_of_an_extension(const container::Content& found) const {
     if (!found.name.empty()) return contains(enabled_, found.media_type);
     constexpr std::array kTold{"image/jpeg"sv,        "image/png"sv,       "image/webp"sv,
@@ -224,7 +223,7 @@ class ImageCheck {
     check_features(header);
   }
 
-  // What is ignored when the image is shown is only worth an info.
+  // Features that are ignored when the image is shown are only worth an info.
   void check_features(const Header& header) const {
     const bool webp = header.format == image::Format::webp;
     std::string features;
@@ -248,7 +247,7 @@ class ImageCheck {
     if (all && header.animated) check_animation(webp);
   }
 
-  // A PNG has a still image beside its frames, a WebP has frames only.
+  // A PNG has a still image in addition to its frames, a WebP has only frames.
   void check_animation(bool webp) const {
     resource_.find(Code::IMAGE_FEATURES_UNSUPPORTED, "",
                    webp ? "The image is animated: some loaders show its first frame, others fail."
@@ -262,7 +261,7 @@ class ImageCheck {
   std::string declared_;
 };
 
-// By image: whether a texture shows it without an extension.
+// By image: whether a texture uses it without an extension.
 std::vector<bool> plain_images(const Context& context, std::size_t count) {
   std::vector<bool> plain(count);
   for (const json::NodeId texture : context.asset.elements(model::RootArray::textures)) {
@@ -272,7 +271,7 @@ std::vector<bool> plain_images(const Context& context, std::size_t count) {
   return plain;
 }
 
-// The type an image says it has, else the one it has.
+// The declared type of an image, otherwise its actual type.
 std::string image_type(const Context& context, const model::ResourceData& data,
                        std::uint32_t index) {
   const json::NodeId image = context.asset.elements(model::RootArray::images)[index];
@@ -295,7 +294,7 @@ struct TextureCheck {
     if (!source) return;
     const std::string type = image_type(context, data, *source);
     if (type.empty() || std::find(allowed.begin(), allowed.end(), type) != allowed.end()) return;
-    // A format that no extension brings is an error of the image, and has been reported there.
+    // A format that no extension allows is an error of the image, and reported there.
     if (!contains(enabled, type) && !context.deviations.consequences_are_reported) return;
     report_member(
         sink, context, path, object, "source", Code::TEXTURE_INVALID_IMAGE_MIME_TYPE,
@@ -304,7 +303,7 @@ struct TextureCheck {
   }
 };
 
-// --- Fixes: what an image says it is becomes what it is ---
+// --- Fixes: the declared type of an image becomes its actual type ---
 
 std::string with_media_type(const std::string& uri, std::string_view type) {
   const std::size_t end = uri.find_first_of(";,");

@@ -11,14 +11,14 @@
 namespace gltfx::validate {
 namespace {
 
-// What one rounding to single precision may lose (specification section 3.7.3.3).
+// The error of one rounding to single precision (specification section 3.7.3.3).
 constexpr double kSumTolerance = 2e-7;
 
-constexpr std::size_t kMostElements = 48;  // that a reader holds
+constexpr std::size_t kMostElements = 48;  // held by one reader
 constexpr std::size_t kMostComponents = 16;
-constexpr std::size_t kElementsOfAll = 16384;  // that the readers of all sets hold
+constexpr std::size_t kElementsOfAll = 16384;  // held by the readers of all sets
 
-// The influences on one vertex: which joints have been seen, and the sum of the weights.
+// The influences on one vertex: its joints so far, and the sum of the weights.
 class Vertex {
  public:
   explicit Vertex(std::uint64_t joint_count) : seen_(joint_count, 0) {}
@@ -28,7 +28,7 @@ class Vertex {
     sum_ = 0;
     summed_ = 0;
   }
-  // False when the vertex has that joint already.
+  // False if the vertex already has that joint.
   bool add_joint(std::uint64_t joint) {
     if (seen_[joint] == stamp_) return false;
     seen_[joint] = stamp_;
@@ -44,7 +44,7 @@ class Vertex {
   }
 
  private:
-  std::vector<std::uint64_t> seen_;  // by joint, the vertex that had it last
+  std::vector<std::uint64_t> seen_;  // by joint, the last vertex with it
   std::uint64_t stamp_ = 0;
   std::uint64_t summed_ = 0;
   double sum_ = 0;
@@ -81,7 +81,7 @@ class InfluenceCheck {
   }
   static bool has_more(const Reader& reader) { return reader && !reader->done(); }
 
-  // False when there is nothing left to read.
+  // False if there is nothing left to read.
   bool check(std::uint64_t index, std::uint32_t set) {
     if (!has_more(joints_[set])) return false;
     const double joint = joints_[set]->next();
@@ -123,7 +123,7 @@ class InfluenceCheck {
 
   std::uint64_t joint_count_;
   bool all_weights_;
-  bool checked_ = true;  ///< the sum of this vertex's weights
+  bool checked_ = true;  ///< whether the sum of this vertex's weights is checked
   const std::function<void(const Influence&)>& emit_;
   std::vector<Reader> joints_, weights_;
   Vertex vertex_;
@@ -149,7 +149,7 @@ void NumberReader::fill() {
   values_.resize(filled_);
   model::with_component_type(data_->format().component, [&](auto zero) {
     using T = decltype(zero);
-    std::array<T, kMostElements * kMostComponents> raw;  // filled as far as it is read
+    std::array<T, kMostElements * kMostComponents> raw;  // filled as far as data is read
     data_->read(reinterpret_cast<std::byte*>(raw.data()), next_element_, elements, next_sparse_);
     for (std::size_t i = 0; i < filled_; ++i) {
       values_[i] = static_cast<double>(raw[i]);

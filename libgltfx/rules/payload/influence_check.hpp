@@ -12,7 +12,7 @@
 
 namespace gltfx::validate {
 
-/// Reads the components of an accessor one after the other as doubles, normalized if it says so.
+/// Reads the components of an accessor one after the other as doubles, normalized if declared.
 class NumberReader {
  public:
   /// Keeps a reference to the data, and at most `block` elements of it.
@@ -50,7 +50,7 @@ struct Influence {
   double value = 0;         ///< the joint, the weight or the sum
 };
 
-/// The accessors of one set; null where the data cannot be read.
+/// The accessors of one set; null if the data cannot be read.
 struct InfluenceSet {
   const model::AccessorData* joints = nullptr;
   const model::AccessorData* weights = nullptr;
@@ -58,7 +58,7 @@ struct InfluenceSet {
 
 /// Calls `emit` for each error, up to the first joint or weight that cannot be read, in the order
 /// of the components and, for one of them, of the sets. `joint_count` is that of the smallest skin,
-/// at least 1. `all_weights`: weights of joints that are reported count in the sum of the vertex.
+/// at least 1. `all_weights`: weights of reported joints are included in the sum of the vertex.
 void check_influences_of(const std::vector<InfluenceSet>& sets, std::uint64_t joint_count,
                          bool all_weights, const std::function<void(const Influence&)>& emit);
 

@@ -29,7 +29,7 @@ constexpr FixEntry kInfluenceFixes[] = {
 
 // The smallest skin that deforms a mesh.
 struct Limit {
-  std::uint64_t joints = 0;  ///< 0: no skin deforms it
+  std::uint64_t joints = 0;  ///< 0: the mesh has no skin
   std::uint32_t skin = 0;
 };
 
@@ -61,17 +61,17 @@ SetAttributes by_set(const model::Primitive& primitive, SemanticKind kind, std::
   return found;
 }
 
-// A primitive whose joints and weights are looked at.
+// A primitive whose joints and weights are checked.
 struct Skinned {
   std::uint32_t mesh = 0;
   std::uint32_t primitive = 0;
   Limit limit;
-  SetAttributes joints, weights;  // by set, none is null
-  bool lossy = false;             ///< the weights were quantised
+  SetAttributes joints, weights;  // by set, none of them null
+  bool lossy = false;             ///< the weights were quantized
 };
 
 // Errors of all primitives, the first of each kind; Deviations::each_finding_is_listed: one by one
-// while they are few enough.
+// up to a limit.
 class InfluenceReport {
  public:
   explicit InfluenceReport(DataPhase& phase) : phase_(phase) {}
@@ -218,7 +218,7 @@ class InfluencePhase {
     });
   }
 
-  // How far apart quantised weights are; 0 when they are exact.
+  // The step of quantized weights; 0 if they are exact.
   static double weight_step(const std::vector<InfluenceSet>& sets) {
     double step = 0;
     for (const InfluenceSet& set : sets) {
@@ -227,7 +227,7 @@ class InfluencePhase {
     return step;
   }
 
-  // Whether weights look wrong only because each of them was rounded by half a step.
+  // Whether weights are only wrong because each of them was rounded by half a step.
   static bool is_rounding(const Influence& influence, double step, std::size_t sets) {
     if (step == 0) return false;
     switch (influence.error) {
@@ -242,7 +242,7 @@ class InfluencePhase {
     }
   }
 
-  // That of the first attribute that leads to an accessor with one.
+  // The count of the first attribute whose accessor has one.
   std::uint64_t vertex_count(const model::Primitive& primitive) const {
     for (const model::Attribute& attribute : primitive.attributes) {
       if (!attribute.accessor) continue;
@@ -263,7 +263,7 @@ class InfluencePhase {
     if (data->components() != 4 && !deviations_.consequences_are_reported) return std::nullopt;
     const bool numbers = data->format().component == model::ComponentType::float32;
     if (kind == SemanticKind::joints && numbers) return std::nullopt;
-    constexpr std::uint64_t kEffort = 16;  // several times that of a vectorised pass
+    constexpr std::uint64_t kEffort = 16;  // several times the effort of a vectorized pass
     if (!phase_.budget.take(data->count(), data->components() * kEffort)) return std::nullopt;
     return data;
   }

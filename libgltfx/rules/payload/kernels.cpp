@@ -10,12 +10,12 @@
 namespace gltfx::validate::kernels {
 namespace {
 
-// Counts in 32 bits, as wide as what is compared; blocks are far below that.
+// A 32-bit count, as wide as the compared numbers; blocks are much smaller.
 using Count = std::uint32_t;
 
 constexpr std::size_t kSums = 256;
 
-// Flips the sign bit of integers whose order SSE2 does not know; wraps around for all others.
+// Flips the sign bit of integers whose order SSE2 does not support; wraps around for all others.
 template <typename T>
 typename Ordered<T>::Type to_ordered(T value) {
   using Key = typename Ordered<T>::Type;
@@ -68,7 +68,7 @@ template <unsigned N>
 UnitCount count_non_unit(const float* values, std::size_t count) {
   constexpr double kShort = (1 - kVectorTolerance) * (1 - kVectorTolerance);
   constexpr double kLong = (1 + kVectorTolerance) * (1 + kVectorTolerance);
-  constexpr double kDoubt = 1e-5;  // far more than three squares and sums lose
+  constexpr double kDoubt = 1e-5;  // much more than the error of three squares and sums
   constexpr auto kBadShort = static_cast<float>(kShort * (1 - kDoubt));
   constexpr auto kGoodShort = static_cast<float>(kShort * (1 + kDoubt));
   constexpr auto kGoodLong = static_cast<float>(kLong * (1 - kDoubt));
@@ -127,9 +127,8 @@ std::size_t count_equal(const T* values, std::size_t count, T wanted) {
   return errors;
 }
 
-// Whole vectors are compared with those one and two places further on; `kFirst` and `kSecond` keep
-// what falls inside a triangle. Only where something is found triangles are looked at one by
-// one.
+// Compares whole vectors with those one and two places further on; `kFirst` and `kSecond` select
+// the lanes inside a triangle. Triangles are compared one by one only if a match is found.
 template <typename T>
 std::size_t count_degenerate(const T* indices, std::size_t count) {
   constexpr std::size_t kStep = 48;

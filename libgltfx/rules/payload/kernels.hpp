@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Loops over packed numbers that compilers turn into vector instructions. They say how many errors
-/// there are, or that it takes a closer look; they do not say where.
+/// Loops over packed numbers that compilers turn into vector instructions. They return the number
+/// of errors, or that a slower check is needed; they do not return places.
 #pragma once
 
 #include <array>
@@ -9,28 +9,29 @@
 
 namespace gltfx::validate::kernels {
 
-/// Floats that are infinite or no number.
+/// Counts floats that are infinite or NaN.
 std::size_t count_non_finite(const float* values, std::size_t count);
 std::size_t count_non_finite(const double* values, std::size_t count);
 
-/// Floats below 0 or above 1. What is no number counts as neither.
+/// Counts floats below 0 or above 1, without NaN.
 std::size_t count_unclamped(const float* values, std::size_t count);
 
-/// How much lengths may differ from 1: a little more than the largest error of 8-bit components.
+/// The maximum distance of lengths from 1: a little more than the largest error of 8-bit
+/// components.
 inline constexpr double kVectorTolerance = 0.00674;
 inline constexpr double kQuaternionTolerance = 0.00769;
 
-/// Vectors that are not of unit length. `uncertain` ones are too near to the tolerance to be told
-/// in single precision.
+/// The number of vectors that are not of unit length. `uncertain` ones are too close to the
+/// tolerance to be decided in single precision.
 struct UnitCount {
   std::size_t errors = 0;
   std::size_t uncertain = 0;
 };
-/// The first three components of `count` vectors of N components.
+/// Checks the first three components of `count` vectors of N components.
 template <unsigned N>
 UnitCount count_non_unit(const float* values, std::size_t count);
 
-/// Vectors of four components whose last is neither 1 nor -1.
+/// Counts vectors of four components whose last component is neither 1 nor -1.
 std::size_t count_bad_signs(const float* values, std::size_t count);
 
 template <typename T>
@@ -39,11 +40,11 @@ template <typename T>
 std::size_t count_above(const T* values, std::size_t count, std::uint64_t most);
 template <typename T>
 std::size_t count_equal(const T* values, std::size_t count, T wanted);
-/// Triangles (three indices each, an incomplete last one does not count) with two equal corners.
+/// Counts triangles (three indices each, without an incomplete last one) with two equal corners.
 template <typename T>
 std::size_t count_degenerate(const T* indices, std::size_t count);
 
-/// A type whose order vector instructions know, and that has the order of T.
+/// A type with the order of T that vector instructions support.
 template <typename T>
 struct Ordered {
   using Type = T;
@@ -62,12 +63,12 @@ struct Ordered<std::uint32_t> {
 };
 
 /// Smallest (or greatest) value of each component over any number of blocks. A first value that is
-/// no number stays, a later one does not count.
+/// NaN stays, a later one does not count.
 template <typename T>
 class Extremes {
  public:
   Extremes(unsigned components, bool greatest) : components_(components), greatest_(greatest) {}
-  /// `elements` elements of packed components. All calls but the last have a multiple of 16.
+  /// Adds `elements` elements of packed components; a multiple of 16 in all calls except the last.
   void add(const T* values, std::size_t elements);
   T of(unsigned component) const;
 
@@ -85,7 +86,7 @@ class Extremes {
   unsigned components_;
   bool greatest_;
   bool begun_ = false;
-  /// Several for each component, so that whole vectors fit and do not wait for each other.
+  /// Several lanes per component, so that whole vectors fit and do not wait for each other.
   std::array<Key, kMostLanes> lanes_{};
 };
 

@@ -85,9 +85,9 @@ void check_metadata(const ImageUse& use) {
   }
 }
 
-// --- A texture that shows it ---
+// --- A texture that uses it ---
 
-// Whether the sampler of a texture takes smaller levels. Without a filter readers do as they like.
+// Whether the sampler of a texture uses smaller levels. Without a filter, readers choose.
 bool wants_levels(const Context& context, json::NodeId texture) {
   const auto sampler = context.asset.index(texture, "sampler", model::RootArray::samplers);
   if (!sampler) return true;
@@ -134,7 +134,7 @@ class TextureCheck {
 
  private:
   const TexturePhase& phase_;
-  std::map<std::uint32_t, std::string_view> reported_;  // one extension brings one kind of image
+  std::map<std::uint32_t, std::string_view> reported_;  // each extension has one kind of image
 };
 
 // --- A slot that reads it ---
@@ -168,7 +168,7 @@ std::string primaries_text(std::uint8_t primaries) {
   return primaries == 0 ? "UNSPECIFIED primaries" : fmt::format("primaries {}", primaries);
 }
 
-// A wrong transfer function shows; wrong primaries do not, since readers do not look at them.
+// A wrong transfer function changes the picture; wrong primaries do not, since readers ignore them.
 void check_color_space(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t image,
                        const Ktx2& file) {
   if (slot.effective.colors() == 0) return;

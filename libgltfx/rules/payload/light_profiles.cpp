@@ -19,7 +19,7 @@ namespace {
 constexpr std::string_view kLightProfilesExtension = "EXT_lights_ies";
 constexpr std::string_view kSpace = " \t\r\n,";
 
-// The first lines of the versions that the extension names; 1995 and 2002 are of the IESNA.
+// The first lines of the versions named by the extension; 1995 and 2002 are versions of the IESNA.
 constexpr std::array<std::string_view, 3> kVersions{"IESNA:LM-63-1995", "IESNA:LM-63-2002",
                                                     "IES:LM-63-2019"};
 
@@ -29,7 +29,7 @@ std::string_view first_line(std::string_view text) {
   return line.substr(0, last == std::string_view::npos ? 0 : last + 1);
 }
 
-// Takes the next number from the front of `text`.
+// Removes the next number from the front of `text`.
 std::optional<double> take_number(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
   if (!text.empty() && text.front() == '+') text.remove_prefix(1);
@@ -40,7 +40,7 @@ std::optional<double> take_number(std::string_view& text) {
   return value;
 }
 
-// TILT=INCLUDE: a geometry, a count, and as many angles and factors.
+// TILT=INCLUDE: a geometry, a count, and that number of angles and factors.
 bool skip_tilt(std::string_view& text) {
   const auto geometry = take_number(text);
   const auto count = take_number(text);
@@ -51,7 +51,7 @@ bool skip_tilt(std::string_view& text) {
   return true;
 }
 
-// What is wrong with a profile, one sentence; empty: nothing that its head tells.
+// The problem of a profile, as one sentence; empty: no problem in its head.
 std::string error_of(std::string_view text) {
   const std::string_view version = first_line(text);
   if (std::find(kVersions.begin(), kVersions.end(), version) == kVersions.end()) {
@@ -63,7 +63,7 @@ std::string error_of(std::string_view text) {
   const bool included = first_line(text) == "TILT=INCLUDE";
   text.remove_prefix(std::min(text.find('\n'), text.size()));
   if (included && !skip_tilt(text)) return "The tilt data of the profile is incomplete.";
-  // Lamps, lumens, a factor and two counts of angles stand before the kind of photometry.
+  // Lamps, lumens, a factor and two counts of angles come before the kind of photometry.
   std::optional<double> kind;
   for (int i = 0; i < 6; ++i) {
     kind = take_number(text);

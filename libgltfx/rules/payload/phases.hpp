@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rules that look at the bytes of buffers and images, and what they share. rules/order.cpp has the
+/// Rules that read the bytes of buffers and images, and their shared state. rules/order.cpp has the
 /// order in which they run.
 #pragma once
 
@@ -15,15 +15,15 @@
 
 namespace gltfx::validate {
 
-/// How many numbers may be looked at, and how many errors listed one by one. Accessors may
-/// share bytes, and sparse ones need none: without a limit a small file could ask for years of
-/// work, or for a report of any size.
+/// Limits of the numbers that are read, and of the errors that are listed one by one. Accessors may
+/// share bytes, and sparse ones need none: without a limit a small file could cause years of work,
+/// or a report of any size.
 class Budget {
  public:
   explicit Budget(const model::ResourceData& resources);
-  /// Takes `count` times `each`, or nothing when that much is not left.
+  /// Takes `count` times `each`, or nothing if less is left.
   bool take(std::uint64_t count, std::uint64_t each);
-  /// Takes `errors` to be listed, or nothing when they are too many and must be counted.
+  /// Takes `errors` to be listed, or nothing if they are too many and must be counted.
   bool list(std::uint64_t errors);
 
  private:
@@ -31,15 +31,15 @@ class Budget {
   std::uint64_t listed_left_;
 };
 
-/// What the rules share. They count the images that they decode in `report`.
+/// State shared by the rules. They count the images that they decode in `report`.
 struct DataPhase {
   const Context& context;
   const model::ResourceData& resources;
   Sink& sink;
   FileReport& report;
   Budget budget = Budget(resources);
-  /// By accessor, the elements of those that have no buffer view because their data is part of
-  /// compressed geometry.
+  /// By accessor, the elements of those without a buffer view whose data is part of compressed
+  /// geometry.
   std::unordered_map<std::uint32_t, model::AccessorData> decoded = {};
 
   std::optional<model::AccessorData> open(std::uint32_t accessor) const {
@@ -54,47 +54,46 @@ struct DataPhase {
 
 struct DataRule {
   void (*check)(DataPhase& phase);
-  /// Deviations::no_additional_rules leaves it out.
+  /// Deviations::no_additional_rules disables it.
   bool additional = false;
 };
 
 /// All of them, in the order in which they run.
 std::span<const DataRule> data_rules();
 
-/// Geometry compressed by Draco: decodes it, compares it with the accessors it stands for, and
-/// gives its elements to the rules behind it.
+/// Geometry compressed by Draco: decodes it, compares it with its accessors, and passes its
+/// elements to later rules.
 void decode_geometry(DataPhase& phase);
 /// Indices of sparse accessors: increasing, within the accessor.
 void check_sparse_indices(DataPhase& phase);
 /// Every element of every accessor, by its format and its uses.
 void check_elements(DataPhase& phase);
-/// Structural metadata and feature ids: what JSON says of them, and the values in buffers and
-/// images.
+/// Structural metadata and feature IDs: their JSON, and the values in buffers and images.
 void check_metadata(DataPhase& phase);
-/// VRMC_vrm_animation: what animations write as weights of expressions.
+/// VRMC_vrm_animation: weights of expressions written by animations.
 void check_expression_weights(DataPhase& phase);
 /// Joints and weights of skinned meshes.
 void check_influences(DataPhase& phase);
-/// EXT_mesh_primitive_edge_visibility: how edges are coded, lines along them, normals beside them.
+/// EXT_mesh_primitive_edge_visibility: the coding of edges, lines along them, normals of their
+/// faces.
 void check_edge_visibility(DataPhase& phase);
-/// CESIUM_primitive_outline: outlines follow edges. CESIUM_tile_edges: the vertices are there.
+/// CESIUM_primitive_outline: outlines follow edges. CESIUM_tile_edges: the vertices exist.
 void check_outlines(DataPhase& phase);
-/// EXT_mesh_manifold: the surface is closed, and merged vertices lie where they were.
+/// EXT_mesh_manifold: the surface is closed, and merged vertices have the same position.
 void check_manifolds(DataPhase& phase);
-/// KHR_materials_volume: what encloses a volume has no hole. Only where somebody wants to know.
+/// KHR_materials_volume: the surface around a volume has no hole. Only if the rule is enabled.
 void check_volumes(DataPhase& phase);
-/// Textures whose image has a format that is not theirs.
+/// Textures with an image in a format that is not allowed for them.
 void check_textures(DataPhase& phase);
-/// Whether images are what the slots that show them read (rules/payload/texture_phase.hpp).
+/// Whether images are suitable for the slots that use them (rules/payload/texture_phase.hpp).
 void check_texture_slots(DataPhase& phase);
-/// EXT_lights_image_based: faces of cubes are square, of a power of two, and halve from level to
-/// level, beginning with the size that the light states.
+/// EXT_lights_image_based: faces of cubes are square, with a power of two as size, and halve from
+/// level to level, beginning with the size declared by the light.
 void check_image_based_lights(DataPhase& phase);
 /// VRMC_vrm: the thumbnail of an avatar is square.
 void check_thumbnails(DataPhase& phase);
-/// Opens what the profiles of an asset refer to and looks at the head of each: a version of LM-63
-/// that readers must know, and a kind of photometry that there is. Reports what cannot be had as
-/// for buffers and images.
+/// Opens the profiles of an asset and reads the head of each: a version of LM-63 that readers must
+/// support, and an existing kind of photometry. Reports missing profiles like buffers and images.
 void check_light_profiles(DataPhase& phase);
 /// Positions are in metres: a scene that is far too small or too large for that is reported.
 void check_scene_extent(DataPhase& phase);

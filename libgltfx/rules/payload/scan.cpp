@@ -15,7 +15,7 @@ using model::AccessorData;
 template <typename T>
 constexpr bool kIsIndex = std::is_unsigned_v<T>;
 
-// Components as the checks see them: normalized where the accessor says so.
+// Components as the checks read them: normalized if the accessor is.
 template <typename T>
 double component_value(const Check& check, const model::Format& format, T value) {
   if constexpr (std::is_integral_v<T>) {
@@ -24,7 +24,7 @@ double component_value(const Check& check, const model::Format& format, T value)
   return static_cast<double>(value);
 }
 
-// One check on its way over the blocks of an accessor whose components are of type T.
+// One check over the blocks of an accessor whose components are of type T.
 template <typename T>
 class Running {
  public:
@@ -55,7 +55,7 @@ class Running {
     }
   }
 
-  // The bounds that are wrong; what lies outside of them is counted in a second pass.
+  // Selects the wrong bounds; elements outside them are counted in a second pass.
   void finish() {
     if (check_.kind != CheckKind::minimum && check_.kind != CheckKind::maximum) return;
     for (unsigned i = 0; i < data_.components(); ++i) {
@@ -69,7 +69,7 @@ class Running {
   }
 
  private:
-  // What is no number is not near to anything.
+  // NaN is not near any number.
   bool is_near(double actual, double declared) const {
     const bool wider = check_.kind == CheckKind::minimum ? declared < actual : declared > actual;
     const double slack = check_.bound_slack + (wider ? check_.bound_widening : 0);
@@ -127,7 +127,7 @@ class Running {
     }
   }
 
-  // Adds errors that a kernel has counted. The first one is searched for among them.
+  // Adds errors that a kernel has counted, and searches for the first of them.
   template <typename V>
   void note(ErrorKind kind, std::size_t errors, const V* values, std::size_t count) {
     if (errors == 0) return;

@@ -19,26 +19,25 @@ struct Tally {
   DataError first;
 };
 
-/// A bound of one component that differs from what is there.
+/// A declared bound of one component that differs from the actual one.
 struct BoundError {
   unsigned component = 0;
   double declared = 0;
   double actual = 0;
-  std::uint64_t outside = 0;  ///< elements beyond the declared bound
+  std::uint64_t outside = 0;  ///< elements outside the declared bound
 };
 
-/// What a check found.
+/// The result of a check.
 struct Outcome {
   std::array<Tally, kErrorKinds> errors;
-  std::uint64_t degenerate = 0;  ///< triangles
+  std::uint64_t degenerate = 0;  ///< number of triangles
   std::vector<BoundError> bounds;
 
   std::uint64_t total() const;
   bool clean() const { return total() == 0 && degenerate == 0 && bounds.empty(); }
 };
 
-/// Runs `checks` over all elements. The outcome of a check that is the same as an earlier one is
-/// that of the earlier one.
+/// Runs `checks` over all elements. A check that equals an earlier one gets its outcome.
 std::vector<Outcome> scan(const model::AccessorData& data, const std::vector<Check>& checks);
 
 /// Calls `use(check, error)` for every single error, in the order of the elements and, for one

@@ -14,8 +14,8 @@
 namespace gltfx::validate {
 namespace {
 
-// Metres. Below the first, the eye sees no shape; beyond the second, eight times the width of the
-// Earth, neighbouring 32-bit positions are eight metres apart.
+// Meters. Below the first, no shape is visible; above the second, eight times the width of the
+// Earth, neighboring 32-bit positions are eight meters apart.
 constexpr double kSmallestScene = 1e-4;
 constexpr double kLargestScene = 1e8;
 // Larger scenes would take more time and memory than all other rules.
@@ -55,7 +55,7 @@ void check_scene_extent(DataPhase& phase) {
                                                         phase.resources, {}, kInstanceTransforms);
   if (!extent.bounds) return;
   const double width = width_of(*extent.bounds);
-  // A single point has no width that could be wrong.
+  // A single point has no width.
   if (width == 0 || (width >= kSmallestScene && width <= kLargestScene)) return;
   const bool large = width > kLargestScene;
   const std::string cause =

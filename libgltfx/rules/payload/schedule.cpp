@@ -87,8 +87,8 @@ class Scheduler {
     return {index, check.kind, check.most, check.triangles, check.cubic};
   }
 
-  // The position of the first check that asks the same, or the one behind the last. Most accessors
-  // have a handful; only those that are used very often are worth a table.
+  // The position of the first equal check, or one past the last. Most accessors have a handful;
+  // only those with very many uses are worth a table.
   std::size_t first_same(std::uint32_t index, const std::vector<Check>& checks,
                          const Check& check) {
     const Key key = key_of(index, check);
@@ -278,14 +278,14 @@ class Scheduler {
   model::ObjectModel model_;
   AttributeFormats formats_;
   std::vector<Schedule> schedules_;
-  std::vector<std::size_t> positions_;  // in schedules_, by accessor
+  std::vector<std::size_t> positions_;  // positions in schedules_, by accessor
   std::map<Key, std::size_t> seen_;     // first checks of accessors that have more than a few
 };
 
-// Half a second of zeros, or the same bytes through a few accessors each.
+// Half a second for zeros, or for the same bytes in a few accessors each.
 constexpr std::uint64_t kFreeNumbers = std::uint64_t{1} << 29U;
 constexpr std::uint64_t kNumbersPerByte = 16;
-// Some megabytes of report, and as many errors as buffers have floats.
+// Some megabytes of report; the limit also grows with the number of floats in buffers.
 constexpr std::uint64_t kFreeErrors = 65536;
 constexpr std::uint64_t kBytesPerError = 4;
 

@@ -14,7 +14,7 @@ namespace {
 struct SparseError {
   std::uint64_t position = 0;
   std::uint64_t index = 0;
-  std::uint64_t other = 0;  ///< the index before, or the number of elements
+  std::uint64_t other = 0;  ///< the previous index, or the number of elements
 };
 
 class SparseReport {
@@ -96,7 +96,7 @@ void check_sparse_indices(DataPhase& phase) {
     if (!accessor.count || !accessor.format.known()) continue;
     const auto sparse = model::read_sparse(phase.context.asset, accessor);
     if (!sparse) continue;
-    // A count that is wrong takes bytes for indices that are none.
+    // With a wrong count, other bytes are read as indices.
     const bool reported = *sparse->count > *accessor.count;
     if (reported && !phase.context.deviations.consequences_are_reported) continue;
     check_indices(phase, i, *sparse);

@@ -35,7 +35,7 @@ std::string_view format_name(image::Format format) {
   return "KTX2";
 }
 
-// Why alpha is 1 everywhere in an image, as a clause.
+// The reason why alpha is 1 everywhere in an image, as a clause.
 std::string why_opaque(const Header& header) {
   const std::string_view format = format_name(header.format);
   if (header.format == image::Format::jpeg) return "is a JPEG, which has no alpha";
@@ -45,7 +45,7 @@ std::string why_opaque(const Header& header) {
 
 // --- Alpha that is data ---
 
-// A map of one channel that was made for the texture of an earlier draft, which read R.
+// Whether a map of one channel was made for the texture of an earlier draft, which read R.
 bool is_left_in_red(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t image) {
   if (slot.property != "diffuseTransmissionTexture") return false;
   if (phase.header(image)->grey) return true;
@@ -89,7 +89,7 @@ void check_alpha(const TexturePhase& phase, const TextureSlot& slot) {
 
 // --- Bits ---
 
-// The slots of the core specification that are sRGB hold 8 bits; extensions do not say so.
+// Core slots that are sRGB have 8 bits; extensions do not define a bit depth.
 void check_bits(const TexturePhase& phase, const TextureSlot& slot) {
   const schema::TypeId owner = slot.use->owner_type;
   if (!slot.srgb || owner == schema::kNone) return;
@@ -104,10 +104,10 @@ void check_bits(const TexturePhase& phase, const TextureSlot& slot) {
   }
 }
 
-// --- Colours that are data ---
+// --- Colors that are data ---
 
-// Why R, G and B of an image are equal, as the end of a sentence; empty where they differ or nobody
-// knows.
+// The reason why R, G and B of an image are equal, as the end of a sentence; empty if they differ
+// or it is unknown.
 std::string why_equal(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t image) {
   const Header* header = phase.header(image);
   if (header == nullptr || header->channels == image::Channels::red) return {};
@@ -118,7 +118,7 @@ std::string why_equal(const TexturePhase& phase, const TextureSlot& slot, std::u
   if (!pixels->statistics[0].constant()) {
     return fmt::format("has equal color channels{}", height_map);
   }
-  // One value everywhere does no harm where it is multiplied by factors.
+  // A single value everywhere is harmless where it is multiplied by factors.
   return slot.normal_map ? "is grayscale in every texel" : "";
 }
 
@@ -138,7 +138,7 @@ void check_equal_channels(const TexturePhase& phase, const TextureSlot& slot) {
 
 // --- Factors of 0 ---
 
-// Where the factor stands that hides a texture: beside the slot, or in the texture info itself.
+// The owner of the factor that hides a texture: the owner of the slot, or the texture info itself.
 json::NodeId factor_owner(const TextureSlot& slot) {
   const bool own = slot.hidden_by == "scale" || slot.hidden_by == "strength";
   return own ? slot.use->texture_info : slot.use->owner;
@@ -151,7 +151,7 @@ std::string why_hidden(const TexturePhase& phase, const TextureSlot& slot) {
   return fmt::format("{} is {}", slot.hidden_by, written ? "0" : "not set (default: 0)");
 }
 
-// One finding for each factor, on the first of the textures that it hides.
+// One finding for each factor, on the first texture that it hides.
 void check_factors(const TexturePhase& phase) {
   std::set<std::pair<json::NodeId, std::string_view>> reported;
   const bool removable = unseen_user(phase.context).empty();
@@ -174,7 +174,7 @@ bool has_factor_alpha(const TexturePhase& phase, const TextureSlot& slot) {
   return phase.animated.contains(sibling_pointer(slot, member));
 }
 
-// Alpha as far as headers and the pixels that were decoded tell.
+// Alpha as far as known from headers and decoded pixels.
 bool may_be_transparent(const TexturePhase& phase, std::uint32_t image) {
   const Header* header = phase.header(image);
   if (header == nullptr) return true;
@@ -200,7 +200,7 @@ void check_missing_coverage(const TexturePhase& phase, const TextureSlot& slot,
                           image_label(phase.context, slot.images.front()), why));
 }
 
-// Images whose alpha some slot reads.
+// Images with a slot that reads alpha.
 std::set<std::uint32_t> images_read_for_alpha(const TexturePhase& phase) {
   std::set<std::uint32_t> read;
   for (const TextureSlot& slot : phase.slots) {
@@ -209,14 +209,14 @@ std::set<std::uint32_t> images_read_for_alpha(const TexturePhase& phase) {
   return read;
 }
 
-// Alpha that nobody reads: a surface that was meant to have holes, or bytes for nothing.
+// Unused alpha: a surface that was meant to have holes, or wasted bytes.
 void check_unused_alpha(const TexturePhase& phase, const TextureSlot& slot,
                         const std::set<std::uint32_t>& read) {
   const std::uint32_t image = slot.images.front();
   const Header* header = phase.header(image);
   if (header == nullptr || !image::can_be_transparent(*header) || read.count(image) != 0) return;
   const auto& ktx2 = phase.resources.images[image].ktx2;
-  if (ktx2 && !ktx2->contents) return;  // nobody knows
+  if (ktx2 && !ktx2->contents) return;  // unknown
   const codec::Image* pixels = phase.pixels.of(image);
   const bool looked = pixels != nullptr && pixels->has_alpha();
   const bool opaque = looked && pixels->alpha().least == pixels->full();

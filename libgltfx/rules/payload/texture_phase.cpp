@@ -15,10 +15,10 @@
 namespace gltfx::validate {
 namespace {
 
-// Images that run into a limit cost seconds each: one asset gets no more than two of them.
+// Images that reach a limit take seconds each: at most two of them per asset.
 constexpr int kMostCostly = 2;
 
-// Which images must be decoded, and for what.
+// The images that must be decoded, and for which checks.
 class PixelNeeds {
  public:
   PixelNeeds(const Context& context, const model::ResourceData& resources,
@@ -54,7 +54,7 @@ class PixelNeeds {
   void add(const TextureSlot& slot) {
     const bool normal = slot.normal_map && normal_maps_;
     const bool alpha = slot.effective.has('a') && (slot.coverage ? coverage_ : alpha_);
-    // Only pixels tell a grey map from a coloured one.
+    // Only pixels distinguish a gray map from a colored one.
     const bool red = slot.property == "diffuseTransmissionTexture" && alpha;
     const bool data = equal_ && !slot.srgb && slot.effective.colors() >= 2;
     for (const std::uint32_t image : slot.images) {
@@ -67,7 +67,7 @@ class PixelNeeds {
     }
   }
 
-  // Images that are read as sRGB and as linear are only invalid when they have other values than 0
+  // Images that are read as sRGB and as linear are only invalid if they have values other than 0
   // and 1.
   void add_conflicts() {
     if (!enabled(Code::TEXTURE_COLOR_SPACE_CONFLICT)) return;
@@ -85,9 +85,9 @@ class PixelNeeds {
   const Context& context_;
   const model::ResourceData& resources_;
   const std::vector<TextureSlot>& slots_;
-  // Whether somebody wants to know what the pixels would tell.
+  // whether rules that need pixels are enabled
   const bool hints_, normal_maps_, coverage_, alpha_, equal_;
-  std::map<std::uint32_t, bool> normals_;  // by image: whether as a normal map
+  std::map<std::uint32_t, bool> normals_;  // by image: whether it is a normal map
 };
 
 }  // namespace
@@ -116,14 +116,14 @@ void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
   for (const Request& each : wanted) {
     if (!take(each.image)) continue;
     requests.push_back(each);
-    results_.try_emplace(each.image);  // threads only fill what is there
+    results_.try_emplace(each.image);  // threads only fill existing entries
   }
   std::atomic<bool> stopped = false;
   int costly = 0;
   const auto decode_one = [&](std::size_t i) {
     if (!stopped) results_.at(requests[i].image) = decoded(requests[i]);
   };
-  // Which ones are left over does not depend on the number of threads.
+  // The skipped images do not depend on the number of threads.
   parallel_ordered(requests.size(), jobs, decode_one, [&](std::size_t i) {
     codec::ImageResult& result = results_.at(requests[i].image);
     if (stopped) {

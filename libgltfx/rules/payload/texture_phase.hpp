@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Phase 7: whether images are what the slots that show them read. Headers first; pixels as far as
-/// they were asked for.
+/// Phase 7: whether images are suitable for the slots that use them. Headers first; pixels as far
+/// as requested.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -16,37 +16,36 @@
 
 namespace gltfx::validate {
 
-/// What decoding told of the images of one asset. Nothing is decoded that nobody asked for. The
-/// resources must outlive it.
+/// Results of decoding the images of one asset. Only requested images are decoded. The resources
+/// must outlive it.
 class PixelSource {
  public:
-  /// `texels` is how many may be decoded, all images together.
+  /// `texels`: the maximum number of decoded texels, all images together.
   explicit PixelSource(const model::ResourceData& resources,
                        std::uint64_t texels = std::uint64_t{1} << 30U)
       : resources_(resources), texels_left_(texels) {}
 
   struct Request {
     std::uint32_t image = 0;
-    bool normals = false;  ///< look at it as at a normal map
+    bool normals = false;  ///< check it as a normal map
   };
-  /// Decodes images that have a sound header, `jobs` at a time; others are left out, and what there
-  /// are no texels left for fails as too large. Stops where images run into limits of time and
-  /// memory.
+  /// Decodes images with a valid header, `jobs` at a time; others are skipped, and images beyond
+  /// the limit of texels fail as too large. Stops if images reach limits of time and memory.
   void decode(const std::vector<Request>& wanted, unsigned jobs);
 
-  /// What was found, or null where nothing was decoded.
+  /// The decoded image, or null if it was not decoded.
   const codec::Image* of(std::uint32_t image) const {
     const codec::ImageResult* result = result_of(image);
     return result == nullptr ? nullptr : std::get_if<codec::Image>(result);
   }
-  /// Why an image that was asked for could not be decoded, or null.
+  /// The reason why a requested image could not be decoded, or null.
   const codec::DecodeError* error(std::uint32_t image) const {
     const codec::ImageResult* result = result_of(image);
     return result == nullptr ? nullptr : std::get_if<codec::DecodeError>(result);
   }
 
  private:
-  /// Takes the texels of an image from what may be decoded.
+  /// Subtracts the texels of an image from the limit. False if too few are left.
   bool take(std::uint32_t index);
   codec::ImageResult decoded(const Request& request) const;
   const codec::ImageResult* result_of(std::uint32_t image) const {
@@ -59,7 +58,7 @@ class PixelSource {
   std::unordered_map<std::uint32_t, codec::ImageResult> results_;  ///< by image
 };
 
-/// What the rules of this phase are given. They report to `sink`.
+/// The input of the rules of this phase. They report to `sink`.
 struct TexturePhase {
   const Context& context;
   const model::ResourceData& resources;
@@ -68,20 +67,20 @@ struct TexturePhase {
   const std::vector<TextureSlot>& slots;
   PixelSource& pixels;
 
-  /// The header of an image, or null where it could not be read or is in doubt.
+  /// The header of an image, or null if it could not be read or is in doubt.
   const image::Header* header(std::uint32_t image) const {
     const auto& found = resources.images[image].header;
     return found && found->doubt.empty() ? &*found : nullptr;
   }
 };
 
-/// Channels: alpha and colours that are not there, textures that a factor of 0 hides, coverage.
+/// Channels: missing alpha and colors, textures hidden by a factor of 0, coverage.
 void check_channels(const TexturePhase& phase);
-/// Several slots that show one image: colour spaces, texture coordinates.
+/// Several slots with one image: color spaces, texture coordinates.
 void check_sharing(const TexturePhase& phase);
-/// What KTX2 images must be for the slots and samplers that use them.
+/// Requirements on KTX2 images by the slots and samplers that use them.
 void check_ktx2_slots(const TexturePhase& phase);
-/// What only decoded pixels tell.
+/// Checks that need decoded pixels.
 void check_pixels(const TexturePhase& phase);
 
 }  // namespace gltfx::validate

@@ -25,7 +25,8 @@ void report_image(const TexturePhase& phase, std::uint32_t image, Code code, std
 
 void report_error(const TexturePhase& phase, std::uint32_t image, const codec::DecodeError& error) {
   const bool malformed = error.kind == codec::ErrorKind::malformed;
-  const bool stalled = error.kind == codec::ErrorKind::stalled;  // need not be due to the bytes
+  const bool stalled =
+      error.kind == codec::ErrorKind::stalled;  // not necessarily caused by the bytes
   const std::string label = image_label(phase.context, image);
   const std::string reason = printable(error.message);
   report_image(
@@ -35,7 +36,7 @@ void report_error(const TexturePhase& phase, std::uint32_t image, const codec::D
       codec::is_costly(error) && !stalled ? std::optional(Severity::warning) : std::nullopt);
 }
 
-// A decoder that went on where the data was damaged shows something, each its own.
+// Decoders that continue after damaged data show different pictures.
 void report_doubt(const TexturePhase& phase, std::uint32_t image, const std::string& doubt) {
   report_image(phase, image, Code::IMAGE_PIXELS_INVALID,
                fmt::format("The pixels of {} can only be decoded in part: {}",
@@ -65,7 +66,7 @@ bool has_channel(const codec::Image& image, char channel) {
   return channel != 'a' || image.has_alpha();
 }
 
-// Whether all channels that the slot reads of the image are constant.
+// Whether all channels that the slot reads are constant in the image.
 bool is_constant(const TextureSlot& slot, const codec::Image& image) {
   bool any = false;
   for (const char channel : {'r', 'g', 'b', 'a'}) {
@@ -93,7 +94,7 @@ void report_alpha(const TexturePhase& phase, const TextureSlot& slot, std::uint3
               full ? std::nullopt : std::optional(Severity::hint));
 }
 
-// A texture of one texel is meant to be constant.
+// A texture of one texel is constant on purpose.
 void check_constant(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t index,
                     const codec::Image& image) {
   if (slot.effective.empty() || image.texels() <= 1) return;
@@ -108,9 +109,9 @@ void check_constant(const TexturePhase& phase, const TextureSlot& slot, std::uin
 
 // --- Normal maps ---
 
-// So many texels may be anything: seams, and what lossy coding makes of them.
+// The share of texels that may have any value: seams, and effects of lossy coding.
 constexpr double kStrayShare = 0.05;
-// A step of 8 bits either way of the middle, which 8 bits cannot hold.
+// One step of 8 bits above or below the middle, which 8 bits cannot represent.
 constexpr double kFlat = 3.0 / 255;
 
 double share(std::uint64_t count, const codec::NormalStatistics& normals) {
@@ -123,11 +124,11 @@ void report_normals(const TexturePhase& phase, const TextureSlot& slot, Code cod
   report_slot(phase.context, phase.sink, slot, code, std::move(message));
 }
 
-// Texels of vectors that are too long, of all, above which a map whose B is full has no Z: one of
-// unit vectors has none of them.
+// The share of texels with a vector that is too long above which a map with full B has no Z: maps
+// of unit vectors have none of them.
 constexpr double kTwoChannels = 0.01;
 
-// Whether B, but not the others, is never below 250 of 255.
+// Whether B, but no other channel, is never below 250 of 255.
 bool is_full_blue(const codec::Image& image) {
   const auto& [red, green, blue, alpha] = image.statistics;
   return !(red.constant() && green.constant()) &&

@@ -22,15 +22,15 @@ using image::Header;
 
 constexpr std::array kColors{'r', 'g', 'b'};
 
-// --- Colour spaces ---
+// --- Color spaces ---
 
-// The first slots that read each colour channel of one image, as sRGB and as linear.
+// The first slots that read each color channel of one image, as sRGB and as linear.
 struct Readers {
   std::array<const TextureSlot*, 3> srgb{}, linear{};
   bool reported = false;
 };
 
-// 0 and 1 are the same in both.
+// 0 and 1 are the same in both color spaces.
 bool is_two_level(const TexturePhase& phase, std::uint32_t image, std::size_t channel) {
   const Header* header = phase.header(image);
   if (header != nullptr && header->two_level) return true;
@@ -50,7 +50,7 @@ void report_conflict(const TexturePhase& phase, const TextureSlot& slot, const T
 
 void check_color_space(const TexturePhase& phase, const TextureSlot& slot, std::uint32_t image,
                        Readers& readers) {
-  // A KTX2 image declares one colour space: the slot that reads another one is told so.
+  // A KTX2 image declares one color space, which is checked for each slot.
   if (phase.resources.images[image].ktx2) return;
   for (std::size_t i = 0; i < kColors.size(); ++i) {
     if (!slot.effective.has(kColors[i])) continue;
@@ -72,14 +72,14 @@ void check_color_spaces(const TexturePhase& phase) {
   }
 }
 
-// --- Where a texture lies ---
+// --- Placement of a texture ---
 
-// What decides which texel is seen at a point of a surface.
+// The values that determine the texel at a point of a surface.
 struct Placement {
   UvMapping uv;
   std::array<std::uint64_t, 4> sampling{10497, 10497, 0, 0};  // wrapS, wrapT, filters
 
-  // The first thing that differs, as it is called in the text; empty: nothing does.
+  // The first difference, by its name in the text; empty: none.
   std::string_view difference(const Placement& other) const {
     const std::string_view found = uv.difference(other.uv);
     return found.empty() && sampling != other.sampling ? "sampler" : found;
@@ -104,7 +104,7 @@ Placement placement_of(const Context& context, const TextureSlot& slot) {
 
 constexpr std::uint64_t kClampToEdge = 33071;
 
-// Whether the square from 0 to 1 is moved or stretched out of the image, where the edge is
+// Whether the square from 0 to 1 is moved or stretched outside the image, where the edge is
 // repeated.
 bool leaves_clamped(const Placement& placement, std::size_t axis) {
   if (placement.sampling[axis] != kClampToEdge || placement.uv.rotation != 0) return false;
@@ -127,7 +127,7 @@ void check_edges(const TexturePhase& phase, const TextureSlot& slot) {
 // --- Channels of one image in one material ---
 
 void check_packed(const TexturePhase& phase, const TextureSlot& slot, const TextureSlot& other) {
-  if (slot.effective.overlaps(other.effective)) return;  // shown twice, not packed
+  if (slot.effective.overlaps(other.effective)) return;  // used twice, not packed
   const std::string_view difference =
       placement_of(phase.context, slot).difference(placement_of(phase.context, other));
   if (difference.empty()) return;
@@ -137,7 +137,7 @@ void check_packed(const TexturePhase& phase, const TextureSlot& slot, const Text
                   image_label(phase.context, slot.images.front()), difference));
 }
 
-// Occlusion, roughness and metalness in R, G and B: one image where there are two.
+// Occlusion, roughness and metalness in R, G and B: one image instead of two.
 void check_packable(const TexturePhase& phase, const TextureSlot& occlusion,
                     const TextureSlot& other) {
   const std::uint32_t image = occlusion.images.front();

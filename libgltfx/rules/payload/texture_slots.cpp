@@ -94,7 +94,7 @@ class SlotReader {
   }
 
  private:
-  // As many formats as a texture may come in.
+  // The maximum number of formats of a texture.
   static constexpr std::size_t kMostImages = 8;
 
   using Images = std::vector<std::uint32_t>;
@@ -104,7 +104,7 @@ class SlotReader {
     if (source && images.size() < kMostImages) images.push_back(*source);
   }
 
-  // An extension may bring an image of another format. Read once for each texture.
+  // An extension may add an image of another format. Read once for each texture.
   const Images& images_of(std::uint32_t index, json::NodeId texture) {
     std::optional<Images>& images = images_[index];
     if (images) return *images;
@@ -131,14 +131,14 @@ class SlotReader {
     return mode.empty() ? "OPAQUE" : mode;
   }
 
-  // Alpha is coverage beside the base colour only.
+  // Alpha is coverage only in the base color.
   bool is_coverage(const schema::SlotUse& use) const {
     if (use.owner_type == schema::kNone) return false;
     const auto* factor = context_.schemas.find_property(use.owner_type, use.slot->scaled_by);
     return factor != nullptr && factor->parameter == "base_color";
   }
 
-  // Channels whose factor is 0 and stays so.
+  // Hides channels whose factor is always 0.
   void hide(TextureSlot& slot, std::string_view member, std::string_view names) const {
     if (slot.effective.empty()) return;
     const std::vector<double> factor = factor_of(context_, *slot.use, member);

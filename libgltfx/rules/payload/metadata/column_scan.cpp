@@ -22,7 +22,7 @@ constexpr std::size_t kOffsetsOfBlock = 4096;
 constexpr std::uint64_t kValuesAtOnce = std::uint64_t{1} << 20U;
 
 // Calls `use(values, count, first)` for blocks of packed numbers, each of which begins with the
-// last number of the one before. Returns early when `use` returns false.
+// last number of the previous one. Returns early if `use` returns false.
 template <typename T, typename Use>
 bool for_each_block(const container::Bytes& bytes, std::uint64_t total, Use use) {
   const container::ReadMeter meter(bytes);
@@ -107,8 +107,7 @@ class ColumnScan {
                      part.byte_offset, size));
   }
 
-  // Reports a buffer view that does not have the length it must have. True when it has that many
-  // bytes or more.
+  // Reports a buffer view of the wrong length. True if it has at least the wanted number of bytes.
   bool has_length(const ColumnPart& part, std::optional<std::uint64_t> wanted,
                   std::string_view what) {
     const std::uint64_t length = part.bytes->size();
@@ -122,7 +121,7 @@ class ColumnScan {
     return longer;
   }
 
-  // The last of count + 1 offsets; nothing when they cannot be used, which is reported.
+  // The last of count + 1 offsets; nothing if they are invalid, which is reported.
   std::optional<std::uint64_t> end_of(const ColumnPart& part, std::uint64_t count, bool strings) {
     if (!part.bytes || part.size == 0) return std::nullopt;
     const auto total = checked_add(count, 1);
@@ -159,8 +158,8 @@ class ColumnScan {
     return false;
   }
 
-  // Offsets of strings and the strings between them, side by side. A range of valid UTF-8 is that
-  // of valid strings when none of them begins inside a character.
+  // Checks offsets of strings together with the strings between them. A range of valid UTF-8
+  // consists of valid strings if none of them begins inside a character.
   template <typename T>
   std::optional<std::uint64_t> read_strings(const ColumnPart& part, std::uint64_t total) {
     const std::uint64_t start = number_at<T>(*part.bytes, 0);
@@ -217,7 +216,7 @@ class ColumnScan {
     return true;
   }
 
-  // `elements`: of the column; of strings the bytes.
+  // `elements`: number of elements of the column; for strings, number of bytes.
   void check_values(std::uint64_t elements) {
     const ColumnPart& values = column_.values;
     if (property_.type == MetadataType::string) {

@@ -20,8 +20,9 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26U;        // of all images
-constexpr std::uint64_t kMostImageBytes = std::uint64_t{240} << 20U;  // decoded, of one at a time
+constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26U;  // of all images together
+constexpr std::uint64_t kMostImageBytes = std::uint64_t{240}
+                                          << 20U;  // decoded, of one image at a time
 
 unsigned stored_channels(image::Channels channels) {
   switch (channels) {
@@ -81,7 +82,7 @@ void check_channels(MetadataPhase& phase, json::NodeId object, const Path& path,
       continue;
     }
     found.channels.clear();
-    if (channel < there) return;  // no index, which the schema says
+    if (channel < there) return;  // not an index, which the schema walk reports
     report_member(phase.sink(), phase.context(), path, object, "channels",
                   Code::DATA_TEXTURE_CHANNEL_MISSING,
                   fmt::format("Channel {} is read, but {} has {}.", channel,
@@ -90,7 +91,7 @@ void check_channels(MetadataPhase& phase, json::NodeId object, const Path& path,
   }
 }
 
-// Whether the file of an image was looked for and is not there, which is said where the image is.
+// Whether the file of an image is missing, which is reported at the image.
 bool is_missing(const Context& context, json::NodeId image) {
   const container::Uri uri =
       container::classify_uri(model::string_member(context.document, image, "uri"));
@@ -105,7 +106,7 @@ void report_unreadable(MetadataPhase& phase, json::NodeId object, const Path& pa
                 std::move(message));
 }
 
-// The image of a texture that has a header; else reports why there is none.
+// The image of a texture if it has a header; otherwise reports the reason.
 std::optional<std::uint32_t> readable_image(MetadataPhase& phase, json::NodeId object,
                                             const Path& path, json::NodeId texture) {
   const Context& context = phase.context();
@@ -142,7 +143,7 @@ const std::string* color_slot(MetadataPhase& phase, std::uint32_t image) {
   return found == phase.color_slots->end() ? nullptr : &found->second;
 }
 
-// Numbers in R, G and B that readers of colours would convert.
+// Reports numbers in R, G and B that readers would convert as colors.
 void check_linear(MetadataPhase& phase, json::NodeId object, const Path& path,
                   const DataTexture& texture) {
   const bool colors = std::any_of(texture.channels.begin(), texture.channels.end(),

@@ -25,10 +25,10 @@ constexpr std::string_view kMeshFeatures = "EXT_mesh_features";
 constexpr std::string_view kInstanceFeatures = "EXT_instance_features";
 constexpr std::string_view kInstancing = "EXT_mesh_gpu_instancing";
 
-// The ids of a set, as far as they matter.
+// Statistics of the ids of a set.
 class IdCount {
  public:
-  // No more than `most` different ids are of interest.
+  // Counts at most `most` different ids.
   IdCount(std::optional<std::uint64_t> null_id, std::uint64_t most)
       : null_id_(null_id), most_(most) {}
 
@@ -49,7 +49,7 @@ class IdCount {
     if (id > kExact && inexact_++ == 0) first_inexact_ = id;
     add_number(static_cast<double>(id));
   }
-  // Call behind the last id.
+  // Call it after the last id.
   void finish() { sort_large(); }
 
   bool any() const { return any_; }
@@ -57,7 +57,7 @@ class IdCount {
   std::uint64_t distinct() const { return small_ + large_.size(); }
   std::uint64_t invalid() const { return invalid_; }
   double first_invalid() const { return first_invalid_; }
-  /// Those of floats beside which there are integers that no float is.
+  /// Number of float ids so large that not all integers are floats.
   std::uint64_t inexact() const { return inexact_; }
   double first_inexact() const { return first_inexact_; }
 
@@ -83,25 +83,26 @@ class IdCount {
   std::uint32_t greatest_ = 0;
   std::uint64_t small_ = 0, invalid_ = 0, inexact_ = 0;
   double first_invalid_ = 0, first_inexact_ = 0;
-  std::vector<bool> seen_;            // below kSmall
-  std::vector<std::uint32_t> large_;  // the others; no repeats among the first `sorted_`
+  std::vector<bool> seen_;            // ids below kSmall
+  std::vector<std::uint32_t> large_;  // other ids; no repeats among the first `sorted_`
   std::size_t sorted_ = 0;
 };
 
-// What carries sets of feature ids: a primitive or an instanced node.
+// An object with sets of feature ids: a primitive or an instanced node.
 struct FeatureHost {
   bool instances = false;
   json::NodeId attributes = json::kNoNode;
   std::map<std::string_view, const model::Attribute*> by_name;
   std::vector<model::Attribute> list;
   std::vector<std::uint64_t> texcoords;  // sorted
-  std::optional<std::uint64_t> count;    // of vertices or instances
+  std::optional<std::uint64_t> count;    // number of vertices or instances
 };
 
 // A set of feature ids.
 struct FeatureSet {
   json::NodeId object = json::kNoNode;
-  std::optional<std::uint64_t> feature_count, null_id, rows;  // rows: of the property table
+  std::optional<std::uint64_t> feature_count, null_id,
+      rows;  // rows: number of rows of the property table
 };
 
 class FeatureCheck {

@@ -31,8 +31,8 @@ const MetadataClass* class_of(MetadataPhase& phase, json::NodeId object, const P
   return found;
 }
 
-// The first required property that is missing. Those before it are there, so that this takes no
-// longer than the object is.
+// The first required property that is missing. All previous ones exist, so the time is linear in
+// the object.
 void check_required(MetadataPhase& phase, const MetadataClass& owner, json::NodeId object,
                     const Path& path, const json::KeyTable& found) {
   for (const MetadataProperty& property : owner.properties) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What property tables, textures, attributes and objects have in common: a class, and something
-/// for each of its properties.
+/// Common parts of property tables, textures, attributes and objects: a class, and a value for each
+/// of its properties.
 #pragma once
 
 #include <functional>
@@ -11,24 +11,24 @@
 
 namespace gltfx::validate {
 
-/// What one of them has for a property of its class.
+/// The value of one of them for a property of its class.
 struct PropertyUse {
   const model::MetadataProperty& property;
-  json::NodeId value;  ///< what stands there, of any kind
-  const Path& path;    ///< of the value
+  json::NodeId value;  ///< the value, of any kind
+  const Path& path;    ///< path of the value
 };
 
-/// Calls `use` for each property that `object` has something for. Reports a class and properties
-/// that do not exist, and a required property that is missing.
+/// Calls `use` for each property of the class in `object`. Reports a class and properties that do
+/// not exist, and a required property that is missing.
 void for_each_property(MetadataPhase& phase, json::NodeId object, const Path& path,
                        const std::function<void(const PropertyUse&)>& use);
 
-/// The same for each object of a list of the root object. `use` also gets the object's index.
+/// Likewise for each object of a list of the root object. `use` also gets the object's index.
 void for_each_listed(
     MetadataPhase& phase, std::string_view list,
     const std::function<void(std::size_t index, json::NodeId object, const PropertyUse&)>& use);
 
-/// What looking up a name costs, in numbers of the budget.
+/// The cost of a name lookup, in numbers of the budget.
 inline constexpr std::uint64_t kCostOfName = 16;
 
 /// Calls `use(index, list, path)` for each index below `size` of a list of indices; `path` is that
@@ -38,7 +38,7 @@ void for_each_index(
     std::size_t size,
     const std::function<void(std::size_t index, json::NodeId list, const Path& path)>& use);
 
-/// Reports an enumType that names no enum.
+/// Reports an enumType that is not the name of an enum.
 void check_enum_type(const model::MetadataSchema& schema, const model::MetadataProperty& property,
                      const Path& path, Sink& sink);
 

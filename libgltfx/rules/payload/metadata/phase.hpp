@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Structural metadata: its schema, and what tables, textures, attributes and objects have of it.
+/// Structural metadata: its schema, and its values in tables, textures, attributes and objects.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -17,13 +17,13 @@ namespace gltfx::validate {
 
 inline constexpr std::string_view kMetadataExtension = "EXT_structural_metadata";
 
-/// What the parts share.
+/// State shared by the parts.
 struct MetadataPhase {
   DataPhase& data;
   FileReport& report;
   json::NodeId root = json::kNoNode;  ///< the extension's object on the root object, if any
-  model::MetadataSchema schema = {};  ///< without a node where there is none, or none to be read
-  /// By image that is shown as a colour, the slot that does; made when it is first asked for.
+  model::MetadataSchema schema = {};  ///< without a node if there is none, or it cannot be read
+  /// By image of a color slot, that slot; made on the first use.
   std::optional<std::unordered_map<std::uint32_t, std::string>> color_slots = {};
 
   const Context& context() const { return data.context; }
@@ -39,16 +39,16 @@ void with_metadata_path(Use&& use) {
   use(Path(extensions, kMetadataExtension));
 }
 
-/// Reports at `path` that `node` of `document` is wrong: all of a scalar, the first character of
-/// an object or array. For findings that may stand in another file than the asset.
+/// Reports at `path` that `node` of `document` is invalid: marks all of a scalar, the first
+/// character of an object or array. For findings that may be in another file than the asset.
 void report_in(Sink& sink, const Path& path, const json::Document& document, json::NodeId node,
                Code code, std::string message, std::optional<Severity> severity = {});
 
-/// A schema that stands in the asset or in a file of its own, which is opened inside the root only.
+/// A schema in the asset or in a separate file, which is only opened inside the root.
 class MetadataSource {
  public:
-  /// Reads, checks and reports the schema of `phase.root`, and leaves it there. What is wrong in a
-  /// file is reported at `schemaUri`, with the line of the file.
+  /// Reads and checks the schema of `phase.root`, and stores it there. Problems of a file are
+  /// reported at `schemaUri`, with the line of the file.
   void load(MetadataPhase& phase);
 
  private:
@@ -56,16 +56,16 @@ class MetadataSource {
   void check_file(MetadataPhase& phase, const Path& path);
 
   json::Document file_;
-  std::string name_;  ///< of the file
+  std::string name_;  ///< name of the file
 };
 
 /// Rules about classes and enums that a schema file cannot state.
 void check_metadata_schema(const model::MetadataSchema& schema, const Path& path, Sink& sink);
 
-/// Property tables: their columns by the schema, then the bytes of all of them.
+/// Property tables: their columns against the schema, then the bytes of all of them.
 void check_property_tables(MetadataPhase& phase);
-/// Property textures: which channels there are, texels as far as they were asked for, and whether
-/// the primitives that use them have the coordinates.
+/// Property textures: their channels, texels as far as requested, and whether the primitives that
+/// use them have the coordinates.
 void check_property_textures(MetadataPhase& phase);
 /// Property attributes, with the primitives that use them.
 void check_property_attributes(MetadataPhase& phase);

@@ -22,7 +22,7 @@ using model::MetadataComponent;
 using model::MetadataProperty;
 using model::MetadataType;
 
-// What accessors of vertex attributes have of the component types; none of the others.
+// The component types supported by accessors of vertex attributes; none for the others.
 ComponentType component_type(MetadataComponent component) {
   switch (component) {
     case MetadataComponent::int8:
@@ -40,7 +40,7 @@ ComponentType component_type(MetadataComponent component) {
   }
 }
 
-// Why a property is no vertex attribute: the end of a sentence; empty: it may be one.
+// The reason why a property cannot be a vertex attribute, as the end of a sentence; empty: it can.
 std::string attribute_refusal(const MetadataProperty& property) {
   if (property.array) return "it is an array";
   if (property.type == MetadataType::string || property.type == MetadataType::boolean) {
@@ -61,14 +61,14 @@ model::Format format_of(const MetadataProperty& property) {
   return format;
 }
 
-// A property of a property attribute, and what its vertices have so far.
+// A property of a property attribute, and the values of its vertices so far.
 struct VertexColumn {
   const MetadataProperty* property = nullptr;
   json::NodeId node = json::kNoNode;
   std::string attribute;
   ValueLimits limits;
-  std::unique_ptr<ValueScan> scan;    // null: nothing to look for
-  std::set<std::uint32_t> accessors;  // that were seen
+  std::unique_ptr<ValueScan> scan;    // null: nothing to check
+  std::set<std::uint32_t> accessors;  // accessors that were read
 };
 
 class PropertyAttributeCheck {

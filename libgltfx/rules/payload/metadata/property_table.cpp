@@ -18,7 +18,7 @@ namespace {
 using model::MetadataProperty;
 using model::MetadataType;
 
-// Bytes of an offset type; 0: an unknown one.
+// Bytes of an offset type; 0: unknown type.
 unsigned offset_size(const json::Document& document, json::NodeId column, std::string_view member) {
   const json::NodeId value = document.find(column, member);
   if (value == json::kNoNode) return 4;
@@ -103,7 +103,7 @@ class TableCheck {
     return found;
   }
 
-  // Columns may share bytes: without a limit a small file could ask for years of work.
+  // Columns may share bytes: without a limit, a small file could cause years of work.
   bool affordable(const Column& column, const PropertyUse& use) {
     for (const ColumnPart* each : {&column.values, &column.array_offsets, &column.string_offsets}) {
       if (!each->bytes || phase_.data.budget.take(each->bytes->size(), 1)) continue;

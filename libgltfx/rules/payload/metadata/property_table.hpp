@@ -15,10 +15,10 @@ struct ColumnPart {
   std::string_view member;  ///< "values"
   std::optional<container::Bytes> bytes;
   std::uint64_t byte_offset = 0;  ///< in its buffer
-  unsigned size = 0;              ///< bytes of an offset; 0: not offsets
+  unsigned size = 0;              ///< bytes per offset; 0: not offsets
 };
 
-/// A column whose bytes are to be looked at. Property and limits outlive it.
+/// A column whose bytes are checked. Property and limits outlive it.
 struct Column {
   const model::MetadataProperty* property = nullptr;
   std::size_t table = 0;  ///< index
@@ -28,7 +28,7 @@ struct Column {
   ValueLimits limits;
 };
 
-/// What is wrong with the bytes of a column. Reads them once; any number of threads may call.
+/// The problems of the bytes of a column. Reads them once; thread-safe.
 std::vector<StoredFinding> scan_column(const Column& column);
 
 }  // namespace gltfx::validate

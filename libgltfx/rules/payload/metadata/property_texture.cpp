@@ -20,7 +20,7 @@ namespace {
 using model::MetadataProperty;
 using model::MetadataType;
 
-// Bytes of a value in texels; nothing: it cannot be stored there.
+// Bytes of a value in texels; nothing: it cannot be stored in texels.
 std::optional<std::uint64_t> texel_bytes(const MetadataProperty& property) {
   if (property.type == MetadataType::string || property.is_variable()) return std::nullopt;
   if (property.type != MetadataType::boolean) {
@@ -124,7 +124,8 @@ class PropertyTextureCheck {
 
   MetadataPhase& phase_;
   std::vector<TexelRequest> requests_;
-  std::vector<std::vector<std::uint64_t>> sets_;  // by property texture, what its slots read
+  std::vector<std::vector<std::uint64_t>>
+      sets_;  // by property texture, the sets that its slots read
 };
 
 }  // namespace

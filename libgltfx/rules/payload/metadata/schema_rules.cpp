@@ -18,7 +18,7 @@ using model::MetadataEnum;
 using model::MetadataProperty;
 using model::MetadataSchema;
 
-// Reports a string that another object of the same list already has.
+// Reports a string that an earlier object of the same list has.
 class Repeats {
  public:
   Repeats(const json::Document& document, Sink& sink, std::string_view member)
@@ -40,7 +40,7 @@ class Repeats {
   json::KeyTable seen_;
 };
 
-// As model::integer_bits(), of a number in the range of 64 bits.
+// Like model::integer_bits(), for a number in the range of 64 bits.
 std::uint64_t integer_of(double number) {
   return number < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(number))
                     : static_cast<std::uint64_t>(number);
@@ -96,7 +96,7 @@ void check_property(const MetadataSchema& schema, const MetadataProperty& proper
   check_metadata_limits(owner, property, false);
   check_metadata_value(owner, "default", document.find(property.node, "default"), property,
                        MetadataNumber::transformed);
-  if (property.type == model::MetadataType::boolean) return;  // has none
+  if (property.type == model::MetadataType::boolean) return;  // booleans have none
   check_metadata_value(owner, "noData", document.find(property.node, "noData"), property,
                        MetadataNumber::stored);
 }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kMostSchemaBytes = std::size_t{64} << 20U;
 
-// Reports what is wrong in a file at the member that names the file.
+// Reports problems of a file at the member that names the file.
 class SchemaFileSink final : public Sink {
  public:
   SchemaFileSink(std::string_view name, std::string_view text, const Path& member, Span span,
@@ -43,7 +43,7 @@ class SchemaFileSink final : public Sink {
   Sink& sink_;
 };
 
-// What is wrong with the text as JSON; empty: nothing, or a byte order mark.
+// The problem of the text as JSON; empty: none, or a byte order mark.
 std::string unreadable_reason(const json::Parsed& parsed, std::string_view text) {
   const auto error =
       std::find_if(parsed.errors.begin(), parsed.errors.end(), [](const json::ParseError& each) {

@@ -24,7 +24,8 @@ std::vector<double> numbers_of(const json::Document& document, json::NodeId obje
       .value_or(std::vector<double>());
 }
 
-// What readers get of a stored number (3D Metadata, "Normalized Values", "Offset and Scale").
+// The values that readers compute from stored numbers (3D Metadata, "Normalized Values", "Offset
+// and Scale").
 class Transform {
  public:
   Transform(const MetadataProperty& property, const ValueLimits& limits)
@@ -50,7 +51,7 @@ class Transform {
   double most_;
 };
 
-// What two numbers may differ by that mean the same, written and stored.
+// The allowed difference between a written and a stored number.
 double slack_of(const MetadataProperty& property, double bound, double value) {
   const double greatest = std::max(std::fabs(bound), std::fabs(value));
   if (property.normalized || property.component == MetadataComponent::float32) {
@@ -80,7 +81,7 @@ class LimitCheck {
   }
 
  private:
-  // `own`: a bound of what stores the values, which must be reached.
+  // `own`: a bound of the object that stores the values, which must be reached.
   void outside(const std::vector<double>& bounds, std::string_view member, std::string_view whose,
                bool upper) {
     const bool own = !member.empty();

@@ -21,13 +21,13 @@ using model::MetadataProperty;
 
 constexpr std::size_t kBlockBytes = std::size_t{32} << 10U;
 
-// Integers that are values of an enum, most of them in a window that one table covers.
+// Integers of values of an enum, most of them in a window covered by one table.
 template <typename T>
 class EnumTable {
  public:
   explicit EnumTable(const model::MetadataEnum& source) : source_(source) {
     if (source.values.empty()) return;
-    // Sorted as unsigned: negative numbers stand behind all others.
+    // Sorted as unsigned: negative numbers come after all others.
     first_ = source.values.front();
     if constexpr (std::is_signed_v<T>) {
       const auto negative =
@@ -99,7 +99,7 @@ class RowExtremes {
   std::size_t width_;
   bool any_ = false;
   std::vector<kernels::Extremes<T>> fast_;  // smallest, greatest
-  std::vector<T> least_, most_;             // of widths that those do not have
+  std::vector<T> least_, most_;             // for widths that the fast ones do not support
 };
 
 template <typename T>
@@ -108,7 +108,7 @@ bool is_finite(T value) {
   return true;
 }
 
-// Precondition: in the range of the component type, whose greatest 64-bit numbers are no doubles.
+// Precondition: in the range of the component type, whose greatest 64-bit numbers are not doubles.
 template <typename T>
 T stored_as(double number) {
   constexpr double kBeyond = static_cast<double>(std::numeric_limits<T>::max());
@@ -179,7 +179,7 @@ class TypedScan final : public ValueScan {
     }
   }
 
-  // Rows that say that there is no value are left out: those behind them move up.
+  // Rows with the noData value are left out: later rows move up.
   void add_without_no_data(const T* values, std::size_t rows) {
     if (compact_.size() < rows * width_) compact_.resize(block_rows_ * width_);
     T* to = compact_.data();
@@ -198,7 +198,8 @@ class TypedScan final : public ValueScan {
     pend(static_cast<std::size_t>(to - compact_.data()) / width_);
   }
 
-  // Extremes take whole blocks of 16 but for the last; so the last row fills up the rest.
+  // Extremes need whole blocks of 16, except for the last one; so the last row is repeated to fill
+  // it.
   void pend(std::size_t rows) {
     if (rows == 0) return;
     const std::size_t padded = std::min((rows + 15) / 16 * 16, block_rows_);
@@ -210,8 +211,8 @@ class TypedScan final : public ValueScan {
 
   std::size_t width_;
   std::size_t block_rows_ = 0;
-  std::vector<T> buffer_;   // what does not lie aligned
-  std::vector<T> compact_;  // without noData
+  std::vector<T> buffer_;   // for unaligned data
+  std::vector<T> compact_;  // rows without noData
   std::vector<T> no_data_;
   std::optional<EnumTable<T>> table_;
   RowExtremes<T> extremes_;
@@ -220,7 +221,7 @@ class TypedScan final : public ValueScan {
   ValueFindings found_;
 };
 
-// Whether a value that was not found must still be looked for.
+// Whether a value that is not in the table must still be searched for.
 bool is_open(const MetadataProperty& property) {
   return property.enumeration != nullptr && property.enumeration->sound;
 }

@@ -86,7 +86,7 @@ void for_each_element(const json::Document& document, json::NodeId value,
   for (const json::NodeId element : document.elements(value)) use(element);
 }
 
-// Calls `use` with each number of a value of the right form.
+// Calls `use` with each number of a value of the correct form.
 template <typename Use>
 void for_each_number(const json::Document& document, json::NodeId value,
                      const MetadataProperty& property, Use use) {
@@ -97,7 +97,7 @@ void for_each_number(const json::Document& document, json::NodeId value,
   });
 }
 
-// The greatest numbers of 64 bits are no doubles: what is written as an integer is read as one.
+// The greatest numbers of 64 bits are not doubles: a number written as an integer is read as one.
 bool is_representable(const json::Document& document, const json::Number& number,
                       const MetadataProperty& property) {
   const model::MetadataRange range = metadata_range(property.component);
@@ -137,7 +137,8 @@ void check_names(const MetadataObject& owner, const Path& path, json::NodeId val
   });
 }
 
-// Why a property has no offset and scale, or no bounds: the end of a sentence; empty: it may have.
+// The reason why a property has no offset and scale, or no bounds, as the end of a sentence; empty:
+// it may have them.
 std::string_view refusal(const MetadataProperty& property, bool factor) {
   if (!property.is_numeric()) return "its type has no components";
   if (property.is_variable()) return "its arrays vary in length";
