@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rules behind the text, in the order in which they run: two findings of one phase are reported
-// in this order. validator.cpp has the phases.
+// The rules that run after the check of the text, in their order: findings of one phase are
+// reported in this order. validator.cpp has the phases.
 #include "base/fork.hpp"
 #include "rules/context.hpp"
 #include "rules/payload/phases.hpp"

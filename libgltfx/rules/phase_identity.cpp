@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are not quite glTF 2.0 are named for what they are, once, instead of drowning the
-// reader in consequences.
+// Files of other versions or formats than glTF 2.0 get one finding that names the format, instead
+// of many consequences.
 #include <utility>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffers: where their bytes come from, and whether there are enough of them.
+// Buffers: the source of their bytes, and whether there are enough of them.
 #include <algorithm>
 #include <string>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files are opened only inside the root and only mapped.
+// Files are only opened inside the root, and only mapped.
 #include "rules/resource_fetch.hpp"
 
 #include <utility>

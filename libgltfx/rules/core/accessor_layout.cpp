@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the elements of accessors lie: on the right boundaries and inside their buffer view.
+// The place of accessor elements: correctly aligned and inside their buffer view.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an accessor says of its elements: bounds of the right number and kind, normalization,
-// columns of matrices.
+// Members of an accessor about its elements: number and kind of bounds, normalization, columns of
+// matrices.
 #include <cmath>
 
 #include <fmt/format.h>

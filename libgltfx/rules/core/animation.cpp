@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Animations: keyframes, targets, and that the one fits the other (specification section 3.11).
+// Animations: keyframes, targets, and whether they match (specification section 3.11).
 #include "model/animation.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The version of glTF an asset is written in, and the least one a reader must know.
+// The glTF version of an asset, and the minimum version that a reader must support.
 #include <charconv>
 #include <optional>
 

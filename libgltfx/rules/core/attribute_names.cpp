@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of vertex attributes, and which of them go together.
+// Names of vertex attributes, and combinations of attributes.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cameras: what a projection needs to be one (specification section 3.10).
+// Cameras: the members that a projection needs (specification section 3.10).
 #include <numbers>
 
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals that have no direction, from the faces around their vertices.
+// Computes normals that have no direction from the faces around their vertices.
 #include <array>
 #include <cmath>
 #include <string>

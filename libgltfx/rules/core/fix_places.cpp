@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixes that ask which vertices or elements are meant.
+// Fixes that depend on which vertices or elements are used.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

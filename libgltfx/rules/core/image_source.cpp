@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images that lie in a buffer view, and which images a texture may show.
+// Images in a buffer view, and the images that a texture may use.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

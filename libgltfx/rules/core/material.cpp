@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Core properties of materials that only make sense together.
+// Core properties of materials that are only valid together.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Primitives: attributes, indices and morph targets held against each other.
+// Primitives: attributes, indices and morph targets compared with each other.
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene graph as a whole: loops, nodes for nothing, skinned meshes in the wrong place.
+// The scene graph as a whole: loops, nodes without use, skinned meshes in the wrong place.
 #include <cstdint>
 #include <optional>
 #include <unordered_map>

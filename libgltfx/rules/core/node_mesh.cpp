@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Nodes and what hangs on them: morph weights, skins, children (specification sections 3.5 and
-// 3.7.4).
+// Nodes and their morph weights, skins and children (specification sections 3.5 and 3.7.4).
 #include <utility>
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The local transform of a node: one form of it, and one that can be taken apart (specification
-// section 3.5.3).
+// The local transform of a node: in one form only, and decomposable (specification section 3.5.3).
 #include <algorithm>
 #include <array>
 #include <cmath>

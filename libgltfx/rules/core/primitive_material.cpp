@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What materials ask of primitives: tangents and texture coordinates, neither too few nor for
-// nothing.
+// Tangents and texture coordinates that materials need from primitives: missing and unused ones.
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where buffers and images come from: the form of a URI, and what phase 5 finds behind it.
+// Sources of buffers and images: the form of a URI, and the fixes for resources that phase 5 opens.
 #include <string>
 #include <string_view>
 #include <utility>

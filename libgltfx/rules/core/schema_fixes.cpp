@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixes of what the walk over schemas reports, which knows nothing of edits: repeats, empty
-// members, and the lists of extensions.
+// Fixes of findings of the schema walk: repeats, empty members, and the lists of extensions.
 #include <algorithm>
 #include <array>
 #include <functional>

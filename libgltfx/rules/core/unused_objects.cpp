@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects that nothing refers to, and weights that are always overridden.
+// Objects without references, and weights that are always overridden.
 #include <algorithm>
 #include <array>
 #include <optional>

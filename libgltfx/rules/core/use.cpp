@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One buffer view, one accessor: one kind of data.
+// A buffer view and an accessor each contain one kind of data.
 #include "rules/core/use.hpp"
 
 #include <fmt/format.h>

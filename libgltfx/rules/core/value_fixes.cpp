@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fixes of values that the walk over schemas finds wrong: null, numbers in quotes, numbers that are
-// hardly out of range, members in the wrong object.
+// Fixes of invalid values found by the schema walk: null, numbers in quotes, numbers slightly out
+// of range, members in the wrong object.
 #include <algorithm>
 #include <cfloat>
 #include <cmath>

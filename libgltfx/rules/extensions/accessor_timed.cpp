@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accessors whose elements arrive while the scene runs (MPEG_accessor_timed), and what reads them:
-// which members of other extensions need such accessors is said in prose, so they stand in a table
-// here.
+// Accessors whose elements arrive while the scene runs (MPEG_accessor_timed), and their users: the
+// texts of other extensions state in prose which members need such accessors, so this file has a
+// table of them.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

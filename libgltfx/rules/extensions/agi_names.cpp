@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extensions that refer by name (AGI_articulations, AGI_stk_metadata): a name must be one thing's
-// only. Uniqueness over a list of objects is nothing a schema file states; this file names the
-// lists.
+// Extensions that refer by name (AGI_articulations, AGI_stk_metadata): a name must be unique.
+// Schema files cannot state uniqueness over a list of objects; this file names the lists.
 #include "rules/extensions/agi_names.hpp"
 
 #include <unordered_map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// KHR_animation_pointer: channels that name what they move by a JSON pointer. Only the object model
-// says which properties those may be, so the rules go beyond what a schema file can state; this
-// file is about that one extension and names it.
+// KHR_animation_pointer: channels that name their property by a JSON pointer. Only the object model
+// lists these properties, so the rules exceed what a schema file can state; this file is about that
+// one extension and names it.
 #include <unordered_map>
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sources of sound (MPEG_audio_spatial, KHR_audio_emitter): lists that go together, distances in
-// order, which emitters have no place, and formats that sound data may have. This file is about
-// sound and names its extensions.
+// Sources of sound (MPEG_audio_spatial, KHR_audio_emitter): lists of equal length, the order of
+// distances, emitters in wrong places, and formats of sound data. This file is about sound and
+// names its extensions.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

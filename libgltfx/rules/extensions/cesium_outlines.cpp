@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // CESIUM_primitive_outline: pairs of vertices that an edge joins. CESIUM_tile_edges: vertices along
-// the edges of a tile. Only the indices tell, so this file names the extensions.
+// the edges of a tile. The checks need the indices, so this file names the extensions.
 #include <algorithm>
 
 #include <fmt/format.h>

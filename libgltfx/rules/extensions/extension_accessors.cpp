@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Accessors that extensions refer to, and the formats they ask for. The schema vocabulary says that
-// a member is an accessor, not of what; so each stands in a table here, by extension.
+// Accessors of extensions, and their formats. The schema vocabulary states that a member is an
+// accessor, but not its format; so this file has a table by extension.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

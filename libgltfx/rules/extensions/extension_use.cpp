@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the lists of extensions promise, held against what the asset really uses.
+// The lists of extensions, compared with the extensions that the asset uses.
 #include <string>
 #include <string_view>
 #include <unordered_map>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extensions that carry data in another form: without a copy that every program can read, the asset
-// must require them. Which extensions these are is said by the schema files, where a copy would be
-// by the object they sit on.
+// Extensions with data in another form: unless there is a copy that every program can read, the
+// asset must require them. The schema files name these extensions, and their host object is the
+// place of a copy.
 #include <algorithm>
 #include <utility>
 

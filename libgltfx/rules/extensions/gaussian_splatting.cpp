@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// KHR_gaussian_splatting: which attributes must stand together, which depends on their names; this
+// KHR_gaussian_splatting: attributes that must occur together, which depends on their names; this
 // file is about that one extension and names it.
 #include <array>
 #include <charconv>

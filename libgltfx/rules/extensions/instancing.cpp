@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extensions that draw the mesh of a node many times: which these are, and what their attributes
-// may be, is said by the schema files (`instanceAttributes`).
+// Extensions that draw the mesh of a node many times: the schema files name them and the formats of
+// their attributes (`instanceAttributes`).
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

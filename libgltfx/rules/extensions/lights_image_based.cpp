@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// EXT_lights_image_based: lights are turned as nodes are, and the sizes of their images are not in
-// the document.
+// EXT_lights_image_based: rotations of lights, as for nodes. The sizes of their images are not in
+// the document, so they are checked with the images.
 #include <bit>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// KHR_lights_punctual: which members go with which kind of light. About one extension, so it names
-// it.
+// KHR_lights_punctual: the members of each kind of light. This file is about that one extension and
+// names it.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

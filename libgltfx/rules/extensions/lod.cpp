@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// MSFT_lod: levels of detail are other nodes or materials, and nothing is a level of itself. Only
-// the whole graph shows a cycle; this file is about that one extension and names it.
+// MSFT_lod: levels of detail are other nodes or materials, and no object is a level of itself.
+// Finding a cycle needs the whole graph; this file is about that one extension and names it.
 #include <limits>
 #include <unordered_set>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Material extensions that need something beside them to be seen. They are named here because their
-// texts state these conditions in prose: no schema word says "only with an emissive factor".
+// Material extensions that need another property to be visible. They are named here because their
+// texts state these conditions in prose: no schema word means "only with an emissive factor".
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lobes of materials that cannot be seen: switched off, hidden by metal, or without what they need.
-// The texts of the extensions say so in prose.
+// Lobes of materials that are invisible: switched off, hidden by metal, or without a property that
+// they need. The texts of the extensions state this in prose.
 
 #include <algorithm>
 #include <array>

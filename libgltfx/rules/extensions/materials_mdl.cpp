@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NV_materials_mdl: what a material calls, and the names of arguments. This file is about that one
-// extension and names it.
+// NV_materials_mdl: the functions that a material calls, and the names of arguments. This file is
+// about that one extension and names it.
 
 #include <fmt/format.h>
 

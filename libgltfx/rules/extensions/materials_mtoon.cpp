@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// VRMC_materials_mtoon: what depends on the alpha mode of the material that carries it.
+// VRMC_materials_mtoon: members that depend on the alpha mode of the material with the extension.
 #include <array>
 
 #include <fmt/format.h>

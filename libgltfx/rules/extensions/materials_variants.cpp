@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// KHR_materials_variants: one material a variant. About one extension, so it names it.
+// KHR_materials_variants: one material per variant. This file is about that one extension and names
+// it.
 #include "rules/extensions/materials_variants.hpp"
 
 #include <fmt/format.h>

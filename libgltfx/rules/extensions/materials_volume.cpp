@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// KHR_materials_volume: a surface that encloses a volume has no hole. The material says that there
-// is one and the triangles whether it is closed, so this file names the extension.
+// KHR_materials_volume: a surface that encloses a volume has no hole. The material declares the
+// volume and the triangles form the surface, so this file names the extension.
 #include <algorithm>
 #include <vector>
 

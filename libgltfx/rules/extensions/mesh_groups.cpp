@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extensions of a mesh that speak of several of its primitives at once (EXT_mesh_primitive_restart,
-// EXT_mesh_manifold): how primitives compare with each other is beyond a schema file, so this file
-// names the two.
+// Extensions of a mesh about several of its primitives (EXT_mesh_primitive_restart,
+// EXT_mesh_manifold): a schema file cannot compare primitives, so this file names the two.
 #include <map>
 #include <unordered_map>
 

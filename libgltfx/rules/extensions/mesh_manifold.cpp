@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// EXT_mesh_manifold: a solid, and vertices that are one in it and several in what is drawn. Only
-// the indices tell, so this file names the extension.
+// EXT_mesh_manifold: a solid, and vertices that are merged in it but separate in the drawn mesh.
+// The checks need the indices, so this file names the extension.
 #include <algorithm>
 #include <unordered_map>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes with quantised positions: the node that scales them back should keep normals where they
-// are. A relation of a node to the formats of its mesh.
+// Meshes with quantized positions: the node that scales them back should not change their normals.
+// This relates a node to the formats of its mesh.
 #include <algorithm>
 #include <cmath>
 

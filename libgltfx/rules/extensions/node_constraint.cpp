@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// VRMC_node_constraint: a node follows another one. Only the whole graph shows a cycle; this file
-// is about that one extension and names it.
+// VRMC_node_constraint: a node follows another one. Finding a cycle needs the whole graph; this
+// file is about that one extension and names it.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extensions on primitives that depend on the primitive itself (MAXAR_nonvisual_geometry,
-// NGA_gpm_local), and a matrix whose size is told by the length of its list.
+// NGA_gpm_local), and a matrix whose size is given by the length of its list.
 #include <algorithm>
 #include <cmath>
 

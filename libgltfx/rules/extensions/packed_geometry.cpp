@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the JSON says of compressed geometry: KHR_draco_mesh_compression on primitives,
-// EXT_meshopt_compression and KHR_meshopt_compression on buffer views. These compare objects with
-// the ones they sit on, which no schema file states; this file is about them and names them.
+// The JSON of compressed geometry: KHR_draco_mesh_compression on primitives,
+// EXT_meshopt_compression and KHR_meshopt_compression on buffer views. The rules compare objects
+// with their hosts, which no schema file can state; this file is about these extensions and names
+// them.
 #include <algorithm>
 #include <unordered_map>
 

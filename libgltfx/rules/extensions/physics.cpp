@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rigid bodies and vehicles: parts that must lie below the node they belong to, and joints, gravity
-// and shapes that need something of other nodes or meshes. Only the whole graph tells.
+// Rigid bodies and vehicles: parts that must be below the node they belong to, and joints, gravity
+// and shapes that depend on other nodes or meshes. The checks need the whole graph.
 #include <optional>
 #include <unordered_map>
 

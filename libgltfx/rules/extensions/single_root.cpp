@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// GODOT_single_root: an extension without objects whose name alone promises what the scene looks
-// like. This file is about that one extension and names it.
+// GODOT_single_root: an extension without objects whose name alone declares the form of the scene.
+// This file is about that one extension and names it.
 #include <algorithm>
 
 #include <fmt/format.h>

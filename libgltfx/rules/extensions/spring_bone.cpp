@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// VRMC_springBone: chains of nodes that swing. Whether joints lie below each other, and which
-// spring a node between two joints belongs to, only the scene graph tells.
+// VRMC_springBone: chains of nodes that swing. Whether joints are below each other, and the spring
+// of a node between two joints, depend on the scene graph.
 #include <unordered_map>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// VRMC_vrm: annotations that must not name a node twice, and what avatars ask of the transforms of
-// their textures.
+// VRMC_vrm: annotations that must not name a node twice, and restrictions of avatars on texture
+// transforms.
 #include <unordered_map>
 
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// VRMC_vrm_animation: the translation of a node along X is the weight of an expression. Only the
-// values of the animation tell, so this file names the extension.
+// VRMC_vrm_animation: the translation of a node along X is the weight of an expression. The checks
+// need the values of the animation, so this file names the extension.
 #include <unordered_map>
 
 #include <fmt/format.h>

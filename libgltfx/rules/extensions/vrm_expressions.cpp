@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Expressions of avatars (VRM 0.x, VRMC_vrm) against the morph targets of meshes, and what VRM 0.x
-// says of materials against those of the asset: counts and names over several lists.
+// Expressions of avatars (VRM 0.x, VRMC_vrm) compared with the morph targets of meshes, and
+// materials of VRM 0.x with those of the asset: counts and names over several lists.
 #include <algorithm>
 #include <cctype>
 #include <unordered_map>

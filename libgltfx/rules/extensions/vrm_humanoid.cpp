@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bones of humanoid avatars (VRM 0.x, VRMC_vrm, VRMC_vrm_animation): whether nodes are used once,
-// and lie below each other as bones of a body do. Only the scene graph tells.
+// Bones of humanoid avatars (VRM 0.x, VRMC_vrm, VRMC_vrm_animation): whether each node is used
+// once, and whether they are below each other like the bones of a body. The checks need the scene
+// graph.
 #include "rules/extensions/vrm_humanoid.hpp"
 
 #include <algorithm>

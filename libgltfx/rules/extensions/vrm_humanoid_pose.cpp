@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pose in which a humanoid avatar is saved (VRM 0.x, VRMC_vrm, VRMC_vrm_animation): where bones
-// are, only the transforms of all nodes above them tell.
+// The pose in which a humanoid avatar is saved (VRM 0.x, VRMC_vrm, VRMC_vrm_animation): the
+// positions of bones depend on the transforms of all their ancestors.
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// VRMC_vrm: the picture of an avatar in lists. The sizes of images are not in the document.
+// VRMC_vrm: the thumbnail of an avatar. The sizes of images are not in the document.
 #include <fmt/format.h>
 
 #include "base/codes.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// KHR_xmp_json_ld and KHR_xmp: names of properties and the forms of JSON-LD that packets may have.
-// A packet's members are free, so no schema states them; this file is about the two and names them.
+// KHR_xmp_json_ld and KHR_xmp: names of properties and the forms of JSON-LD allowed in packets. The
+// members of a packet are free, so no schema states them; this file is about the two extensions and
+// names them.
 #include <algorithm>
 #include <deque>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Schema files state the formats of attributes, not what their numbers mean; so those that mean
-// something stand here by their names.
+// Schema files state the formats of attributes, but not the meaning of their numbers; so attributes
+// with a meaning are listed here by name.
 #include "rules/payload/check.hpp"
 
 #include "model/fields.hpp"

@@ -98,7 +98,7 @@ struct Check {
   CheckKind kind = CheckKind::finite;
   bool triangles = false;  ///< index: of a list of triangles
   bool cubic = false;      ///< quaternion, limits: only the middle one of three counts
-  /// index: the last vertex, -1 if there is none. limits: count of numbers of the property.
+  /// index: the last vertex, -1 if there is none. limits: id of their shape.
   std::int64_t most = 0;
   std::size_t same_as = 0;  ///< the first equal check of this accessor; may be itself
   Place place;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Decodes geometry that is compressed by Draco, which no schema file can say anything about: the
-// bytes are Draco's own.
+// Decodes geometry compressed by Draco, which no schema file can describe: the bytes have Draco's
+// own format.
 #include <algorithm>
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plain loops without branches: at -O3 g++ and clang turn them into SSE2, and into NEON on Arm.
+// Plain loops without branches: with -O3, g++ and clang turn them into SSE2, and into NEON on Arm.
 #include "rules/payload/kernels.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What extensions ask of KTX2 images, and slots and samplers of those that they show. The errors of
-// a file in itself are found where its header is read; only their table is here.
+// Requirements of extensions on KTX2 images, and of the slots and samplers that use them. The
+// errors of a file itself are found when its header is read; only their table is here.
 
 #include <map>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What only decoded pixels tell: images that cannot be decoded, constant ones, normal maps.
+// Checks that need decoded pixels: images that cannot be decoded, constant ones, normal maps.
 
 #include <set>
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slots that show one image: one channel is one thing, and what is packed lies on one place.
+// Slots that share an image: each channel has one meaning, and packed channels have the same
+// placement.
 
 #include <algorithm>
 #include <array>

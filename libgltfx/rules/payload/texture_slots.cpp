@@ -151,7 +151,7 @@ class SlotReader {
     if (slot.effective.empty()) slot.hidden_by = member;
   }
 
-  // The factor that turns off what the texture is a part of.
+  // The factor that disables the property that the texture is a part of.
   void switch_off(TextureSlot& slot) const {
     const schema::TypeId type = slot.use->owner_type;
     if (type == schema::kNone) return;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
 
-// Elements that take bytes in a buffer, so that memory for them is bounded by those.
+// Opens elements that are stored in a buffer, which limits the memory for them.
 std::optional<model::AccessorData> open_bounded(DataPhase& phase, std::uint32_t accessor) {
   auto data = phase.open(accessor);
   if (!data || data->implied() || data->count() >= kMost) return std::nullopt;
@@ -43,7 +43,7 @@ std::optional<std::vector<Position>> read_positions(DataPhase& phase, std::uint3
   places.reserve(static_cast<std::size_t>(data->count()));
   data->visit<float>([&](const float* values, std::size_t elements, std::uint64_t) {
     for (std::size_t i = 0; i < elements; ++i) {
-      // What is no number has no order; 0 takes its place, and has been reported.
+      // NaN has no order; it is replaced by 0, and has been reported.
       Position place{values[i * 3], values[i * 3 + 1], values[i * 3 + 2]};
       for (float& each : place) each = std::isfinite(each) ? each : 0;
       places.push_back(place);
@@ -52,7 +52,7 @@ std::optional<std::vector<Position>> read_positions(DataPhase& phase, std::uint3
   return places;
 }
 
-// The longest side of the box around all of them.
+// The longest side of the bounding box.
 float extent_of(const std::vector<Position>& places) {
   float extent = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -67,12 +67,13 @@ float extent_of(const std::vector<Position>& places) {
   return extent;
 }
 
-// Positions in cubes of `reach`: whoever is near enough lies in the same cube or one beside it.
+// Positions in cubes of `reach`: positions that are near enough are in the same cube or an adjacent
+// one.
 class Grid {
  public:
   Grid(const std::vector<Position>& places, float reach) : places_(places), reach_(reach) {}
 
-  // The vertex that stands for those near it: one from before, or this one from now on.
+  // The vertex that represents those near it: an earlier one, or this one from now on.
   std::uint32_t find_or_add(std::uint32_t vertex) {
     const Cell own = cell_of(vertex);
     for (int step = 0; step < 27; ++step) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Triangles as they meet.
+/// Triangles and their shared vertices and edges.
 #pragma once
 
 #include <array>
@@ -16,31 +16,31 @@ using Indices = std::vector<std::uint32_t>;
 /// The vertices of its corners, in the order of specification section 3.7.2.1.
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The numbers of an accessor of unsigned scalars. Nothing when it is of another format, has no
-/// bytes of its own or none that can be read, or more than the phase has time for.
+/// The numbers of an accessor of unsigned scalars. Nothing if it has another format, no readable
+/// bytes of its own, or exceeds the budget of the phase.
 std::optional<Indices> read_indices(DataPhase& phase, std::uint32_t accessor);
 
-/// The triangles of a primitive that has such, with or without indices; nothing as above.
+/// The triangles of a primitive, with or without indices; nothing if it has none, or as above.
 std::optional<std::vector<Triangle>> read_triangles(DataPhase& phase,
                                                     const model::Primitive& primitive);
 
 /// Triangles of a list, strip or fan over `indices`; none for other modes.
 std::vector<Triangle> triangles_of(model::Mode mode, const Indices& indices);
 
-/// Two vertices, whichever comes first.
+/// Two vertices, in any order.
 constexpr std::uint64_t edge_of(std::uint32_t a, std::uint32_t b) {
   return a < b ? std::uint64_t{a} << 32U | b : std::uint64_t{b} << 32U | a;
 }
 
-/// The edges of triangles, sorted, each once. Edges of no length are none.
+/// The edges of triangles, sorted, each once. Edges of length 0 are omitted.
 std::vector<std::uint64_t> edges_of(const std::vector<Triangle>& triangles);
 
 /// By vertex: the first vertex at the same position, of an accessor of three floats. Nothing as for
 /// read_indices().
 std::optional<Indices> first_at_position(DataPhase& phase, std::uint32_t accessor);
 
-/// The same for positions as near as single precision leaves those that were meant to be one: by
-/// some four millionths of the extent.
+/// Likewise for positions that differ only by the error of single precision: some four millionths
+/// of the extent.
 std::optional<Indices> first_near_position(DataPhase& phase, std::uint32_t accessor);
 
 }  // namespace gltfx::validate

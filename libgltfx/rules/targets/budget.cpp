@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the user allows an asset to cost. Silent unless limits are given.
+// Limits that the user sets for an asset. No findings without limits.
 #include <algorithm>
 #include <charconv>
 #include <set>

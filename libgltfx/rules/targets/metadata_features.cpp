@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Features of property tables: the types of their columns. A schema in a file of its own is not
+// Features of property tables: the types of their columns. A schema in a separate file is not
 // opened for it.
 #include <string>
 

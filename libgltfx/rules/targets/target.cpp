@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the engines that the user names do with features of the asset. Silent unless targets are
-// given.
+// The treatment of features of the asset by the engines that the user names. No findings without
+// targets.
 #include <gltfx/targets.hpp>
 
 #include <string>
