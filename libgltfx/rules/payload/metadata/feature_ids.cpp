@@ -88,7 +88,7 @@ class IdCount {
   std::size_t sorted_ = 0;
 };
 
-// An object with sets of feature ids: a primitive or an instanced node.
+// An object with sets of feature IDs: a primitive or an instanced node.
 struct FeatureHost {
   bool instances = false;
   json::NodeId attributes = json::kNoNode;
@@ -98,7 +98,7 @@ struct FeatureHost {
   std::optional<std::uint64_t> count;    // number of vertices or instances
 };
 
-// A set of feature ids.
+// A set of feature IDs.
 struct FeatureSet {
   json::NodeId object = json::kNoNode;
   std::optional<std::uint64_t> feature_count, null_id,
@@ -311,24 +311,24 @@ class FeatureCheck {
     ids.finish();
     if (ids.invalid() != 0) {
       report(set, path, member, Code::FEATURE_ID_NOT_INTEGER,
-             fmt::format("The feature id {} is no non-negative integer.",
+             fmt::format("The feature ID {} is not a non-negative integer.",
                          number_text(ids.first_invalid())));
     } else if (ids.inexact() != 0) {
       Finding finding = finding_on(
           context_, document_.find(set.object, member), Code::FEATURE_ID_NOT_INTEGER,
-          fmt::format("The feature id {} is above 2^24, where FLOAT does not hold every integer.",
+          fmt::format("The feature ID {} is above 2^24, where FLOAT does not hold every integer.",
                       number_text(ids.first_inexact())));
       finding.severity = Severity::warning;
       phase_.sink().report(Path(path, member), std::move(finding));
     }
     if (set.feature_count && ids.distinct() > *set.feature_count) {
       report(set, path, "featureCount", Code::FEATURE_ID_COUNT_MISMATCH,
-             fmt::format("featureCount is {}, but there are more different feature ids.",
+             fmt::format("featureCount is {}, but there are more different feature IDs.",
                          *set.feature_count));
     }
     if (set.rows && ids.any() && ids.greatest() >= *set.rows) {
       report(set, path, "propertyTable", Code::FEATURE_ID_OOB,
-             fmt::format("The greatest feature id is {}, but the property table has only {} rows.",
+             fmt::format("The greatest feature ID is {}, but the property table has only {} rows.",
                          ids.greatest(), *set.rows));
     }
   }

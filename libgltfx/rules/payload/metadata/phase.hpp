@@ -71,7 +71,7 @@ void check_property_textures(MetadataPhase& phase);
 void check_property_attributes(MetadataPhase& phase);
 /// The metadata of nodes, materials and so on.
 void check_metadata_of_objects(MetadataPhase& phase);
-/// Feature ids of primitives and instances.
+/// Feature IDs of primitives and instances.
 void check_feature_ids(MetadataPhase& phase);
 
 }  // namespace gltfx::validate

@@ -50,7 +50,8 @@ class TableCheck {
 
   void add(std::size_t index, json::NodeId table, const PropertyUse& use) {
     const MetadataProperty& property = use.property;
-    check_offsets(use, "arrayOffsets", property.is_variable(), "it is no array of variable length");
+    check_offsets(use, "arrayOffsets", property.is_variable(),
+                  "it is not an array of variable length");
     check_offsets(use, "stringOffsets", property.type == MetadataType::string,
                   "its type is not STRING");
     const auto rows = model::unsigned_member(document(), table, "count");

@@ -167,7 +167,7 @@ std::vector<StoredFinding> describe_values(const MetadataProperty& property,
     findings.push_back(
         {"", Finding(Code::METADATA_ENUM_VALUE_UNKNOWN,
                      first_of_many(
-                         fmt::format("The value of {} {} is {}, which is no value of enum {}.",
+                         fmt::format("The value of {} {} is {}, which is not a value of enum {}.",
                                      what, found.unlisted.row, found.unlisted.value,
                                      gltfx::quoted(property.enumeration->id)),
                          found.unlisted.count))});
