@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of accessors: bounds, numbers, unit vectors, colours, indices.
+// Elements of accessors: bounds, numbers, unit vectors, colors, indices.
 #include <cmath>
 #include <limits>
 #include <string>
@@ -25,7 +25,7 @@ std::string scalars(Component component, std::size_t count, const std::string& b
   return asset.text();
 }
 
-// One attribute beside positions without data.
+// One attribute in addition to positions without data.
 std::string with_attribute(const std::string& name, const std::string& type, Component component,
                            std::size_t count, const std::string& bytes,
                            const std::string& more = {}) {
@@ -136,7 +136,7 @@ TEST(Normals, MayDifferFromUnitLengthByWhatEightBitsLose) {
 }
 
 TEST(Normals, AtTheToleranceDoublePrecisionDecides) {
-  // The floats on both sides of 1 + 0.00674, and of 1 - 0.00674.
+  // The floats above and below 1 + 0.00674, and 1 - 0.00674.
   const float above = std::nextafter(1.00674F, 2.0F);
   const float below = std::nextafter(1.00674F, 0.0F);
   EXPECT_EQ(about_data(normal(below)).size(), double{below} - 1 > 0.00674 ? 1U : 0U);

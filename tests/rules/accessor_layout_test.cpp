@@ -12,7 +12,7 @@ const std::set<std::string, std::less<>> kCodes{
     "BUFFER_VIEW_TARGET_OVERRIDE",    "ACCESSOR_SPARSE_COUNT_OUT_OF_RANGE",
     "BUFFER_VIEW_INVALID_BYTE_STRIDE"};
 
-// View 0 has 100 bytes, view 1 too and a stride of 8, view 2 begins at byte 2.
+// View 0 has 100 bytes, so does view 1 with a stride of 8, view 2 begins at byte 2.
 Lines of_accessor(const std::string& accessor, Profile profile = Profile::standard) {
   return selected(asset_with(R"("buffers": [{"byteLength": 400}], "bufferViews": [
       {"buffer": 0, "byteLength": 100}, {"buffer": 0, "byteLength": 100, "byteStride": 8},

@@ -147,7 +147,7 @@ TEST(Mesh, HasOneWeightForEachTarget) {
   EXPECT_EQ(of_mesh(two, two, R"(, "weights": ["a"])"), Lines{});
 }
 
-// Nobody knows how many there are: the one that is broken is the one finding.
+// The number of targets is unknown: the broken one is the only finding.
 TEST(Mesh, MorphTargetsOfWhichOneIsBrokenAreNotCounted) {
   const std::string broken = R"(, "targets": [{"POSITION": 0}, {}])";
   const std::string one = R"(, "targets": [{"POSITION": 0}])";

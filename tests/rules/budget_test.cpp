@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits that the user sets.
+// Limits set by the user.
 #include <string>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values outside of the lists that the specification closes.
+// Values outside the lists that the specification closes.
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,11 +12,11 @@ namespace gltfx::test {
 namespace {
 
 struct Case {
-  std::string members;  ///< of the root object
+  std::string members;  ///< members of the root object
   std::string pointer;
 };
 
-// One of each list, in the core and in the extensions.
+// One value per list, in the core and in the extensions.
 std::vector<Case> outsiders() {
   const auto accessor = [](const std::string& members) {
     return R"("accessors": [{"count": 1, )" + members + "}]";
@@ -105,7 +105,7 @@ TEST(ClosedLists, AValueOutsideIsAnError) {
       EXPECT_EQ(found->severity, Severity::error) << each.members;
     }
     const auto khronos = finding_at(each, Profile::khronos);
-    if (!khronos) continue;  // of an extension that validator does not know
+    if (!khronos) continue;  // an extension that the Khronos validator does not support
     EXPECT_EQ(khronos->severity, Severity::warning) << each.members;
   }
 }

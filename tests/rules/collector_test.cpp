@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How findings become a report: severities, filters, folding, order, places and names.
+// The conversion of findings into a report: severities, filters, folding, order, places and names.
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-// A scene of `count` nodes with a misspelt member each.
+// A scene of `count` nodes, each with a misspelt member.
 std::string misspelt_nodes(int count) {
   std::string nodes;
   std::string indices;
@@ -37,7 +37,7 @@ TEST(Collector, FoldsRepeatsIntoTheFirst) {
   EXPECT_EQ(report.counts.warnings, 1000U);
 }
 
-// A value that an unknown extension may add is a warning, a misspelt one of the list an error.
+// A value that an unknown extension may add is a warning, a misspelt value of the list is an error.
 TEST(Collector, NeverFoldsFindingsOfOneSeverityIntoThoseOfAnother) {
   for (const char* const modes : {R"({"alphaMode": "FOG"}, {"alphaMode": "MASKED"})",
                                   R"({"alphaMode": "MASKED"}, {"alphaMode": "FOG"})"}) {

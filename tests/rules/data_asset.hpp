@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Assets with data, put together accessor by accessor.
+/// Assets with data, built accessor by accessor.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ enum Component { kInt8 = 5120, kUint8, kInt16, kUint16, kUint32 = 5125, kFloat }
 
 class DataAsset {
  public:
-  /// Adds an accessor with `bytes` in a view of its own and gives its index. Without bytes it has
-  /// no view. `more` are further members, each begun with a comma.
+  /// Adds an accessor with `bytes` in a view of its own and returns its index. Without bytes it has
+  /// no view. `more`: further members, each beginning with a comma.
   std::size_t accessor(const std::string& type, Component component, std::size_t count,
                        const std::string& bytes, const std::string& more = {},
                        const std::string& view_more = {}) {
@@ -57,7 +57,7 @@ class DataAsset {
   std::string bytes_;
 };
 
-/// One mesh of one primitive: its members.
+/// The members of a mesh with one primitive.
 inline std::string mesh(const std::string& attributes, const std::string& more = {}) {
   return R"("meshes": [{"primitives": [{"attributes": {)" + attributes + "}" + more + "}]}]";
 }
@@ -91,7 +91,7 @@ inline const std::set<std::string, std::less<>>& data_codes() {
   return codes;
 }
 
-/// What is said about the data of an asset.
+/// The findings on the data of an asset.
 inline Lines about_data(const std::string& asset, Profile profile = Profile::standard) {
   return selected(asset, data_codes(), profile);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The deviations of profiles, and what the page of a rule says of them.
+// The deviations of profiles, and their description on the page of a rule.
 #include "rules/khronos/deviations.hpp"
 
 #include <gltfx/pipeline.hpp>

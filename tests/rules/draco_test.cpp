@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Geometry compressed by Draco, seen from outside: what decoding finds, and where.
+/// Geometry compressed by Draco, tested from outside: the findings of decoding, and their places.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,14 +20,14 @@ using Type = DracoSource::Type;
 const std::string kDracoPrimitive = "/meshes/0/primitives/0";
 const std::string kExtension = kDracoPrimitive + "/extensions/KHR_draco_mesh_compression";
 
-// An asset with one compressed primitive. Members are text, to be changed by a test.
+// An asset with one compressed primitive. Members are text that a test may change.
 struct Compressed {
   std::string payload;
-  std::string names = R"("POSITION": 0)";  // of the primitive, with their accessors
-  std::string ids = R"("POSITION": 0)";    // of the extension
+  std::string names = R"("POSITION": 0)";  // attributes of the primitive, with their accessors
+  std::string ids = R"("POSITION": 0)";    // attributes of the extension
   std::string accessors =
       R"({"componentType": 5126, "type": "VEC3", "count": 4, "min": [0, 0, 0], "max": [1, 1, 0]})";
-  // Comes last among the accessors; empty: none.
+  // The last accessor; empty: none.
   std::string indices = R"({"componentType": 5123, "type": "SCALAR", "count": 6})";
   std::string more = {};  // members of the primitive
   std::string root = {};  // members of the root object
@@ -51,7 +51,7 @@ struct Compressed {
 
 Compressed square() { return {draco_bytes(draco_square())}; }
 
-// Findings of decoding and of what it gave, without those about the asset as such.
+// Findings of decoding and on the decoded data, without those on the rest of the asset.
 Lines found(const Compressed& asset, Profile profile = Profile::standard) {
   Lines lines = verdict(asset.text(), profile);
   std::erase_if(lines, [](const std::string& line) {
@@ -60,7 +60,7 @@ Lines found(const Compressed& asset, Profile profile = Profile::standard) {
   return lines;
 }
 
-// The square with a further attribute, accessor 1, id 1.
+// The square with an additional attribute, accessor 1, id 1.
 struct Extra {
   std::string name;
   Kind kind = Kind::generic;
@@ -104,7 +104,7 @@ TEST(Draco, BytesThatAreNoMeshAreFoundAtTheBufferView) {
   std::string wrong_version = whole;
   wrong_version[5] = 9;
   std::string wrong_index = whole;
-  wrong_index[14] = 77;  // the first index, with one byte each
+  wrong_index[14] = 77;  // the first index; each index has one byte
   for (const std::string& payload :
        {std::string("not Draco at all"), whole.substr(0, 5), whole.substr(0, 12),
         whole.substr(0, whole.size() - 1), draco_cloud_bytes(draco_square()), wrong_method,
@@ -301,7 +301,7 @@ TEST(Draco, QuantisedVectorsMayBeAStepOff) {
   EXPECT_EQ(found(square_with(tangent)), Lines{});
 }
 
-// A mesh that two joints bend; accessors 1 and 2 are joints and weights.
+// A mesh with a skin of two joints; accessors 1 and 2 are joints and weights.
 Compressed skinned(const std::vector<std::uint8_t>& joints, const std::string& weights, int bits) {
   DracoSource source = draco_square();
   source.attributes.push_back({Kind::generic, Type::uint8, 4, packed(joints), 1, 0, false});

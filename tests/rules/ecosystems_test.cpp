@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Avatars, bodies and other ecosystems: what their texts ask of the whole graph, and assets that
-// are made to hurt. Each rule's page has an example of its own.
+// Avatars, bodies and other ecosystems: their requirements on the whole graph, and malicious
+// assets. Each rule's page has an example of its own.
 #include <gtest/gtest.h>
 
 #include "rules/part.hpp"
@@ -57,7 +57,7 @@ Lines springs(const std::string& list, const std::string& nodes) {
                   {"SPRING_CHAIN", "SPRING_JOINT", "SPRING_CENTER"});
 }
 const std::string kSprings = " /extensions/VRMC_springBone/springs/";
-// 0 above 1 above 2 above 3, and 4 beside 1.
+// 0 is the parent of 1, 1 of 2, 2 of 3, and 4 is a sibling of 1.
 const std::string kTree = R"({"children": [1, 4]}, {"children": [2]}, {"children": [3]}, {}, {})";
 
 TEST(Springs, JointsMaySkipNodes) {
@@ -208,7 +208,7 @@ TEST(UnusedNodes, WhatAnExtensionRefersToIsNotEmpty) {
             Lines{"NODE_EMPTY /nodes/2"});
 }
 
-// --- Assets that are made to hurt ---
+// --- Malicious assets ---
 
 std::string repeated(const std::string& text, int count) {
   std::string list = text;
@@ -238,7 +238,7 @@ std::vector<std::string> hostile_assets() {
     return text + "1" + std::string(400, '}');
   }();
   std::vector<std::string> all;
-  // Every object as something else: a number, a text, a list, a deep one, one with itself inside.
+  // Every object as something else: a number, a text, a list, a deep one, one that contains itself.
   const std::vector<std::string> wrong{
       "7", "\"x\"", "[]", "[[[]]]", "null", deep, R"({"a": 1, "a": 2})"};
   for (const std::string& value : wrong) {
@@ -256,7 +256,7 @@ std::vector<std::string> hostile_assets() {
     all.push_back(on_root("KHR_texture_procedurals", R"({"procedurals": [{"nodes": )" + value +
                                                          R"(, "outputs": )" + value + "}]}"));
   }
-  // Numbers that are no indices, and lists of many.
+  // Numbers that are not indices, and long lists.
   for (const std::string index :
        {"-1", "1e308", "0.5", "4294967296", "18446744073709551616", "-9e99"}) {
     all.push_back(on_root("VRMC_springBone", R"({"springs": [{"center": )" + index +
@@ -307,9 +307,9 @@ TEST(HostileEcosystems, EndWithFindings) {
 // --- Poses ---
 
 struct PoseOf {
-  double side = 1;                     ///< of the left half, along X
-  std::string hand = "[0.3, 0, 0]";    ///< from the lower arm, on the left
-  std::string leg = "[0.1, -0.1, 0]";  ///< from the hips, on the left
+  double side = 1;                     ///< side of the left half, along X
+  std::string hand = "[0.3, 0, 0]";    ///< offset from the lower arm, on the left
+  std::string leg = "[0.1, -0.1, 0]";  ///< offset from the hips, on the left
   std::string more = {};               ///< members of the head
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What `explain` shows is true: every rule's bad example raises that rule, its good one raises
-// nothing.
+// The examples of `explain` are correct: every rule's bad example has that finding, its good one
+// has none.
 #include <gltfx/pipeline.hpp>
 #include <gltfx/validate.hpp>
 
@@ -17,27 +17,27 @@
 namespace gltfx {
 namespace {
 
-// Codes that cannot come alone, with those that come along and why.
+// Codes that cannot occur alone, with the codes that accompany them and the reason.
 const std::map<std::string_view, std::set<std::string_view>>& companions() {
   static const std::map<std::string_view, std::set<std::string_view>> table{
-      // What lies outside a bound makes it wrong.
+      // An element outside a bound makes the bound wrong.
       {"URI_NOT_ENCODED", {"IO_ERROR"}},
       {"ACCESSOR_ELEMENT_OUT_OF_MIN_BOUND", {"ACCESSOR_MIN_MISMATCH"}},
       {"ACCESSOR_ELEMENT_OUT_OF_MAX_BOUND", {"ACCESSOR_MAX_MISMATCH"}},
-      // The repaired file has data where the broken one has none.
+      // The repaired file has data, but the broken one has none.
       {"DATA_URI_GLB", {"URI_GLB"}},
       {"URI_GLB", {"NON_RELATIVE_URI"}},
-      // A type is only unknown on a chunk that stands before the BIN chunk.
+      // A type is only unknown on a chunk before the BIN chunk.
       {"GLB_UNEXPECTED_BIN_CHUNK", {"GLB_UNKNOWN_CHUNK_TYPE"}},
-      // The declared length is short of the chunk, and so of the file.
+      // The declared length is less than that of the chunk, and so of the file.
       {"GLB_CHUNK_TOO_BIG", {"GLB_LENGTH_MISMATCH"}},
-      // A hint on the image, whatever shows it.
+      // The image gets a hint regardless of its users.
       {"TEXTURE_NOT_8_BIT", {"IMAGE_16_BIT"}},
-      // What is given up is so because of what was found before.
+      // Decoding stops because of an earlier finding.
       {"DRACO_NOT_CHECKED", {"DRACO_LIMIT_EXCEEDED"}},
-      // Nobody knows an extension whose name is none.
+      // An extension with an invalid name is unknown.
       {"INVALID_EXTENSION_NAME_FORMAT", {"UNSUPPORTED_EXTENSION"}},
-      // Rules about an extension that is archived, or a draft, however well it is used.
+      // Rules about an archived or draft extension, which is reported for every use.
       {"AUDIO_DISTANCE_ORDER", {"EXTENSION_DRAFT"}},
       {"AUDIO_EMITTER_NOT_GLOBAL", {"EXTENSION_DRAFT"}},
       {"AUDIO_MIME_TYPE_INVALID", {"EXTENSION_DRAFT"}},
@@ -45,7 +45,7 @@ const std::map<std::string_view, std::set<std::string_view>>& companions() {
       {"TECHNIQUE_VALUE_MISSING", {"EXTENSION_ARCHIVED"}},
       {"TECHNIQUE_VALUE_UNKNOWN", {"EXTENSION_ARCHIVED"}},
       {"GLB_TOO_MANY_CHUNKS", {"GLB_UNKNOWN_CHUNK_TYPE"}},
-      // The BIN chunk would be the placeholder, so that streams stand elsewhere.
+      // The BIN chunk would be the placeholder, so the streams are stored elsewhere.
       {"MESHOPT_FALLBACK_FIRST_IN_GLB", {"DATA_URI_GLB", "URI_GLB"}},
   };
   return table;
@@ -73,10 +73,10 @@ TEST_P(Examples, BadRaisesTheRuleAndNothingElse) {
   EXPECT_TRUE(found.empty()) << "also raises " << *found.begin() << "\n" << rule.bad;
 }
 
-// Examples show the profile `strict`, but for one code.
+// Examples use the profile `strict`, except for one code.
 Severity expected_severity(const RuleDescription& rule) {
   if (rule.code == "INCOMPLETE_EXTENSION_SUPPORT") return rule.khronos_severity;
-  // The page names a case that is an error; it is the one that the fix corrects.
+  // The page describes a case that is an error, which the fix corrects.
   if (rule.code == "NON_RELATIVE_URI") return Severity::error;
   const auto position = static_cast<std::size_t>(&rule - rules().data());
   return validate::strict_severity(static_cast<Code>(position));

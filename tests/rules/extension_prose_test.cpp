@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the texts of extensions ask beside their schemas: who may be required, which names go
-// together, what repeats, what joints, gravity, shapes and sounds need of other objects.
+// Requirements of extension texts that their schemas do not state: which extensions may be
+// required, names that belong together, repeats, and what joints, gravity, shapes and sounds need
+// from other objects.
 #include <gtest/gtest.h>
 
 #include "model/packed_bytes.hpp"
@@ -211,7 +212,7 @@ TEST(Languages, StandUnderNumbers) {
             Lines{"XMP_LANGUAGE_INVALID /extensions/KHR_xmp_json_ld/packets/0/dc:title/@set"});
 }
 
-// --- What bodies and sounds need of other objects ---
+// --- Requirements of bodies and sounds on other objects ---
 
 std::string body_node(const std::string& members, const std::string& more = {}) {
   return R"({"extensions": {"OMI_physics_body": {)" + members + "}}" + more + "}";
@@ -222,7 +223,8 @@ std::string moving(const std::string& type, const std::string& more = {}) {
 
 // --- Joints ---
 
-// Node 0 above node 1, which has the joint; node 2 above node 3, which it is connected to.
+// Node 0 is the parent of node 1, which has the joint; node 2 is the parent of node 3, which it is
+// connected to.
 Lines joint(const std::string& above, const std::string& other) {
   return findings(
       R"("extensionsUsed": ["OMI_physics_body", "OMI_physics_joint"],
@@ -316,7 +318,7 @@ TEST(Shape, OfAMeshHasTriangles) {
 
 // --- Sounds ---
 
-// One source that refers to MP3 by itself, and to `audio` as `extension` asks, if there is one.
+// One source that refers to MP3 directly, and to `audio` through `extension`, if there is one.
 Lines sound(const std::string& audio, const std::string& extension = {}) {
   const std::string source =
       extension.empty() ? R"({"audio": 1})"
@@ -355,7 +357,7 @@ TEST(Sound, IsToldByTheNameOfItsFileWhereNothingElseTells) {
   EXPECT_EQ(of_name("a.webm", "OMI_audio_opus"), Lines{});
   EXPECT_EQ(of_name("a.ogg", "OMI_audio_opus"), wrong_sound("uri"));
   EXPECT_EQ(of_name("data:audio/opus;base64,AAAA", "OMI_audio_opus"), Lines{});
-  EXPECT_EQ(of_name("a.bin"), Lines{});  // the text of KHR_audio_emitter asks for no name
+  EXPECT_EQ(of_name("a.bin"), Lines{});  // the text of KHR_audio_emitter does not require a name
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What extensions ask of the whole graph, beyond the examples that every rule carries.
+// Requirements of extensions on the whole graph, in addition to the examples of every rule.
 #include <gtest/gtest.h>
 
 #include "rules/part.hpp"
@@ -64,7 +64,7 @@ Lines interactive(const std::string& graph) {
 }
 const std::string kGraph = " /extensions/KHR_interactivity/graphs/0";
 
-// All that is found in a graph, whatever the code.
+// All findings on a graph, of any code.
 Lines in_graph(const std::string& graph, Profile profile = Profile::standard) {
   return findings(R"("extensionsUsed": ["KHR_interactivity"],
     "extensions": {"KHR_interactivity": )" +

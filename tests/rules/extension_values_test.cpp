@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers of attributes that extensions bring: splats and instances.
+// Numbers of attributes of extensions: splats and instances.
 #include <gtest/gtest.h>
 
 #include "rules/data_asset.hpp"
@@ -85,7 +85,7 @@ TEST(Instances, TranslationsAreFinite) {
       Lines{"ACCESSOR_INVALID_FLOAT /accessors/0"});
 }
 
-// What a pointer animates, with two keyframes.
+// An animation of the property of a pointer, with two keyframes.
 Lines pointed(const std::string& pointer, const std::string& type, const std::string& output,
               const std::string& interpolation = "LINEAR") {
   DataAsset asset;
@@ -111,7 +111,7 @@ TEST(PointedValues, StayWithinTheRangeOfTheirProperty) {
   EXPECT_EQ(pointed(cutoff, "SCALAR", floats({0, -0.1F})), wrong);
   EXPECT_EQ(pointed(glow, "VEC3", floats({0, 1, 0, 1, 0, 1})), Lines());
   EXPECT_EQ(pointed(glow, "VEC3", floats({0, 1, 0, 1, 0, 1.5F})), wrong);
-  // Tangents of splines are no values.
+  // Tangents of splines are not values.
   EXPECT_EQ(pointed(cutoff, "SCALAR", floats({-9, 1, 9, 9, 0, -9}), "CUBICSPLINE"), Lines());
   EXPECT_EQ(pointed(glow, "VEC3", floats({-9, -9, -9, 0, 1, 0, 9, 9, 9, 9, 9, 9, 1, 2, 1, 9, 9, 9}),
                     "CUBICSPLINE"),

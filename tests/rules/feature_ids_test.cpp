@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Feature ids: in attributes, in textures, by the order of vertices.
+// Feature IDs: in attributes, in textures, by the order of vertices.
 #include <algorithm>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace gltfx::test {
 namespace {
 
-/// A triangle with a set of feature ids.
+/// A triangle with a set of feature IDs.
 std::string id_features(const std::string& set, const std::string& ids = floats({0, 1, 1}),
                         const std::string& table = {}, const std::string& format = {}) {
   DataAsset data;

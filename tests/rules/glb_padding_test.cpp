@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What fills the chunks of a GLB up to a multiple of four bytes: spaces behind JSON, zeros behind
+// The padding of the chunks of a GLB to a multiple of four bytes: spaces after JSON, zeros after
 // the buffer.
 #include <string>
 
@@ -22,7 +22,7 @@ Lines about_padding(const std::string& glb, Profile profile = Profile::standard)
   return selected(glb, {"GLB_JSON_PADDING", "GLB_BIN_PADDING"}, profile);
 }
 
-// Fills up with those bytes, whatever their number.
+// Appends those bytes as padding, regardless of their number.
 Lines behind_json(const std::string& bytes, Profile profile = Profile::standard) {
   return about_padding(glb(chunk(container::kChunkJson, kText + bytes)), profile);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files that are not quite glTF 2.0 are named for what they are, once.
+// Files of other versions or formats than glTF 2.0 get one finding that names the format.
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ const std::string kPointer =
     "oid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\n"
     "size 12345\n";
 
-// Three bytes each, and many times as much to keep; a large asset may have more.
+// Three bytes each, with many times as much memory; a large asset may have more.
 TEST(Identity, MoreObjectsThanTextForThemAreOneFinding) {
   const auto nodes = [](std::size_t count, const std::string& node) {
     std::string text = R"({"asset": {"version": "2.0"}, "nodes": [)" + node;
@@ -55,11 +55,11 @@ TEST(Identity, MoreObjectsThanTextForThemAreOneFinding) {
   };
   EXPECT_EQ(test::verdict(nodes(1'200'000, "{}")), Lines{"TOO_MANY_OBJECTS "});
   EXPECT_EQ(test::verdict(nodes(1'200'000, "0")), Lines{"TOO_MANY_OBJECTS "});
-  if (kSanitized) return;  // what follows takes ten times as long there
+  if (kSanitized) return;  // the following part takes ten times as long there
   EXPECT_NE(test::verdict(nodes(900'000, "0")), Lines{"TOO_MANY_OBJECTS "});
   const std::string real = R"({"extras":"0123456789012345678901"})";
   EXPECT_NE(test::verdict(nodes(1'200'000, real)), Lines{"TOO_MANY_OBJECTS "});
-  // The Khronos validator has no such limit: nothing is passed over in silence.
+  // The Khronos validator has no such limit: all objects are checked.
   ValidateOptions options;
   options.profile = Profile::khronos;
   options.select = {"UNRESOLVED_REFERENCE"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bytes that are no image their slot may have, and what is said of them.
+// Bytes that are not an image allowed for their slot, and their findings.
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +19,7 @@ using namespace std::literals;
 using container::test::TempFolder;
 using testing::HasSubstr;
 
-// An asset whose texture shows an image with these bytes.
+// An asset whose texture uses an image with these bytes.
 std::string shown(const std::string& bytes, const std::string& more = {},
                   const std::string& texture = R"("source": 0)", const std::string& root = {}) {
   DataAsset asset;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images as the data phase sees them: format, header, declared type; textures that use them.
+// Images in the data phase: format, header, declared type; textures that use them.
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -30,7 +30,7 @@ std::string image_uri(const std::string& type, const std::string& bytes) {
   return "data:" + type + ";base64," + base64(bytes);
 }
 
-// An image behind a data URI, and what the root has beside it.
+// An image in a data URI, and further members of the root.
 std::string with_image(const std::string& type, const std::string& bytes,
                        const std::string& more = {}, const std::string& root = {}) {
   return asset_with(R"("images": [{"uri": ")" + image_uri(type, bytes) + "\"" + more + "}]" + root);

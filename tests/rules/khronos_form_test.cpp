@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the Khronos validator says of members it cannot read and of lists that are not whole, and
-// what it then does not look at.
+// The Khronos validator's findings on members that it cannot read and on incomplete lists, and the
+// checks that it then skips.
 #include <gtest/gtest.h>
 
 #include "part.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the Khronos validator links of objects that are not whole, and in which order it comes to
-// references.
+// The references of incomplete objects that the Khronos validator follows, and the order in which
+// it follows references.
 #include <gtest/gtest.h>
 
 #include "part.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// KTX2 images as extensions, samplers and slots use them.
+// KTX2 images in extensions, samplers and slots.
 #include <string>
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights whose look is in other files: cube maps of an environment, measured profiles.
+// Lights with data in other files: cube maps of an environment, measured profiles.
 #include <gtest/gtest.h>
 
 #include "rules/part.hpp"

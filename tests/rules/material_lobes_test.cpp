@@ -19,7 +19,7 @@ Lines lobes(const std::string& material, const std::string& more = {},
                   profile);
 }
 
-// A material with these extensions that is no metal.
+// A material with these extensions that is not metallic.
 std::string with(const std::string& extensions, const std::string& more = {}) {
   return R"("pbrMetallicRoughness": {"metallicFactor": 0}, "extensions": {)" + extensions + "}" +
          more;

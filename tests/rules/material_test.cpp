@@ -32,7 +32,7 @@ TEST(Material, AWrongCutoffOrModeIsReportedOnce) {
 
 // --- Extensions ---
 
-// An asset with one material, and all extensions it has declared.
+// An asset with one material, which declares all extensions.
 Lines of_extensions(const std::string& members, const std::string& declared,
                     Profile profile = Profile::standard) {
   const std::string asset = asset_with(R"("extensionsUsed": [)" + declared + R"(], "textures": [{}],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges of triangles: how they are coded, what runs along them, and whether they close a surface.
+// Edges of triangles: their coding, lines along them, and whether they close a surface.
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ std::string bytes_of(const std::vector<int>& numbers) {
   return bytes;
 }
 
-// The values of edges, four to a byte.
+// The values of edges, four per byte.
 std::string coded(const std::vector<unsigned>& values) {
   std::string bytes((values.size() * 2 + 7) / 8, '\0');
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -161,7 +161,7 @@ TEST(Outlines, RunAlongEdges) {
   EXPECT_EQ(outline({0, 1}, R"(, "indices": 1, "mode": 5)"), Lines{"OUTLINE_NOT_TRIANGLES" + at});
 }
 
-// A tetrahedron whose vertex 4 lies where vertex 0 does.
+// A tetrahedron whose vertex 4 has the position of vertex 0.
 const std::string kCorners = floats({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
 const std::vector<int> kSolid{0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
 

@@ -8,7 +8,7 @@ namespace {
 
 const std::string kMeshPrimitive = "/meshes/0/primitives/0";
 
-// Accessors 0 to 8 are positions, one more than their index of them; 9 are two UNSIGNED_SHORT.
+// Accessors 0 to 8 are positions, with a count of index + 1; accessor 9 has two UNSIGNED_SHORT.
 std::string asset_of(const std::string& primitive, const std::string& more = {}) {
   std::string accessors;
   for (int i = 0; i < 9; ++i) {
@@ -31,7 +31,7 @@ TEST(Primitive, AllAttributesHaveTheSameCount) {
       << "the first one counts";
 }
 
-// View 0 has no target, view 1 has that of indices; both have a stride.
+// View 0 has no target, view 1 has the target of indices; both have a stride.
 Lines of_indices(const std::string& accessor, Profile profile = Profile::standard) {
   return selected(
       asset_with(R"("buffers": [{"byteLength": 100}], "bufferViews": [
@@ -72,7 +72,7 @@ TEST(PrimitiveIndices, HaveNoStrideAndAreToldOnce) {
 
 TEST(PrimitiveMode, TellsHowManyVerticesThereMayBe) {
   const std::string code = "MESH_PRIMITIVE_INCOMPATIBLE_MODE";
-  // For each mode, the counts from 1 to 9 that go with it.
+  // For each mode, the valid counts from 1 to 9.
   const std::vector<std::set<int>> good{
       {1, 2, 3, 4, 5, 6, 7, 8, 9}, {2, 4, 6, 8}, {2, 3, 4, 5, 6, 7, 8, 9},
       {2, 3, 4, 5, 6, 7, 8, 9},    {3, 6, 9},    {3, 4, 5, 6, 7, 8, 9},

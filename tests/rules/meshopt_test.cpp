@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compressed buffer views: what they decode to is checked as plain data is, and every error of a
-// stream is told at its buffer view.
+// Compressed buffer views: decoded data is checked like plain data, and every error of a stream is
+// reported at its buffer view.
 #include <cstring>
 #include <limits>
 
@@ -16,7 +16,7 @@ const std::string kExt = "EXT_meshopt_compression";
 const std::string kKhr = "KHR_meshopt_compression";
 const std::string kMeshoptAt = " /bufferViews/0/extensions/" + kKhr;
 
-// One compressed view, an accessor on it, and how the accessor is used. The placeholder for decoded
+// One compressed view, an accessor on it, and the use of the accessor. The placeholder for decoded
 // bytes is buffer 1.
 struct Packed {
   std::string stream;
@@ -25,7 +25,7 @@ struct Packed {
   std::string mode = "ATTRIBUTES";
   std::string filter{};
   std::string accessor = R"("type": "VEC3", "componentType": 5126)";
-  std::string members{};  ///< further ones of the root
+  std::string members{};  ///< further members of the root
   std::string extension = kKhr;
   std::string view_more{};
   std::string placeholder = R"("extensions": {"KHR_meshopt_compression": {"fallback": true}})";
@@ -51,7 +51,7 @@ struct Packed {
   }
 };
 
-// What is said, but for what these small assets leave unused.
+// The findings, except those on unused parts of these small assets.
 Lines said(const std::string& asset, Profile profile = Profile::standard) {
   Lines lines = verdict(asset, profile);
   std::erase_if(lines, [](const std::string& line) {
@@ -110,7 +110,7 @@ TEST(Meshopt, TheKhronosProfileDecodesNothing) {
   EXPECT_EQ(said(packed.text(), Profile::khronos), Lines());
 }
 
-// Streams with something wrong, each with what is said.
+// Invalid streams, each with its message.
 struct FilterCase {
   std::string name;
   Packed packed;
@@ -277,7 +277,7 @@ std::string mesh_of(const std::string& attributes) {
   return R"("meshes": [{"primitives": [{"attributes": {)" + attributes + R"(}, "mode": 0}]}])";
 }
 
-// Positions without data beside the accessor.
+// Positions without data in addition to the accessor.
 Packed packed_with_attribute(Packed packed, const std::string& name) {
   std::string& accessor = packed.accessor;
   accessor += R"(, "count": )" + std::to_string(packed.count) +
@@ -307,7 +307,8 @@ TEST(Meshopt, UnitVectorsMayBeRoundedByTheDecoder) {
 }
 
 TEST(Meshopt, UnitVectorsInFewerBitsAreOnlyWarnedOf) {
-  // 12 of 16 bits that nobody scaled up, and then something that is no unit vector in any.
+  // Values of 12 bits in 16 bits that were not scaled up, and then a value that is not a unit
+  // vector in any number of bits.
   const auto normals = [](std::int16_t z) {
     Packed packed{stream_of(1, 8, octets<std::int16_t>({0, 0, z, 0})), 1, 8};
     packed.accessor = R"("type": "VEC3", "componentType": 5122, "normalized": true)";
@@ -351,11 +352,11 @@ std::string with_plain_copy(float last, const std::string& filter = {}) {
 TEST(Meshopt, PlainCopiesAreComparedWhereDecodingIsExact) {
   EXPECT_EQ(said(with_plain_copy(3)), Lines());
   EXPECT_EQ(said(with_plain_copy(4)), Lines{"MESHOPT_FALLBACK_DIFFERS" + kMeshoptAt});
-  // What a filter gives may differ; bounds are those of the plain copy.
+  // The values of a filter may differ slightly; bounds are those of the plain copy.
   EXPECT_EQ(said(with_plain_copy(0, "OCTAHEDRAL")), Lines());
 }
 
-// A view of zeros in as few bytes as there can be.
+// A view of zeros in as few bytes as possible.
 Packed zeros(std::size_t blocks) {
   Packed packed{"\xa1" + std::string(blocks, '\xaa') + std::string(24, '\0'), blocks * 256, 4};
   packed.accessor = R"("type": "SCALAR", "componentType": 5126)";

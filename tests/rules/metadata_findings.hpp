@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What is said of an asset with metadata; not of what nobody uses.
+/// The findings on an asset with metadata, without those on unused objects.
 #pragma once
 
 #include <string>

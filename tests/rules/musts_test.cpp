@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the specification and its extensions demand of assets: each row of a table in musts/ breaks
-// one demand of an asset that is sound otherwise, and names the error. HACKING.md has the format.
+// Requirements of the specification and its extensions: each row of a table in musts/ violates one
+// requirement in an otherwise valid asset, and names the error. HACKING.md has the format.
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -48,7 +48,7 @@ std::string picture_of(const std::string& name) {
   return pictures.at(name);
 }
 
-// --- Edits: JSON pointers and values; null takes out ---
+// --- Edits: JSON pointers and values; null deletes ---
 
 void edit_value(Json& document, const std::string& pointer, const Json& value) {
   const Json::json_pointer place(pointer);
@@ -123,7 +123,7 @@ class AssetBuilder {
   }
 
  private:
-  // A view without either is kept as it is.
+  // A view without either is kept unchanged.
   void add_given(Json& view) {
     if (view.contains("picture")) {
       const std::string bytes = picture_of(view["picture"]);
@@ -205,7 +205,8 @@ Json base_of(const std::string& name, const Json& bases) {
   return document;
 }
 
-// `given` makes the twin of the base; `values` are edits before bytes are packed, `set` behind.
+// `given` changes the base into its variant; `values` are edits before bytes are packed, `set`
+// after.
 std::string asset_of_row(const Json& row, const Json& bases, bool violating) {
   Json document = base_of(row.at("base"), bases);
   edit_all(document, row, "given");

@@ -124,7 +124,7 @@ TEST(Skin, MatricesAreOneForEachJoint) {
             Lines{"SKIN_IBM_INVALID_FORMAT /skins/0/inverseBindMatrices"});
 }
 
-// A chain of nodes, each the child of the one before, the last one a skinned mesh.
+// A chain of nodes, each the child of the previous one, the last one a skinned mesh.
 std::string chain(std::size_t length) {
   std::string nodes = "\"nodes\": [{\"mesh\": 0, \"skin\": 0}";
   for (std::size_t i = 1; i < length; ++i)

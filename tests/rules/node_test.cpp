@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transforms of nodes, what hangs on them, and scenes.
+// Transforms, meshes, skins and children of nodes, and scenes.
 #include <gtest/gtest.h>
 
 #include "rules/part.hpp"
@@ -67,7 +67,8 @@ TEST(NodeTransform, IdentityMatrixIsForNothing) {
 
 TEST(NodeTransform, MatrixCanBeTakenApart) {
   const Lines wrong{"NODE_MATRIX_NON_TRS /nodes/0/matrix"};
-  // Rotations by 90 and 180 degrees about each axis, mirrored and scaled: every branch of the test.
+  // Rotations by 90 and 180 degrees around each axis, mirrored and scaled: every branch of the
+  // test.
   for (const char* good :
        {"0,1,0,0, -1,0,0,0, 0,0,1,0, 1,2,3,1", "1,0,0,0, 0,-1,0,0, 0,0,-1,0, 0,0,0,1",
         "-1,0,0,0, 0,1,0,0, 0,0,-1,0, 0,0,0,1", "-1,0,0,0, 0,-1,0,0, 0,0,1,0, 0,0,0,1",

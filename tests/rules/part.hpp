@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Shortens tests of one family: an asset from its members, and the findings of some codes only.
+/// Helpers for tests of a group of codes: an asset from its members, and the findings of some codes
+/// only.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ inline std::string asset(std::string_view members) {
   return R"({"asset": {"version": "2.0"}, )" + std::string(members) + "}";
 }
 
-/// The findings whose code begins with one of the prefixes, as verdict() writes them.
+/// The findings whose code begins with one of the prefixes, in the form of verdict().
 inline Lines findings(std::string_view members, const std::vector<std::string_view>& prefixes,
                       Profile profile = Profile::standard) {
   Lines lines = verdict(asset(members), profile);

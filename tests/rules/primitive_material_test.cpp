@@ -12,7 +12,7 @@ const std::set<std::string, std::less<>> kMaterialCodes{
     "MESH_PRIMITIVE_GENERATED_TANGENT_SPACE", "MESH_PRIMITIVE_NO_TANGENT_SPACE",
     "MESH_PRIMITIVE_TOO_FEW_TEXCOORDS", "UNUSED_MESH_TANGENT", "UNUSED_OBJECT"};
 
-// A mesh with one primitive; attributes are named only.
+// A mesh with one primitive; its attributes are only names.
 Lines of_material(const std::string& names, const std::string& materials,
                   const std::string& primitive = R"(, "material": 0)",
                   Profile profile = Profile::standard) {
@@ -35,7 +35,7 @@ Lines of_material(const std::string& names, const std::string& materials,
           R"(], "accessors": [{"count": 3}], "meshes": [{"primitives": [{"attributes": {)" +
           attributes + "}" + primitive + "}]}]"),
       kMaterialCodes, profile);
-  // Texture and variant are there for those who use them.
+  // Texture and variant are used by some tests only.
   std::erase(lines, "UNUSED_OBJECT /textures/0");
   std::erase(lines, "UNUSED_OBJECT /extensions/KHR_materials_variants/variants/0");
   return lines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What buffers and images refer to: files, data URIs, the BIN chunk of a GLB.
+// Data of buffers and images: files, data URIs, the BIN chunk of a GLB.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ ValidateOptions options_for(Profile profile = Profile::standard) {
   return options;
 }
 
-// A folder with an asset in it that has one buffer.
+// A folder that contains an asset with one buffer.
 class Folder {
  public:
   FileReport report(const std::string& buffer, Profile profile = Profile::standard) {
@@ -144,7 +144,7 @@ TEST(Files, AreListedWithWhatWasFound) {
   EXPECT_EQ(listed.byte_length, 8U);
 }
 
-// An asset of one accessor with a wrong minimum, whose data is in `buffer`.
+// An asset with one accessor with a wrong minimum, whose data is in `buffer`.
 std::string with_accessor(const std::string& buffer, const std::string& view_more = {}) {
   return asset_with(
       R"("accessors": [{"bufferView": 0, "componentType": 5121, "type": "SCALAR", "count": 8, "min": [9], "max": [200]}],
@@ -195,8 +195,7 @@ std::string le32(std::size_t value) {
   return packed<std::uint32_t>({static_cast<std::uint32_t>(value)});
 }
 
-// A GLB whose JSON has one buffer of `declared` bytes, with a BIN chunk of `bin` where there is
-// one.
+// A GLB whose JSON has one buffer of `declared` bytes, with the BIN chunk `bin` if there is one.
 std::string glb(std::size_t declared, std::optional<std::string> bin,
                 const std::string& more = {}) {
   std::string json =

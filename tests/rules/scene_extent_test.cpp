@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The size of a scene, in metres.
+// The size of a scene, in meters.
 #include <string>
 
 #include <fmt/format.h>
@@ -10,7 +10,7 @@
 namespace gltfx::test {
 namespace {
 
-// Two points, one metre apart, drawn by the nodes.
+// Two points, one meter apart, drawn by the nodes.
 std::string points(const std::string& nodes, const std::string& more = {}) {
   DataAsset asset;
   asset.accessor("VEC3", kFloat, 2, floats({0, 0, 0, 1, 0, 0}),

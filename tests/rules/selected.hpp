@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Verdicts narrowed to the codes that a test is about.
+/// Verdicts restricted to the codes of a test.
 #pragma once
 
 #include <set>
@@ -12,8 +12,8 @@ namespace gltfx::test {
 
 using Lines = std::vector<std::string>;
 
-/// Findings with one of `codes` as "CODE /pointer". The profile is khronos or strict where repeats
-/// must not be folded or hints be seen.
+/// Findings with one of `codes` as "CODE /pointer". The profile is khronos if repeats must not be
+/// folded, and strict if hints are needed.
 inline Lines selected(const std::string& asset, std::set<std::string, std::less<>> codes,
                       Profile profile = Profile::standard) {
   ValidateOptions options;

@@ -119,7 +119,7 @@ TEST(BindMatrices, EndInARowOfZerosAndAOne) {
   EXPECT_EQ(matrices(15, 0.9999999F), error);
 }
 
-// One vertex, bound to the joints of a skin of three.
+// One vertex, with a skin of three joints.
 class Vertex {
  public:
   Vertex& set(std::initializer_list<std::uint8_t> joints, std::initializer_list<float> weights) {
@@ -184,7 +184,7 @@ TEST(Influences, OfJointsThatAreReportedCountInTheSum) {
             (Lines{"JOINTS_INDEX_OOB JOINTS_0", "WEIGHTS_NON_NORMALIZED WEIGHTS_0"}));
   EXPECT_EQ(Vertex().set({1, 1, 0, 0}, {0.5F, 0.5F, 0, 0}).found(),
             (Lines{"JOINTS_INDEX_DUPLICATE JOINTS_0"}));
-  // Where a weight is negative that is the error.
+  // A negative weight is the only error.
   EXPECT_EQ(Vertex().set({0, 1, 0, 0}, {1.25F, -0.25F, 0, 0}).found(),
             (Lines{"WEIGHTS_NEGATIVE WEIGHTS_0"}));
   EXPECT_EQ(Vertex().set({3, 0, 0, 0}, {1, 0, 0, 0}).found(Profile::khronos).size(), 2U);

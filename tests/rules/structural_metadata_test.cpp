@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Structural metadata: schemas in the asset and in files, what refers to them.
+// Structural metadata: schemas in the asset and in files, and references to them.
 #include <filesystem>
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings that an asset asks to leave out, and findings on other lines than those that changed.
+// Findings that an asset suppresses, and findings outside the changed lines.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ ValidateOptions enabled() {
   return options;
 }
 
-// Three materials that nothing uses, of which one has extras.
+// Three unused materials, one of which has extras.
 std::string materials(const std::string& extras) {
   return R"({"asset": {"version": "2.0"}, "materials": [{"name": "a"}, {"name": "b", "extras": )" +
          extras + R"(}, {"name": "c"}]})";
@@ -62,7 +62,7 @@ TEST(Suppressions, OfTheRootReachEverything) {
 TEST(Suppressions, KeysAreReadAsTheyAreMeant) {
   EXPECT_EQ(verdict(materials(R"({"\u0067ltfx": {"ignore": [)" + kUnused + "]}}"), enabled()),
             Lines{"UNUSED_OBJECT /materials/0 x2"});
-  // Not in extras: anybody's member.
+  // Not directly in extras: the member of another program.
   EXPECT_EQ(verdict(materials(R"({"a": {"gltfx": {"ignore": [3]}}})"), enabled()),
             Lines{"UNUSED_OBJECT /materials/0 x3"});
 }
@@ -70,7 +70,7 @@ TEST(Suppressions, KeysAreReadAsTheyAreMeant) {
 TEST(Suppressions, ThatLeaveNothingOutAreNamed) {
   const std::string text = R"({"asset": {"version": "2.0", "extras": )" + wish(kUnused) + "}}";
   EXPECT_EQ(verdict(text, enabled()), Lines{"SUPPRESSION_UNUSED /asset/extras/gltfx/ignore/0"});
-  // Nobody would hear of it anyway.
+  // The rule is not enabled anyway.
   ValidateOptions options = enabled();
   options.ignore = {"UNUSED_OBJECT"};
   EXPECT_EQ(verdict(text, options), Lines{});
@@ -120,7 +120,7 @@ Lines on_lines(std::vector<LineRange> lines, const std::string& text) {
 }
 
 TEST(ChangedLines, KeepWhatIsFoundOnThem) {
-  // Lines end in each of the three ways.
+  // Contains all three kinds of line ends.
   const std::string text =
       "{\"asset\": {\"version\": \"2.0\"},\n\"materials\": [{\"name\": \"a\"},\r\n{\"name\": "
       "\"b\"},\r{\"name\": \"c\"}]}";

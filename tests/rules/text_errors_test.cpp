@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors of the JSON text as a user meets them: the code, the line and the column.
+// Errors of the JSON text: the code, the line and the column.
 #include <gltfx/pipeline.hpp>
 
 #include <string>
@@ -91,7 +91,7 @@ TEST(TextErrors, KhronosProfileReadsOnBehindAByteOrderMark) {
   EXPECT_EQ(test::verdict(text, Profile::khronos), wanted);
 }
 
-// What stands before it is not looked at: of indices of one attribute the last one leads somewhere.
+// Earlier values are not checked: of the indices of one attribute, only the last one is valid.
 TEST(TextErrors, OfEqualKeysTheLastValueIsJudged) {
   const auto with = [](const std::string& attributes, const std::string& more) {
     return R"({"asset": {"version": "2.0"}, "meshes": [{"primitives": [{"attributes": {)" +

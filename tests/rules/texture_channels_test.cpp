@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Channels that slots read against those that images have, by their headers alone.
+// Channels that slots read, compared with the channels of images, using only headers.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -129,7 +129,7 @@ TEST(Translucency, TheFirstGenerationReadRed) {
                   "translucencyTexture"});
 }
 
-// --- Grey images ---
+// --- Gray images ---
 
 TEST(GreyImages, CannotHoldTwoThings) {
   const auto packed = [](const std::string& image, const std::string& factors = {}) {
@@ -298,7 +298,7 @@ TEST(Coverage, AlphaThatAnotherSlotReadsIsUsed) {
   EXPECT_EQ(about_textures(textured, Profile::strict), Lines{});
 }
 
-// --- What stays silent ---
+// --- No findings ---
 
 TEST(TextureSlots, BrokenReferencesAreNotJudgedTwice) {
   EXPECT_EQ(about_textures({R"("emissiveTexture": {"index": 7})", {rgb_png()}}),

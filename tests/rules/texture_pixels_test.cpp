@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What decoded pixels tell, and that nothing is decoded which nobody asked for.
+// Findings on decoded pixels, and that only requested images are decoded.
 #include <string>
 #include <variant>
 
@@ -27,7 +27,8 @@ Lines hints(const Textured& textured, const std::string& code) {
 
 std::string broken_png() {
   std::string bytes = rgb_png("\1\2\3\4\5\6");
-  return bytes.replace(bytes.find("IDAT") + 6, 4, "....");  // behind what the header checks read
+  return bytes.replace(bytes.find("IDAT") + 6, 4,
+                       "....");  // after the part that header checks read
 }
 
 const std::string kBasePixels = "/materials/0/pbrMetallicRoughness/baseColorTexture";
@@ -150,7 +151,7 @@ TEST(ConstantAlpha, IsNoCoverage) {
             Lines{});
 }
 
-// --- What headers leave open ---
+// --- Cases that headers leave open ---
 
 TEST(ColorSpacePixels, BlackAndWhiteAreTheSameInBoth) {
   const auto shared = [](const std::string& image) {
@@ -258,7 +259,7 @@ TEST(NormalMaps, ThatAreHeightMapsInRgbAreFound) {
       << "headers";
 }
 
-// --- Grey maps in RGB ---
+// --- Gray maps in RGB ---
 
 const std::string kRough = R"("pbrMetallicRoughness": {"metallicRoughnessTexture": {"index": 0}%})";
 

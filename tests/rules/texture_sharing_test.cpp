@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Slots that show one image: colour spaces, packing.
+// Slots that share an image: color spaces, packing.
 #include <string>
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace gltfx::test {
 namespace {
 
-// --- Colour spaces ---
+// --- Color spaces ---
 
 std::string color_and_occlusion(int image = 0, const std::string& more = {}) {
   return base_color(fmt::format(R"(, "occlusionTexture": {{"index": {}{}}})", image, more));

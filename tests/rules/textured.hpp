@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Assets that are one material and its images.
+/// Assets with materials and their images.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace gltfx::test {
 
-// --- Images that decode; where only headers are looked at, of one texel ---
+// --- Images that can be decoded; those for header checks have one texel ---
 
 inline std::string grey_png(const std::string& texels = "\x80") {
   return encode_png({static_cast<std::uint32_t>(texels.size()), 1, PngColor::grey, 8, texels, {}});
@@ -29,7 +29,7 @@ inline std::string rgba_png(const std::string& texels = "\x10\x80\xF0\x40") {
   return encode_png(
       {static_cast<std::uint32_t>(texels.size() / 4), 1, PngColor::rgba, 8, texels, {}});
 }
-/// A palette of those colours, with the alphas of its first entries.
+/// A palette of those colors, with the alphas of its first entries.
 inline std::string palette_png(const std::string& colors, const std::string& alphas = {}) {
   std::string chunks = png_encoder::chunk("PLTE", colors);
   if (!alphas.empty()) chunks += png_encoder::chunk("tRNS", alphas);
@@ -40,13 +40,13 @@ inline std::string jpeg_header(char components = 3) { return whole_jpeg({}, comp
 /// The header of a WebP of 4 by 4 pixels, with or without alpha.
 inline std::string webp_header(bool alpha) { return extended_webp(alpha ? '\x10' : '\0'); }
 
-/// One material, its images, and what else stands in the asset.
+/// One material, its images, and further members of the asset.
 struct Textured {
   std::string material;             ///< members of the material, or an object list "{...}, {...}"
-  std::vector<std::string> images;  ///< texture i shows image i, unless `textures` says otherwise
+  std::vector<std::string> images;  ///< texture i uses image i, unless `textures` is set
   std::string textures = {};        ///< objects
-  std::string extensions = {};      ///< used: R"("KHR_a", "KHR_b")"
-  std::string more = {};            ///< further members of the root, begun with a comma
+  std::string extensions = {};      ///< used ones: R"("KHR_a", "KHR_b")"
+  std::string more = {};            ///< further members of the root, beginning with a comma
 
   static std::string type_of(const std::string& bytes) {
     if (bytes.starts_with("\xff\xd8")) return "image/jpeg";
@@ -71,7 +71,7 @@ struct Textured {
   }
 };
 
-/// What is said of slots, images and lobes; not of what nobody uses.
+/// The findings on slots, images and lobes, without those on unused objects.
 inline Lines about_textures(const Textured& textured, Profile profile = Profile::standard,
                             PixelLevel pixels = PixelLevel::headers) {
   ValidateOptions options;
@@ -82,12 +82,12 @@ inline Lines about_textures(const Textured& textured, Profile profile = Profile:
   return verdict(textured.text(), options);
 }
 
-/// A base colour texture, and further members behind it.
+/// A base color texture, followed by further members.
 inline std::string base_color(const std::string& more = {}) {
   return fmt::format(R"("pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0}}}}{})", more);
 }
 
-/// An extension of a material, behind other members of it.
+/// An extension of a material, after other members of it.
 inline std::string extension(const std::string& name, const std::string& members,
                              const std::string& before = {}) {
   return fmt::format(R"({}"extensions": {{"{}": {{{}}}}})", before, name, members);

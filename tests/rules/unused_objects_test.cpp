@@ -80,7 +80,7 @@ TEST(MeshWeights, AreUnusedWhenEveryNodeHasItsOwn) {
   EXPECT_EQ(of_nodes(R"({})"), Lines{});
 }
 
-// An asset with something of every kind that nothing is seen to use.
+// An asset with an unused object of every kind.
 std::string loose(const std::string& extensions) {
   return asset_with(
       R"("extensionsUsed": ["ACME_table", "KHR_texture_transform"], "scenes": [{"nodes": [0]}],

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of URIs, by default, in the strict profile and in that of the Khronos validator.
+// Findings on URIs in the default, strict and khronos profiles.
 #include <gltfx/pipeline.hpp>
 
 #include <string>
@@ -110,7 +110,7 @@ TEST_F(Uris, ThatAreEmptyNameNoFile) {
   EXPECT_THAT(of("", Profile::khronos), ElementsAre("error IO_ERROR"));
 }
 
-// The Khronos validator repairs what it can, and opens what comes of it.
+// The Khronos validator repairs URIs if possible, and opens the result.
 TEST_F(Uris, AreRepairedInTheProfileOfTheKhronosValidator) {
   for (const char* uri : {"100%.bin", "sub\\a.bin", "a\x01.bin", "a%01.bin"}) {
     EXPECT_THAT(of(uri), ElementsAre("error INVALID_URI")) << uri;

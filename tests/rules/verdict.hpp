@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Validates a JSON text from outside and writes the verdict as lines, so that a test reads like a
+/// Validates a JSON text from outside and returns the verdict as lines, so that a test reads like a
 /// table.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sources of buffers and images: the form of a URI, and the fixes for resources that phase 5 opens.
+// Sources of buffers and images: the form of a URI, and the media type and data of data URIs.
 #include <string>
 #include <string_view>
 #include <utility>
