@@ -81,7 +81,7 @@ std::string apply_edits(std::string_view text, std::span<const Edit> edits) {
 
 Relocation::Relocation(std::span<const Edit> edits) {
   std::uint32_t at = 0;
-  std::uint32_t behind = 0;  // of `at`, in the new text
+  std::uint32_t behind = 0;  // position of `at` in the new text
   for (const Edit& edit : edits) {
     const std::uint32_t begin = behind + (edit.span.begin - at);
     behind = begin + static_cast<std::uint32_t>(edit.text.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Files that a killed process leaves behind.
+/// Temporary files left by a killed process.
 #pragma once
 
 #include <string>

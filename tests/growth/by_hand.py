@@ -424,7 +424,7 @@ CONSTRUCTS = {
     "views of one buffer": lambda n: finished({"bufferViews": [{"buffer": 0, "byteLength": 4}] * n}),
     "accessors of one view": lambda n: finished({"accessors": base()["accessors"][:1] * n}),
     "chunks of a GLB": lambda n: glb(struct.pack("<II", 0, 0x12345678) * n),
-    "bytes behind a GLB": lambda n: glb(b"") + bytes(n),
+    "bytes after a GLB": lambda n: glb(b"") + bytes(n),
     "levels of a KTX2 image": ktx2_levels,
     "chunks of a PNG image": png_chunks,
 }

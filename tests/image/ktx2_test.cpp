@@ -201,7 +201,7 @@ TEST(Ktx2, GlobalDataDescribesEverySlice) {
   };
   EXPECT_EQ(with(4, 1000), bad) << "endpoints";
   EXPECT_EQ(with(4, 0xFFFFFFFF), bad);
-  EXPECT_EQ(with(24, 1000), bad) << "a slice behind its level";
+  EXPECT_EQ(with(24, 1000), bad) << "a slice after its level";
   EXPECT_EQ(with(28, 0), bad) << "an empty slice";
   EXPECT_EQ(with(36, 0), bad) << "no slice for the second sample";
   EXPECT_EQ(codes(patched(whole, kGlobal, le(0, 16))), bad) << "none";

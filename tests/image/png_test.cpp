@@ -202,7 +202,7 @@ TEST(Png, ChecksumsOfHeaderAndPaletteAreRight) {
   const std::string palette = png(png_chunk("PLTE", "abc") + png_chunk("tRNS", "ab"), {4, 4, 8, 3});
   EXPECT_EQ(damaged(palette, "IHDR"), "The checksum of IHDR in the PNG is wrong.");
   EXPECT_EQ(damaged(palette, "PLTE"), "The checksum of PLTE in the PNG is wrong.");
-  EXPECT_EQ(damaged(png(png_chunk("tEXt", "a text")), "tEXt"), "") << "nobody reads it";
+  EXPECT_EQ(damaged(png(png_chunk("tEXt", "a text")), "tEXt"), "") << "it is not read";
 }
 
 TEST(Png, ImageDataBeginAsCompressedDataDo) {
@@ -227,7 +227,7 @@ TEST(Png, CutsBehindTheHeaderAreFound) {
     EXPECT_EQ(doubt(whole.substr(0, size)), size < whole.size() - 4 ? "The PNG is truncated." : "")
         << size;
   }
-  EXPECT_EQ(doubt(whole + "bytes that nobody reads"), "");
+  EXPECT_EQ(doubt(whole + "bytes after the end"), "");
   std::string longer = whole;
   longer[whole.find("IDAT") - 2] = '\x7f';
   EXPECT_NE(doubt(longer), "") << "image data beyond the end";

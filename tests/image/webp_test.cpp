@@ -107,7 +107,7 @@ TEST(Webp, ExtendedFilesAgreeWithTheirImage) {
   longer[longer.find("VP8L") + 5] = '\1';
   EXPECT_EQ(doubt(longer), "The image in the WebP is larger than the file.");
   std::string behind = file(flags(0), profile) + image;
-  EXPECT_EQ(doubt(behind), "The WebP has no image data.") << "behind its end";
+  EXPECT_EQ(doubt(behind), "The WebP has no image data.") << "after its end";
   EXPECT_NE(doubt(file(flags(0) + "xx", image)), "") << "length of VP8X";
   EXPECT_NE(doubt(file(le(0, 4) + std::string(6, '\xff'), image)), "") << "canvas";
   EXPECT_NE(doubt(file(flags(0), webp_chunk("VP8L", "x" + std::string(9, '\0')))), "");

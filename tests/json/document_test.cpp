@@ -81,7 +81,7 @@ TEST(Document, HiddenMembersAreFoundInTheTextOnly) {
   for (const auto member : document.members(0)) left.emplace_back(document.raw(member.value));
   EXPECT_THAT(left, ::testing::ElementsAre(R"({"a": 2})", "4"));
   document.hide(document.find(0, "c"));
-  EXPECT_EQ(document.object_size(0), 1u) << "nothing behind the last one either";
+  EXPECT_EQ(document.object_size(0), 1u) << "nothing after the last one either";
 }
 
 TEST(Document, AHiddenNullIsNoValue) {

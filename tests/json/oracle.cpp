@@ -188,7 +188,7 @@ std::string check_nodes(const Document& document) {
     while (!open.empty() && id == document.next(open.back())) open.pop_back();
     if (!open.empty() && node.end >= document.node(open.back()).end)
       return "span outside its parent";
-    if (id > 0 && open.empty()) return "node behind the root";
+    if (id > 0 && open.empty()) return "node after the root";
     if (id > 0 && node.begin <= document.node(id - 1).begin) return "nodes out of order";
     if (node.kind == Kind::key) {
       if (node.next >= document.key_count() || id + 1 == count) return "key without name or value";

@@ -55,7 +55,7 @@ TEST(DracoGeometry, AStripIsDecodedToTriangles) {
 
 TEST(DracoGeometry, WhatCannotBeDecodedIsNamed) {
   BytesAsset asset = square("DRACO but not really");
-  EXPECT_EQ(asset.read().error, GeometryError::packed) << "nobody has decoded it yet";
+  EXPECT_EQ(asset.read().error, GeometryError::packed) << "it is not decoded yet";
   asset.draco().decode(codec::Client::shared(), 1);
   EXPECT_EQ(asset.read().error, GeometryError::packed);
   EXPECT_TRUE(std::holds_alternative<codec::DecodeError>(*asset.draco().find(0)));

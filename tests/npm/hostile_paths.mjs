@@ -5,7 +5,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, symlinkSync, truncateSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
-export const SECRET = "secret of somebody else";
+export const SECRET = "secret of another user";
 
 /** A folder with files of each kind: `place/asset` for assets, foreign files around it. */
 export function makeHostileFolder(place) {

@@ -177,7 +177,7 @@ test("fix and edit: new bytes, and what became of each finding and object", asyn
   await assert.rejects(fix(new Uint8Array(4)), Error);
 });
 
-// Modules that are reachable from a file, with the names that no file stands behind.
+// Modules that are reachable from a file, with their imports that are not files.
 function reachable(file, found = new Map()) {
   if (found.has(file)) return found;
   const text = readFileSync(file, "utf8");

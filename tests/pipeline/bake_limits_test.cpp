@@ -90,8 +90,8 @@ TEST_F(BakeLimits, NumbersThatMakeNoPictureAreRefused) {
   refused([](BakeOptions& o) { o.exposure = 1e9; }, "exposure");
 }
 
-// Chunks of odd length, twice, unknown, and bytes behind the end: a thumbnail goes behind the data
-// that the asset refers to, and moves none of it.
+// Chunks of odd length, twice, unknown, and bytes after the end: a thumbnail is written after the
+// data that the asset refers to, and moves none of it.
 TEST_F(BakeLimits, AThumbnailGoesIntoAGlbWithOddChunks) {
   options.camera.clear();
   options.embed = true;

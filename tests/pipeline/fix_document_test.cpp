@@ -88,7 +88,7 @@ TEST(FixDocument, DeletesUnusedObjectsWithWhatOnlyTheyReferTo) {
   EXPECT_NE(text.find(R"("material":0)"), std::string::npos) << text;
 }
 
-// The second channel has no sampler to play; what is left behind it moves up.
+// The second channel has no sampler and is deleted; the elements after it move up.
 TEST(FixDocument, DeletesReferencesToNothingWithWhatNeedsThem) {
   const TempFolder folder;
   const std::string channel = R"({{"sampler":{},"target":{{"node":0,"path":"translation"}}}})";

@@ -135,7 +135,7 @@ TEST(FixKeeps, AStrideThatMovesSparseValues) {
   EXPECT_TRUE(changes(1, R"(,"byteStride":16)"));
 }
 
-// It is drawn without what is above it; behind its root it is drawn below that.
+// Before its root it is drawn without its ancestors; after its root it is drawn below the root.
 TEST(FixKeeps, ANodeThatIsListedBeforeItsRoot) {
   const auto roots = [](const char* list) {
     return fmt::format(R"({{"asset":{{"version":"2.0"}},"scene":0,"scenes":[{{"nodes":[{}]}}],

@@ -34,7 +34,7 @@ std::string raw_floats(const Floats& values) {
   return bytes;
 }
 
-/// A mesh of floats without indices; its normals lie behind its positions.
+/// A mesh of floats without indices; its normals are stored after its positions.
 struct Mesh {
   Floats positions = {}, normals = {};
   std::string mode = "4";

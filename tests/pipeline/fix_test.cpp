@@ -113,7 +113,7 @@ TEST(FixFile, ChangesADataUri) {
   EXPECT_EQ(text_of(path), triangle(uri(1)));
 }
 
-// Somebody who reads the same bytes as something else would read other values.
+// Other readers of the same bytes would read other values.
 TEST(FixFile, LeavesBytesAloneThatAreReadTwice) {
   const TempFolder folder;
   folder.write("a.bin", triangle_bytes(0.5F));
@@ -186,7 +186,7 @@ TEST(FixFile, LeavesAPlaceOutWhoseFixBringsANewFinding) {
   EXPECT_FALSE(fix_file(path.native()).changes);
 }
 
-// Without a file behind it no change is planned; one to a file that is no image is left out.
+// Without a file no change is planned; a change to a file that is not an image is left out.
 TEST(FixFile, TellsWhatItLeavesOutFromWhatItDoesNotPlan) {
   const TempFolder folder;
   folder.write("images/broken.png", "no image");

@@ -245,7 +245,7 @@ TEST(FixMisplaced, OthersMoveIfAskedFor) {
   EXPECT_EQ(members_after_fix(R"("materials": [{"pbrMetallicRoughness": {"alphaMode": "BLEND"}}])",
                               kCode),
             R"("materials": [{"pbrMetallicRoughness": {}, "alphaMode": "BLEND"}])");
-  // Which of two, and what is right, nobody knows.
+  // It is unclear which of the two is meant, and what is right.
   for (const char* const unclear :
        {R"("materials": [{"texCoord": 1}])", R"("materials": [{"metallicFactor": 5}])",
         R"("nodes": [{"arrayIndex": 3}])", R"("nodes": [{}], "camera": 0)",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fewer images: colour and factor in one, and those that nobody uses any more taken out.
+// Fewer images: color and factor in one, and images that are no longer used are removed.
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -207,7 +207,7 @@ TEST(UpgradePrune, WhatSomebodyElseUsesStays) {
   folder.write("base.png", kBase);
   Json before = leaf();
   before["materials"].push_back({{"occlusionTexture", {{"index", 0}}}});
-  before["textures"].push_back({{"source", 0}});  // nobody used it before either
+  before["textures"].push_back({{"source", 0}});  // it was not used before either
   const auto path = folder.write("a.gltf", before.dump());
   const UpgradeReport report = upgrade_file(path.native(), pruning());
   ASSERT_TRUE(report.written) << report.error;

@@ -45,7 +45,7 @@ TEST(Agent, TakesTheRemedyOfTheRuleWhereTheFindingHasNoHelp) {
 
 TEST(Agent, NamesBytesOfABinaryFile) {
   EXPECT_EQ(agent({file("a.glb", {bad_chunk()}, "model/gltf-binary")}, true),
-            "error[GLB_CHUNK_TOO_BIG] a.glb: byte 12: The chunk ends behind the file.\n");
+            "error[GLB_CHUNK_TOO_BIG] a.glb: byte 12: The chunk ends after the file.\n");
 }
 
 TEST(Agent, EndsWithASummary) {

@@ -61,7 +61,7 @@ TEST(Baseline, RepeatsStayWithTheFindingsThatStay) {
   EXPECT_EQ(left.repeats[0].finding, 0U);
   EXPECT_EQ(left.repeats[0].pointer, "/meshes/5");
   EXPECT_TRUE(after({file("a.gltf", {unused("/meshes/0")})}, report).repeats.empty())
-      << "which of the two is known nobody can say";
+      << "it is unclear which of the two is known";
 }
 
 TEST(Baseline, SilencesWhatItWasMadeOf) {

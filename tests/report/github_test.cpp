@@ -51,7 +51,7 @@ TEST(Github, NamesTheByteInABinaryFileInsteadOfALine) {
   const Diagnostic d = on(finding("X", Severity::error, "M.", "/scene"), chunk, "7", 20);
   EXPECT_EQ(github({file("a.glb", {d, bad_chunk()}, "model/gltf-binary")}),
             "::error file=a.glb,title=X::M.%0Aat byte 29 at /scene\n"
-            "::error file=a.glb,title=GLB_CHUNK_TOO_BIG::The chunk ends behind the file."
+            "::error file=a.glb,title=GLB_CHUNK_TOO_BIG::The chunk ends after the file."
             "%0Aat byte 12\n");
 }
 

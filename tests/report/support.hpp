@@ -122,7 +122,7 @@ inline Diagnostic out_of_range() {
 }
 
 inline Diagnostic bad_chunk() {
-  Diagnostic d = finding("GLB_CHUNK_TOO_BIG", Severity::error, "The chunk ends behind the file.");
+  Diagnostic d = finding("GLB_CHUNK_TOO_BIG", Severity::error, "The chunk ends after the file.");
   d.offset = 12;
   return d;
 }

@@ -46,7 +46,7 @@ TEST(Text, AlignsTheGutterWithLongLineNumbers) {
 
 TEST(Text, NamesTheByteOfAContainerFinding) {
   EXPECT_EQ(text({file("tree.glb", {bad_chunk()}, "model/gltf-binary")}),
-            "error[GLB_CHUNK_TOO_BIG]: The chunk ends behind the file.\n"
+            "error[GLB_CHUNK_TOO_BIG]: The chunk ends after the file.\n"
             " --> tree.glb: byte 12\n\n");
 }
 

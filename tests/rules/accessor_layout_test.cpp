@@ -64,7 +64,7 @@ TEST(AccessorLayout, ElementsEndInsideTheirView) {
   EXPECT_EQ(with(R"("bufferView": 0, "type": "VEC3", "count": 8, "byteOffset": 4)"), Lines{});
   EXPECT_EQ(with(R"("bufferView": 0, "type": "VEC3", "count": 8, "byteOffset": 8)"), found);
   EXPECT_EQ(with(R"("bufferView": 1, "type": "SCALAR", "count": 13)"), Lines{})
-      << "the last element needs no stride behind it";
+      << "the last element needs no stride after it";
   EXPECT_EQ(with(R"("bufferView": 1, "type": "SCALAR", "count": 14)"), found);
   EXPECT_EQ(with(R"("bufferView": 0, "type": "SCALAR", "count": 1, "byteOffset": 100)"), found);
   EXPECT_EQ(with(R"("bufferView": 0, "type": "SCALAR", "count": 1, "byteOffset": 104)"),

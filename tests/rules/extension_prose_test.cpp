@@ -179,7 +179,7 @@ TEST(Quantization, ScalesAllAxesAlike) {
   EXPECT_EQ(node("[1, 1, 2]", "5121"), wrong);
   EXPECT_EQ(node("[2, -2, 2]", "5122"), Lines{}) << "mirrored";
   EXPECT_EQ(node("[1, 2, 1]", "5126"), Lines{}) << "not quantised";
-  EXPECT_EQ(node("[1, 2, 1]", "5122", ""), Lines{}) << "nothing that stands on the surface";
+  EXPECT_EQ(node("[1, 2, 1]", "5122", ""), Lines{}) << "no vectors on the surface";
 }
 
 TEST(Anisotropy, NeedsATangentSpaceWithoutATextureToo) {

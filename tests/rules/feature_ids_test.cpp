@@ -66,7 +66,7 @@ TEST(FeatureIds, AreWholeNumbers) {
   EXPECT_EQ(metadata_findings(id_features(set, floats({0, -1, 1}))), wrong);
   EXPECT_EQ(metadata_findings(id_features(set, floats({0, 1, 16777216}))), Lines{});
   EXPECT_EQ(metadata_findings(id_features(set, floats({0, 1, 16777218}))), wrong)
-      << "the integer beside it is no float";
+      << "the next integer is not a float";
 }
 
 TEST(FeatureIds, AttributesExist) {

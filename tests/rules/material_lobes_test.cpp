@@ -122,7 +122,7 @@ TEST(Lobes, UnlitMaterialsLookAlikeWithoutTheExtension) {
       unlit(R"("pbrMetallicRoughness": {"metallicFactor": 0}, "emissiveFactor": [0, 0, 0], )"),
       Lines{});
   EXPECT_EQ(unlit("", R"(, "extensionsRequired": ["KHR_materials_unlit"])"), Lines{})
-      << "nobody is without it";
+      << "all readers support it";
 }
 
 TEST(Lobes, AColourThatIsBlackSwitchesOff) {

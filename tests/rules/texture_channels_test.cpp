@@ -80,7 +80,7 @@ TEST(TextureAlpha, GlossinessLiesBesideAColour) {
       "/materials/0/extensions/KHR_materials_pbrSpecularGlossiness/specularGlossinessTexture";
   EXPECT_EQ(gloss(rgb_png(), ""), Lines{"TEXTURE_ALPHA_MISSING " + slot});
   EXPECT_EQ(gloss(rgba_png(), ""), Lines{});
-  EXPECT_EQ(gloss(rgb_png(), R"("glossinessFactor": 0, )"), Lines{}) << "nobody sees it";
+  EXPECT_EQ(gloss(rgb_png(), R"("glossinessFactor": 0, )"), Lines{}) << "it has no visible effect";
 }
 
 // --- Translucency maps ---
