@@ -50,7 +50,7 @@ inline std::string help(const std::string& asset, const std::string& code,
   return report.diagnostics.empty() ? std::string() : report.diagnostics.front().help;
 }
 
-/// An asset with these members beside `asset`: R"("meshes": [])".
+/// An asset with these members in addition to `asset`: R"("meshes": [])".
 inline std::string asset_with(const std::string& members) {
   return R"({"asset": {"version": "2.0"}, )" + members + "}";
 }

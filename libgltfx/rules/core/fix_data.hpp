@@ -7,7 +7,7 @@
 
 namespace gltfx::validate {
 
-// Fixes for FixEntry. `place` is the member that uses the accessor, unless it says otherwise.
+// Fixes for FixEntry. `place` is the member that uses the accessor, unless stated otherwise.
 
 /// Scales normals and tangents to length 1.
 bool make_unit_vectors(Fixing& fixing, Span place);

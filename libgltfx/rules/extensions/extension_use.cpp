@@ -83,7 +83,7 @@ std::string names_text(std::vector<std::string> names) {
   return fmt::format("{}and {} others", text, others);
 }
 
-// All required unknown extensions get one finding: there is nothing to say about each.
+// All required unknown extensions get one finding: there are no details to report about each.
 void report_unknown(const Entry& entry) {
   const auto misspelt = entry.names.misspelt.find(entry.name);
   if (misspelt != entry.names.misspelt.end()) {

@@ -101,8 +101,8 @@ struct FeatureHost {
 // A set of feature IDs.
 struct FeatureSet {
   json::NodeId object = json::kNoNode;
-  std::optional<std::uint64_t> feature_count, null_id,
-      rows;  // rows: number of rows of the property table
+  // `rows`: number of rows of the property table.
+  std::optional<std::uint64_t> feature_count, null_id, rows;
 };
 
 class FeatureCheck {
