@@ -207,8 +207,7 @@ struct TextErrors {
   }
   std::vector<json::ParseError> errors;
   std::set<json::SyntaxError> done;
-  std::unordered_map<std::uint32_t, Span>
-      repeated;  ///< keys, by the position of their next occurrence
+  std::unordered_map<std::uint32_t, Span> repeated;  ///< keys, by position of the next one
 };
 
 template <class Fix>

@@ -43,8 +43,8 @@ struct TexCoordNeed {
 struct MaterialNeed {
   std::vector<TexCoordNeed> texcoords;
   bool tangent_space = false;  ///< some texture is read in tangent space
-  bool normal_texture =
-      false;  ///< the core normal texture, from which missing tangents are computed
+  /// The core normal texture is present, from which missing tangents are computed.
+  bool normal_texture = false;
 };
 
 /// Needs of all materials, from the texture slots found by the walk.

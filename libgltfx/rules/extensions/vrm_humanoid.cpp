@@ -83,8 +83,8 @@ std::string parent_bone(std::string_view bone) {
   return {};
 }
 
-constexpr double kUniform =
-    0.001;  // relative to the greatest scale, for programs that multiply floats
+// Relative to the greatest scale, for programs that multiply floats.
+constexpr double kUniform = 0.001;
 
 // The scale of a matrix is the length of its columns; a mirroring matrix has a negative one.
 std::array<float, 3> scale_of(const model::Transform& transform) {

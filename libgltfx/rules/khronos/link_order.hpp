@@ -82,8 +82,7 @@ class LinkOrder final : public Sink {
 
   Sink& reported_;
   HoldingSink held_;
-  std::vector<std::size_t>
-      by_place_;  ///< positions in held_.all, sorted by the place of their index
+  std::vector<std::size_t> by_place_;  ///< positions in held_.all, by place of the index
   std::optional<PathCopy> below_;
 };
 

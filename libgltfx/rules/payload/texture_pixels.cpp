@@ -25,8 +25,8 @@ void report_image(const TexturePhase& phase, std::uint32_t image, Code code, std
 
 void report_error(const TexturePhase& phase, std::uint32_t image, const codec::DecodeError& error) {
   const bool malformed = error.kind == codec::ErrorKind::malformed;
-  const bool stalled =
-      error.kind == codec::ErrorKind::stalled;  // not necessarily caused by the bytes
+  // A stall is not necessarily caused by the bytes.
+  const bool stalled = error.kind == codec::ErrorKind::stalled;
   const std::string label = image_label(phase.context, image);
   const std::string reason = printable(error.message);
   report_image(

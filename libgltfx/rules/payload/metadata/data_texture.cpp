@@ -20,9 +20,8 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26U;  // of all images together
-constexpr std::uint64_t kMostImageBytes = std::uint64_t{240}
-                                          << 20U;  // decoded, of one image at a time
+constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 26U;        // of all images together
+constexpr std::uint64_t kMostImageBytes = std::uint64_t{240} << 20U;  // decoded, per image
 
 unsigned stored_channels(image::Channels channels) {
   switch (channels) {

@@ -124,8 +124,7 @@ class PropertyTextureCheck {
 
   MetadataPhase& phase_;
   std::vector<TexelRequest> requests_;
-  std::vector<std::vector<std::uint64_t>>
-      sets_;  // by property texture, the sets that its slots read
+  std::vector<std::vector<std::uint64_t>> sets_;  // read by slots, by property texture
 };
 
 }  // namespace
