@@ -44,11 +44,30 @@ TEST(Pieces, OfAFileThatBecameShorterAreAnError) {
 TEST(Pieces, BytesAreComparedToTheirEnd) {
   const std::string large(3'000'000, 'x');
   EXPECT_TRUE(same_bytes(text(large), text(large)));
-  EXPECT_TRUE(same_bytes({}, {}));
+  EXPECT_TRUE(same_bytes(Bytes(), Bytes()));
   EXPECT_FALSE(same_bytes(text(large), text(large + "x")));
   std::string other = large;
   other.back() = 'y';
   EXPECT_FALSE(same_bytes(text(large), text(other)));
+}
+
+TEST(Pieces, AreComparedWithAWhole) {
+  using Pieces = std::vector<Bytes>;
+  EXPECT_TRUE(same_bytes(Pieces{text("ab"), text(""), text("c")}, text("abc")));
+  EXPECT_FALSE(same_bytes(Pieces{text("ab"), text("d")}, text("abc")));
+  EXPECT_FALSE(same_bytes(Pieces{text("ab")}, text("abc")));
+  EXPECT_FALSE(same_bytes(Pieces{text("ab"), text("cd")}, text("abc")));
+}
+
+TEST(Pieces, ManyLargeOnesLieInAFileWithoutAName) {
+  const TempFolder folder;
+  const std::string half(std::size_t{9} << 20U, 'x');
+  const Bytes whole = gathered({text(half), text("|"), text(half)}, folder.path());
+  EXPECT_TRUE(whole.text() == half + "|" + half);
+  EXPECT_EQ(folder.entries(), 0);
+  // Where there can be no file they are copied.
+  EXPECT_TRUE(gathered({text(half), text(half)}, folder.path() / "none").text() == half + half);
+  EXPECT_EQ(gathered({text("a"), text("b")}, std::filesystem::path()).text(), "ab");
 }
 
 }  // namespace
