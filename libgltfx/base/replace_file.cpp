@@ -76,6 +76,10 @@ Trouble FileDraft::write(std::string_view bytes) {
   return trouble_ ? trouble_ : file_->write(bytes);
 }
 
+void FileDraft::begin_sync() const {
+  if (file_) file_->begin_sync();
+}
+
 Trouble FileDraft::finish() {
   if (auto trouble = write({})) return trouble;
   if (!like_.empty()) {

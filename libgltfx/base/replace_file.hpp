@@ -30,7 +30,9 @@ class FileDraft {
   FileDraft(const std::filesystem::path& path, const std::filesystem::path& like);
 
   std::optional<Error> write(std::string_view bytes);
-  /// Gives the draft the attributes of the file, and makes it durable.
+  /// Lets the disk begin with what was written; finish() has less to wait for.
+  void begin_sync() const;
+  /// Gives the draft what the file has beside its bytes, and makes it durable.
   std::optional<Error> finish();
   /// Replaces the file, durably, unless another program changed it meanwhile.
   std::optional<Error> publish();

@@ -41,6 +41,8 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   std::optional<Error> write(std::string_view bytes);
+  /// Lets the system write to the disk what it has of the file, and does not wait.
+  void begin_sync() const;
   /// Makes the bytes durable, where the file system can. They cannot be read or written any more.
   std::optional<Error> make_durable();
   /// Moves the file to the target, durably, and replaces what is there.

@@ -40,7 +40,7 @@ Result<std::vector<Bytes>> chunks_of(const Container& old, const Change& change,
 
 // With the new text where only that is new, else as it is read again.
 Result<Container> changed_container(const OpenedAsset& before, const Change& change,
-                                    const SharedText& text, const std::filesystem::path& folder) {
+                                    const SharedText& text, DraftPlace& place) {
   const Container& old = before.container();
   const Format format = change.format.value_or(old.format);
   if (format == Format::gltf && old.format == Format::glb) {
@@ -55,7 +55,7 @@ Result<Container> changed_container(const OpenedAsset& before, const Change& cha
   }
   const auto pieces = chunks_of(old, change, *text);
   if (!pieces) return pieces.error();
-  Container now = container::open_bytes(container::gathered(*pieces, folder), format);
+  Container now = container::open_bytes(place.hold_asset(*pieces), format);
   if (now.json && same_but_for_padding(*now.json, *text)) now.json = text;
   return now;
 }
@@ -63,27 +63,32 @@ Result<Container> changed_container(const OpenedAsset& before, const Change& cha
 }  // namespace
 
 Result<OpenedAsset> apply(const OpenedAsset& before, const Change& change, NewText now,
-                          const std::filesystem::path& folder) {
+                          DraftPlace& place) {
   const SharedText& old = before.container().json;
   if (!old) return Error{"it has no JSON"};
   if (auto why = find_glb_obstacle(before.container())) {
     return Error{"it cannot be written anew: " + *why};
   }
   if (!now.text) now.text = share_text(json::apply_edits(*old, change.edits));
-  auto container = changed_container(before, change, now.text, folder);
+  auto container = changed_container(before, change, now.text, place);
   if (!container) return container.error();
   container::Resolver resolver = before.resolver();
   for (const ReplacedFile& file : change.replaced) {
     resolver.add(file.path, file.after, file.state);
   }
   for (const NewFile& file : change.files) {
-    resolver.add(file.path, container::gathered(file.pieces, folder));
+    resolver.add(file.path, place.hold_file(file.pieces));
   }
   const std::string name = name_of(before, change);
   if (now.parsed.document.empty() || container->json != now.text) {
     return OpenedAsset(name, *std::move(container), std::move(resolver));
   }
   return OpenedAsset(name, *std::move(container), std::move(resolver), std::move(now.parsed));
+}
+
+Result<OpenedAsset> apply(const OpenedAsset& before, const Change& change, NewText now) {
+  DraftPlace memory;
+  return apply(before, change, std::move(now), memory);
 }
 
 }  // namespace gltfx::change

@@ -2,10 +2,9 @@
 /// The draft of an asset: the result of a change before anything is written.
 #pragma once
 
-#include <filesystem>
-
 #include "base/result.hpp"
 #include "change/change.hpp"
+#include "change/draft_place.hpp"
 #include "json/parse.hpp"
 #include "model/opened_asset.hpp"
 
@@ -21,6 +20,9 @@ struct NewText {
 /// GLB is copied. An Error when it has no JSON, or a GLB cannot be rewritten or would be too long.
 /// Precondition: the change has been placed.
 Result<model::OpenedAsset> apply(const model::OpenedAsset& before, const Change& change,
-                                 NewText now = {}, const std::filesystem::path& folder = {});
+                                 NewText now, DraftPlace& place);
+/// The same in memory.
+Result<model::OpenedAsset> apply(const model::OpenedAsset& before, const Change& change,
+                                 NewText now = {});
 
 }  // namespace gltfx::change

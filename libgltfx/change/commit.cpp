@@ -49,6 +49,10 @@ Trouble compare(const FileDraft& draft, const Pieces& pieces) {
 // Fills the draft with the new bytes, which must come from the bytes that were read, and gives it
 // the attributes of the replaced file.
 Failure fill(FileDraft& draft, const AssetWrite& asset) {
+  if (&draft == asset.filled) {
+    if (auto failure = not_written(changed_meanwhile(asset))) return failure;
+    return not_written(draft.finish());
+  }
   const auto pieces =
       asset.now != nullptr ? rewrite(*asset.now) : Pieces{asset.old.container().bytes};
   if (!pieces) return WriteFailure{true, pieces.error().message};
@@ -190,10 +194,16 @@ class Elsewhere {
       : asset_(asset), folder_(target_folder(asset.old.name(), asset.options.output)) {}
 
   Failure write() const {
+    if (asset_.filled != nullptr) return publish(*asset_.filled);
     if (auto failure = not_written(make_folder(folder_))) return failure;
     const auto seen = state_if_there(asset_.options.output);
     if (!seen) return not_written(seen.error());
     FileDraft draft(asset_.options.output, *seen);
+    return publish(draft);
+  }
+
+ private:
+  Failure publish(FileDraft& draft) const {
     if (auto failure = fill(draft, asset_)) return failure;
     if (auto failure = not_written(write_replaced())) return failure;
     if (auto failure = not_written(copy_others())) return failure;
@@ -201,7 +211,6 @@ class Elsewhere {
     return not_written(draft.publish());
   }
 
- private:
   bool is_own_folder() const {
     std::error_code error;
     return fs::equivalent(folder_, target_folder(asset_.old.name(), {}), error);

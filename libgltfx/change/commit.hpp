@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/file_state.hpp"
+#include "base/replace_file.hpp"
 #include "base/result.hpp"
 #include "change/change.hpp"
 #include "container/container.hpp"
@@ -43,6 +44,8 @@ struct AssetWrite {
   std::set<std::string> referred = {};      ///< paths that the old asset may not refer to
   /// What is copied beside it, by its path; nothing: what the old asset refers to.
   std::optional<std::set<std::string>> companions = std::nullopt;
+  /// The draft of the output, which holds what `now` is already; null: it is made.
+  FileDraft* filled = nullptr;
 };
 
 /// Writes assets to their destinations, files before the assets that refer to them: a run that ends

@@ -13,7 +13,6 @@ namespace gltfx::container {
 namespace {
 
 constexpr std::size_t kStep = std::size_t{1} << 20U;
-// More than this is not copied to memory that the system cannot take back.
 constexpr std::size_t kSmall = std::size_t{16} << 20U;
 
 // `file` has write().
@@ -28,6 +27,14 @@ std::optional<Error> write_to(File& file, const std::vector<Bytes>& pieces) {
     }
   }
   return std::nullopt;
+}
+
+template <class File>
+std::optional<Bytes> written_to(File& file, const std::vector<Bytes>& pieces) {
+  if (write_to(file, pieces)) return std::nullopt;
+  Loaded loaded = load_file(adopt_regular(file.reader()));
+  if (loaded.error != ResolveError::none) return std::nullopt;
+  return std::move(loaded.bytes);
 }
 
 }  // namespace
@@ -52,16 +59,21 @@ std::string join(const std::vector<Bytes>& pieces) {
   return text;
 }
 
+bool is_large(const std::vector<Bytes>& pieces) { return size_of(pieces) > kSmall; }
+
 Bytes gathered(const std::vector<Bytes>& pieces, const std::filesystem::path& folder) {
   if (pieces.size() == 1) return pieces.front();
-  if (size_of(pieces) > kSmall && !folder.empty()) {
+  if (is_large(pieces) && !folder.empty()) {
     TemporaryFile file(folder / "draft");
-    if (!write_to(file, pieces)) {
-      Loaded loaded = load_file(adopt_regular(file.reader()));
-      if (loaded.error == ResolveError::none) return std::move(loaded.bytes);
-    }
+    if (auto bytes = written_to(file, pieces)) return *std::move(bytes);
   }
   return Bytes::from_string(join(pieces));
+}
+
+std::optional<Bytes> gathered(const std::vector<Bytes>& pieces, FileDraft& draft) {
+  auto bytes = written_to(draft, pieces);
+  if (bytes) draft.begin_sync();
+  return bytes;
 }
 
 std::optional<Error> write_pieces(FileDraft& draft, const std::vector<Bytes>& pieces) {

@@ -52,9 +52,14 @@ std::size_t size_of(const std::vector<Bytes>& pieces);
 /// All of them in one text.
 std::string join(const std::vector<Bytes>& pieces);
 
+/// Whether they are more than one should copy to memory that the system cannot take back.
+bool is_large(const std::vector<Bytes>& pieces);
+
 /// The same in one stretch of memory: what is large lies in a file without a name in `folder`,
 /// which is mapped, unless the folder is empty or can take no file.
 Bytes gathered(const std::vector<Bytes>& pieces, const std::filesystem::path& folder);
+/// The same in the file of an empty draft, which is mapped. Nothing: it cannot be written.
+std::optional<Bytes> gathered(const std::vector<Bytes>& pieces, FileDraft& draft);
 
 /// Writes one behind the other. Of a mapped file a few megabytes are resident at a time. Nothing
 /// when all is written, else why it is not.

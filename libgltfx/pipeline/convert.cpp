@@ -63,7 +63,7 @@ std::string with_place(const ConvertNote& note) {
 /// One asset on its way through the steps.
 class ConvertRun {
  public:
-  ConvertRun(const ValidatedAsset& before, const FileState& state, const ConvertOptions& options,
+  ConvertRun(const OpenedAsset& before, const FileState& state, const ConvertOptions& options,
              const SchemaSet& schemas, FolderIndex& folders, ConvertReport& report)
       : before_(before),
         state_(state),
@@ -73,16 +73,16 @@ class ConvertRun {
         report_(report) {}
 
   std::optional<Draft> run() {
-    if (auto why = find_edit_obstacle(before_.asset())) return refuse(*std::move(why));
+    if (auto why = find_edit_obstacle(before_)) return refuse(*std::move(why));
     for (const steps::StepDescription& step : steps::steps()) {
       if (!step.asked(options_)) continue;
       if (auto why = resolve()) return refuse(*std::move(why));
       if (auto why = take(step)) return refuse(*std::move(why));
     }
     report_.changes = !change_.empty();
-    if (options_.diff) report_.diff = diff_of(before_.asset(), change_.edits);
+    if (options_.diff) report_.diff = diff_of(before_, change_.edits);
     if (!report_.changes) {
-      copy_unchanged(before_.asset(), state_, options_, report_);
+      copy_unchanged(before_, state_, options_, report_);
       return std::nullopt;
     }
     if (auto why = find_taken_name()) return refuse(*std::move(why));
@@ -95,7 +95,7 @@ class ConvertRun {
   }
 
  private:
-  const OpenedAsset& asset() const { return now_ ? *now_ : before_.asset(); }
+  const OpenedAsset& asset() const { return now_ ? *now_ : before_; }
 
   std::nullopt_t refuse(std::string why) {
     note_failure(report_, EditProblem::refused, std::move(why));
@@ -107,9 +107,7 @@ class ConvertRun {
     ConvertStep& row = report_.steps.emplace_back();
     row.step = step.name;
     const std::string name =
-        fs::path(options_.output.empty() ? before_.asset().name() : options_.output)
-            .stem()
-            .native();
+        fs::path(options_.output.empty() ? before_.name() : options_.output).stem().native();
     auto outcome = step.run({asset(), *schemas_, options_, name});
     if (!outcome) {
       row.refused.push_back({{}, outcome.error().message});
@@ -144,8 +142,7 @@ class ConvertRun {
 
   // To what the steps before changed.
   void add(const change::Change& change) {
-    change_.edits =
-        json::chain_edits(*before_.asset().container().json, change_.edits, change.edits);
+    change_.edits = json::chain_edits(*before_.container().json, change_.edits, change.edits);
     change_.files.insert(change_.files.end(), change.files.begin(), change.files.end());
     if (change.format) change_.format = change.format;
     if (change.bin.whole) change_.bin.whole = change.bin.whole;
@@ -155,7 +152,7 @@ class ConvertRun {
   Reason find_taken_name() const {
     if (!writes(options_)) return std::nullopt;
     const fs::path folder =
-        change::target_folder(before_.asset().name(), options_.in_place ? "" : options_.output);
+        change::target_folder(before_.name(), options_.in_place ? "" : options_.output);
     for (const change::NewFile& file : change_.files) {
       std::error_code error;
       const fs::path target = folder / file.path;
@@ -174,7 +171,7 @@ class ConvertRun {
     return fmt::format("the new file would have the new error {}", found.error);
   }
 
-  const ValidatedAsset& before_;
+  const OpenedAsset& before_;
   const FileState& state_;
   const ConvertOptions& options_;
   const SchemaSet& schemas_;
@@ -193,8 +190,7 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderI
   }
   options.to = form_of(opened.asset, options);
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
-  const ValidatedAsset before(std::move(opened.asset), default_validation(schemas));
-  return ConvertRun(before, opened.state, options, schemas, folders, report).run();
+  return ConvertRun(opened.asset, opened.state, options, schemas, folders, report).run();
 }
 
 ConvertReport convert_path(const std::string& path, const ConvertOptions& options,

@@ -55,7 +55,7 @@ class DeleteRun {
       return std::nullopt;
     }
     auto draft = carry_out(
-        {before_, state_, options_, schemas_, folders_}, std::move(planned->change),
+        {before_.asset(), state_, options_, schemas_, folders_}, std::move(planned->change),
         [this](const ValidatedAsset& after) { return find_error(after); }, report_);
     if (!draft) forget_plan();
     return draft;

@@ -123,17 +123,20 @@ bool note_written(const std::optional<change::WriteFailure>& failure, const Edit
 
 std::optional<Draft> carry_out(const EditedFile& file, change::Change change, const Proof& proof,
                                EditOutcome& outcome, change::NewText now) {
-  const OpenedAsset& old = file.before.asset();
+  const OpenedAsset& old = file.before;
   const auto refuse = [&outcome](std::string why) {
     note_failure(outcome, EditProblem::refused, std::move(why));
     return std::nullopt;
   };
   change::AssetWrite asset{old, file.state, file.options};
   const bool written = writes(file.options);
-  if (written && change::is_in_place(file.options, old.name())) {
+  const bool in_place = change::is_in_place(file.options, old.name());
+  if (written && in_place) {
     if (auto why = find_reader(old.name(), file.folders)) return refuse(*std::move(why));
   }
-  auto draft = change::apply(old, change, std::move(now), folder_of_drafts(old, file.options));
+  change::DraftPlace place(folder_of_drafts(old, file.options),
+                           in_place ? std::string() : file.options.output);
+  auto draft = change::apply(old, change, std::move(now), place);
   if (!draft) return refuse(draft.error().message);
   validate::ValidatedAsset after(*std::move(draft), default_validation(file.schemas));
   if (auto why = proof(after)) return refuse(*std::move(why));
@@ -145,6 +148,7 @@ std::optional<Draft> carry_out(const EditedFile& file, change::Change change, co
   asset.now = &proven->asset.asset().container();
   asset.files = proven->files;
   asset.replaced = proven->replaced;
+  asset.filled = place.asset_file();
   if (!note_written(change::commit({asset}).front(), file.options, outcome)) proven.reset();
   return proven;
 }

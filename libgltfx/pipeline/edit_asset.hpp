@@ -56,7 +56,7 @@ bool note_written(const std::optional<change::WriteFailure>& failure, const Edit
 
 /// One asset that is to be changed. Refers to all it is made of.
 struct EditedFile {
-  const validate::ValidatedAsset& before;
+  const model::OpenedAsset& before;
   const FileState& state;  ///< of the file, from before it was read
   const EditOptions& options;
   const std::shared_ptr<const schema::Set>& schemas;

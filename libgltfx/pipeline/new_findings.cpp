@@ -24,12 +24,16 @@ Diagnostics serious_findings(const FileReport& report) {
   return found;
 }
 
+Diagnostics serious_findings(const model::OpenedAsset& opened,
+                             const std::shared_ptr<const schema::Set>& schemas) {
+  model::OpenedAsset again(opened.name(), opened.container(), opened.resolver());
+  return serious_findings(validate::validate(again, default_validation(schemas)));
+}
+
 Diagnostics serious_findings(const validate::ValidatedAsset& asset,
                              const std::shared_ptr<const schema::Set>& schemas) {
   if (asset.validated_by_default()) return serious_findings(asset.report());
-  const model::OpenedAsset& opened = asset.asset();
-  model::OpenedAsset again(opened.name(), opened.container(), opened.resolver());
-  return serious_findings(validate::validate(again, default_validation(schemas)));
+  return serious_findings(asset.asset(), schemas);
 }
 
 ByCode count_by_code(const Diagnostics& findings, Severity severity) {
@@ -71,6 +75,11 @@ std::vector<std::string> warnings_of(const Diagnostics& before, const Diagnostic
   return texts;
 }
 
+NewFindings compare(const Diagnostics& known, const Diagnostics& found) {
+  const ByCode errors = more(known, found, Severity::error);
+  return {errors.empty() ? std::string_view() : errors.begin()->first, warnings_of(known, found)};
+}
+
 }  // namespace
 
 ValidateOptions default_validation(const std::shared_ptr<const schema::Set>& schemas) {
@@ -85,9 +94,14 @@ NewFindings new_findings(const validate::ValidatedAsset& before,
                          const std::shared_ptr<const schema::Set>& schemas) {
   const Diagnostics found = serious_findings(after, schemas);
   if (found.empty()) return {};
-  const Diagnostics known = serious_findings(before, schemas);
-  const ByCode errors = more(known, found, Severity::error);
-  return {errors.empty() ? std::string_view() : errors.begin()->first, warnings_of(known, found)};
+  return compare(serious_findings(before, schemas), found);
+}
+
+NewFindings new_findings(const model::OpenedAsset& before, const validate::ValidatedAsset& after,
+                         const std::shared_ptr<const schema::Set>& schemas) {
+  const Diagnostics found = serious_findings(after, schemas);
+  if (found.empty()) return {};
+  return compare(serious_findings(before, schemas), found);
 }
 
 }  // namespace gltfx

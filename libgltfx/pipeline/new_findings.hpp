@@ -25,6 +25,10 @@ NewFindings new_findings(const validate::ValidatedAsset& before,
                          const validate::ValidatedAsset& after,
                          const std::shared_ptr<const schema::Set>& schemas);
 
+/// The same of an asset that was not validated: that is done where something is wrong with `after`.
+NewFindings new_findings(const model::OpenedAsset& before, const validate::ValidatedAsset& after,
+                         const std::shared_ptr<const schema::Set>& schemas);
+
 /// Default options for one of many files.
 ValidateOptions default_validation(const std::shared_ptr<const schema::Set>& schemas);
 

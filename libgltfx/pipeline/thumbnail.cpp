@@ -43,7 +43,7 @@ class Embedding {
     FolderIndex folders;
     EditOutcome outcome;
     auto draft = carry_out(
-        {before_, state_, options, schemas_, folders}, *std::move(change),
+        {before_.asset(), state_, options, schemas_, folders}, *std::move(change),
         [this](const ValidatedAsset& after) { return find_error(after); }, outcome);
     if (!draft) return Error{outcome.error};
     return *std::move(draft);

@@ -141,7 +141,7 @@ UpgradeDryRun carry_out(const ValidatedAsset& before, const FileState& state,
   UpgradeReport& report = planned.report;
   const Verifier verifier(before, schemas, options, report.actions);
   auto after = carry_out(
-      {before, state, options, schemas, folders}, std::move(planned.change),
+      {before.asset(), state, options, schemas, folders}, std::move(planned.change),
       [&](const ValidatedAsset& draft) { return verifier.find_error(draft, report); }, report,
       std::move(planned.now));
   const bool done = after.has_value();

@@ -188,6 +188,27 @@ TEST_F(Pack, MoreThanAGlbHoldsIsRefusedBeforeAnythingIsWritten) {
       HasSubstr("a GLB has at most 4 GiB; --to gltf"));
 }
 
+TEST_F(Pack, ALargeGlbLeavesNothingBesideIt) {
+  std::ofstream(folder_.path() / "b.bin");
+  fs::resize_file(folder_.path() / "b.bin", 20'000'000);
+  folder_.write("c.bin", "abcd");
+  const StoredAsset now = packed("{" + kAsset + R"(, "buffers": [{"byteLength": 20000000, "uri":
+    "b.bin"}, {"byteLength": 4, "uri": "c.bin"}]})");
+  EXPECT_EQ(now.bin.size(), 20'000'004U);
+  EXPECT_TRUE(now.bin.ends_with("\0abcd"s));
+  EXPECT_EQ(std::distance(fs::directory_iterator(output().parent_path()), {}), 1);
+  EXPECT_EQ(folder_.entries(), 4);
+  // In the place of one that is there.
+  converted(folder_.path() / "a.gltf", output());
+  // A dry run.
+  ConvertOptions options;
+  options.to = StoredAs::glb;
+  const ConvertReport report = convert_file((folder_.path() / "a.gltf").native(), options);
+  EXPECT_TRUE(report.changes);
+  EXPECT_EQ(report.steps[0].bytes_after, fs::file_size(output()));
+  EXPECT_EQ(folder_.entries(), 4);
+}
+
 TEST_F(Pack, TheRestOfAGlbGoesIntoItAndItsChunksStay) {
   folder_.write("leaf.png", picture("leaf"));
   const fs::path file = folder_.write(
