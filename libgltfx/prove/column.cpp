@@ -61,7 +61,7 @@ std::optional<Column> Column::make(const Side& side, std::uint32_t accessor,
                                    std::optional<AccessorData> data) {
   Column column;
   if (data) {
-    if (data->implied() && data->count() > kMostImplied) return std::nullopt;
+    if (data->implied() && !side.affords_implied(data->count())) return std::nullopt;
     column.format_ = data->format();
     column.count_ = data->count();
     column.data_ = std::move(data);
@@ -71,8 +71,8 @@ std::optional<Column> Column::make(const Side& side, std::uint32_t accessor,
   const json::Document& document = side.document();
   if (document.find(described.node, "bufferView") != json::kNoNode) return std::nullopt;
   if (described.sparse != json::kNoNode || !described.format.known()) return std::nullopt;
-  if (!described.count || *described.count > kMostImplied) return std::nullopt;
   if (!model::is_core_component(described.format.component)) return std::nullopt;
+  if (!described.count || !side.affords_implied(*described.count)) return std::nullopt;
   column.format_ = described.format;
   column.count_ = *described.count;
   return column;
@@ -87,7 +87,10 @@ std::optional<Column> Column::open(const Side& side, std::uint32_t accessor) {
 std::optional<Column> Column::open(const Side& side, const model::PrimitiveData& data,
                                    const model::Attribute& attribute) {
   if (!attribute.accessor) return std::nullopt;
-  return make(side, *attribute.accessor, data.open(attribute));
+  auto elements = data.open(attribute);
+  // Nothing is stored beside a bitstream, but that does not make zeros of it.
+  if (!elements && model::read_draco(side.asset(), data.primitive())) return std::nullopt;
+  return make(side, *attribute.accessor, std::move(elements));
 }
 
 std::size_t Column::packed_size() const {

@@ -16,9 +16,6 @@ namespace gltfx::prove {
 /// Components of one element.
 using Element = std::array<double, 16>;
 
-/// Elements that sparse accessors over nothing may have: their zeros take no bytes.
-inline constexpr std::uint64_t kMostImplied = std::uint64_t{1} << 24U;
-
 /// The difference of two numbers; 0 for two that are none, infinite where only one is.
 double apart(double a, double b);
 

@@ -19,7 +19,7 @@ using model::Curve;
 
 constexpr int kParts = 5;  // between two keyframes
 // What is computed from other keyframes is rounded otherwise.
-constexpr double kRounding = 1.0 / (1 << 22);
+constexpr double kRoundingPart = 1.0 / (1 << 22);
 
 /// The curve of a channel and how it is read.
 struct Motion {
@@ -40,7 +40,7 @@ std::optional<AccessorData> open(const Side& side, const std::optional<std::uint
   if (!accessor) return std::nullopt;
   auto data = AccessorData::open(side.asset(), side.views(), side.resources(),
                                  side.views().accessors[*accessor], model::Malformed::unusable);
-  const bool affordable = data && (!data->implied() || data->count() <= kMostImplied);
+  const bool affordable = data && (!data->implied() || side.affords_implied(data->count()));
   return affordable ? std::move(data) : std::nullopt;
 }
 
@@ -94,7 +94,7 @@ Worst farthest_apart(const Motion& ours, const Motion& theirs) {
     const double begin = ours.time(k);
     const double end = k + 1 < count ? ours.time(k + 1) : begin;
     const std::vector<float> next = ours.at(end);
-    const double rounding = kRounding * std::max(size_of(here), size_of(next));
+    const double rounding = kRoundingPart * std::max(size_of(here), size_of(next));
     for (int part = 0; part < (end > begin ? kParts : 1); ++part) {
       const double moment = begin + (end - begin) * part / kParts;
       const std::vector<float> a = ours.at(moment);
@@ -122,7 +122,7 @@ void compare_curves(const Side& before, const Side& after, const Pair& pair, dou
       ours->curve.values.components() != theirs->curve.values.components()) {
     return found.add(place, "moves another number of values");
   }
-  if (ours->time(0) != theirs->time(0) || ours->last() != theirs->last()) {
+  if (apart(ours->time(0), theirs->time(0)) > 0 || apart(ours->last(), theirs->last()) > 0) {
     return found.add(place,
                      fmt::format("lasts from {:.6g} to {:.6g} s in place of {:.6g} to {:.6g}",
                                  theirs->time(0), theirs->last(), ours->time(0), ours->last()));

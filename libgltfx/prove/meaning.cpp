@@ -93,4 +93,32 @@ Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAss
   return found.take();
 }
 
+Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsset& after,
+                       const schema::Set& schemas, const MeaningRequest& request) {
+  Differences found(request.most);
+  if (!has_root_object(before)) return {};
+  if (!has_root_object(after)) {
+    found.add("", "is no glTF any more");
+    return found.take();
+  }
+  const Side ours(before, schemas, request.jobs);
+  const Side theirs(after, schemas, request.jobs);
+  const auto& here = ours.views().meshes;
+  const auto& there = theirs.views().meshes;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    if (here[i].node == json::kNoNode) continue;
+    if (i >= there.size() || there[i].primitives.size() != here[i].primitives.size()) {
+      found.add(ours.pointer(here[i].node), "has another number of primitives");
+      continue;
+    }
+    for (std::size_t k = 0; k < here[i].primitives.size(); ++k) {
+      const json::NodeId one = here[i].primitives[k].node;
+      const json::NodeId other = there[i].primitives[k].node;
+      if (one == json::kNoNode || other == json::kNoNode) continue;
+      compare_primitives(ours, theirs, one, other, request, true, found);
+    }
+  }
+  return found.take();
+}
+
 }  // namespace gltfx::prove

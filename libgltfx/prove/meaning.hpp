@@ -57,8 +57,9 @@ struct MeaningRequest {
   /// What nothing refers to need not be in `after`: materials, meshes, textures and their like, and
   /// extensions in `extensionsUsed`. Scenes, animations and nodes always stay.
   bool unused_may_go = false;
-  /// POSITION is compared in the space of the scene, for each node that uses the mesh; transforms
-  /// of such nodes may change as long as all positions stay. Not with VertexOrder::free.
+  /// POSITION is compared in the space of the scene, for each node that uses the mesh without a
+  /// skin. The transform of such a node may change where nothing but the mesh tells: it has no
+  /// children, camera or extensions, and no animation moves it. Not with VertexOrder::free.
   bool in_world = false;
   Tolerance tolerance = {};
   unsigned jobs = 1;       ///< threads that decode
@@ -93,8 +94,14 @@ struct Meaning {
 /// what can be read there and not in `after` is a difference. Reads all buffers (mapped), decodes
 /// Draco and meshopt, and images where that is asked for; takes memory for the two texts and one
 /// primitive or image at a time, and for decoded streams. Time grows with the size of the assets, n
-/// log n. Without a text there is nothing to compare: that is a difference if `before` has one.
+/// log n, and with what primitives refer to, whoever shares it. Without a text there is nothing to
+/// compare: that is a difference if `before` has one.
 Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAsset& after,
                         const schema::Set& schemas, const MeaningRequest& request);
+
+/// Compares primitives alone, meshes with the same number, as the request says of vertices: for
+/// changes of other objects that renumber nothing. All else as above.
+Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsset& after,
+                       const schema::Set& schemas, const MeaningRequest& request);
 
 }  // namespace gltfx::prove

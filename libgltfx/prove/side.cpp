@@ -70,6 +70,12 @@ const Link* Side::link(json::NodeId value, std::uint64_t element) const {
   return there ? &*found : nullptr;
 }
 
+bool Side::affords_implied(std::uint64_t count) const {
+  if (count > implied_left_) return false;
+  implied_left_ -= count;
+  return true;
+}
+
 schema::TypeId Side::type(json::NodeId object) const {
   const schema::TypeId type = graph_.type(object);
   return type == schema::kNone ? type : graph_.set().type(type).origin;

@@ -53,6 +53,9 @@ class Side {
   /// Whether elements of an array are reached by references to them, so that their order says
   /// nothing.
   bool is_table(json::NodeId array) const { return tables_.count(array) != 0; }
+  /// Whether elements that take no bytes, such as zeros below a sparse accessor, may be read: a few
+  /// million for the asset, however many accessors have them.
+  bool affords_implied(std::uint64_t count) const;
   std::string pointer(json::NodeId value) const { return tree().pointer(value); }
   /// The position of an element of a root array.
   std::uint32_t index(json::NodeId element) const { return tree().position(element); }
@@ -67,6 +70,7 @@ class Side {
   model::Pose pose_;
   std::vector<Link> links_;  ///< by place
   std::unordered_set<json::NodeId> tables_;
+  mutable std::uint64_t implied_left_ = std::uint64_t{1} << 22U;
 };
 
 }  // namespace gltfx::prove

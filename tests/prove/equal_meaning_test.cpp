@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "edited_asset.hpp"
 #include "graph/graph.hpp"
+#include "prove/edited_asset.hpp"
 
 namespace gltfx::prove {
 namespace {

@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "edited_asset.hpp"
+#include "prove/edited_asset.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -107,8 +107,8 @@ bool for_primitive(EditedAsset& asset, const std::function<bool(Json&)>& edit) {
   return false;
 }
 
-const std::vector<Mutation>& mutations() {
-  static const std::vector<Mutation> all{
+std::vector<Mutation> mutations_of_geometry() {
+  return {
       {"a vertex moves",
        [](EditedAsset& asset) {
          return for_primitive(asset, [&](Json& p) {
@@ -147,6 +147,24 @@ const std::vector<Mutation>& mutations() {
          });
        },
        "/primitives/0"},
+      {"a morph target changes",
+       [](EditedAsset& asset) {
+         return for_primitive(asset, [&](Json& p) {
+           return has(p, "targets") && has(p["targets"][0], "POSITION") &&
+                  edit_vertex(asset, p, p["targets"][0]["POSITION"]);
+         });
+       },
+       "/targets/0/POSITION"},
+      {"morph targets go",
+       [](EditedAsset& asset) {
+         return for_primitive(asset, [](Json& p) { return p.erase("targets") > 0; });
+       },
+       "/primitives/0"},
+  };
+}
+
+std::vector<Mutation> mutations_of_objects() {
+  return {
       {"a name changes",
        [](EditedAsset& asset) {
          return edit_first(asset, "nodes", [](Json& n) { n["name"] = "another"; });
@@ -197,6 +215,22 @@ const std::vector<Mutation>& mutations() {
          return for_primitive(asset, [](Json& p) { return p.erase("material") > 0; });
        },
        "/material"},
+      {"a camera changes",
+       [](EditedAsset& asset) {
+         return edit_first(asset, "cameras", [](Json& c) { c[c["type"]]["znear"] = 0.0123; });
+       },
+       "/cameras/0"},
+      {"an extension is declared",
+       [](EditedAsset& asset) {
+         asset.json["extensionsUsed"].push_back("ACME_declared");
+         return true;
+       },
+       "/extensionsUsed"},
+  };
+}
+
+std::vector<Mutation> mutations_of_scenes() {
+  return {
       {"a node moves",
        [](EditedAsset& asset) {
          return edit_first(asset, "nodes", [](Json& n) {
@@ -225,11 +259,6 @@ const std::vector<Mutation>& mutations() {
          return true;
        },
        "/scenes/0/nodes"},
-      {"a camera changes",
-       [](EditedAsset& asset) {
-         return edit_first(asset, "cameras", [](Json& c) { c[c["type"]]["znear"] = 0.0123; });
-       },
-       "/cameras/0"},
       {"an animation goes", [](EditedAsset& asset) { return asset.json.erase("animations") > 0; },
        "/animations"},
       {"a keyframe moves",
@@ -271,25 +300,6 @@ const std::vector<Mutation>& mutations() {
                 edit_element(asset, asset.json["skins"][0]["inverseBindMatrices"], 0);
        },
        "/skins/0/inverseBindMatrices"},
-      {"a morph target changes",
-       [](EditedAsset& asset) {
-         return for_primitive(asset, [&](Json& p) {
-           return has(p, "targets") && has(p["targets"][0], "POSITION") &&
-                  edit_vertex(asset, p, p["targets"][0]["POSITION"]);
-         });
-       },
-       "/targets/0/POSITION"},
-      {"morph targets go",
-       [](EditedAsset& asset) {
-         return for_primitive(asset, [](Json& p) { return p.erase("targets") > 0; });
-       },
-       "/primitives/0"},
-      {"an extension is declared",
-       [](EditedAsset& asset) {
-         asset.json["extensionsUsed"].push_back("ACME_declared");
-         return true;
-       },
-       "/extensionsUsed"},
       {"another scene is shown",
        [](EditedAsset& asset) {
          if (!has(asset.json, "scene")) return false;
@@ -299,15 +309,23 @@ const std::vector<Mutation>& mutations() {
        },
        "/scenes"},
   };
+}
+
+std::vector<Mutation> mutations() {
+  std::vector<Mutation> all = mutations_of_geometry();
+  for (const auto& more : {mutations_of_objects(), mutations_of_scenes()}) {
+    all.insert(all.end(), more.begin(), more.end());
+  }
   return all;
 }
 
 // Each change, made to each fixture that has what it changes.
 TEST(Meaning, OfAnotherAssetIsAnother) {
+  const std::vector<Mutation> all = mutations();
   std::map<std::string, int> made;
   for (const auto& path : test::assets_in(kGood)) {
     const EditedAsset before = EditedAsset::load(path);
-    for (const Mutation& mutation : mutations()) {
+    for (const Mutation& mutation : all) {
       EditedAsset after = before;
       if (!mutation.make(after) || (after.json == before.json && after.files == before.files)) {
         continue;
@@ -318,7 +336,7 @@ TEST(Meaning, OfAnotherAssetIsAnother) {
       EXPECT_THAT(text(meaning), HasSubstr(mutation.pointer)) << path << ": " << mutation.name;
     }
   }
-  for (const Mutation& mutation : mutations()) EXPECT_GT(made[mutation.name], 0) << mutation.name;
+  for (const Mutation& mutation : all) EXPECT_GT(made[mutation.name], 0) << mutation.name;
 }
 
 }  // namespace

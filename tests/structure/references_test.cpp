@@ -21,6 +21,8 @@ const std::set<std::string_view> kWords{"ReferenceUse", "ReferenceVisitor", "may
 // Files that may read them nevertheless, or folders of such files.
 const std::map<std::string, std::string, std::less<>> kReaders{
     {"libgltfx/graph/", "what refers to what"},
+    {"libgltfx/prove/storage.cpp",
+     "which extensions are another way to store something, whether or not a document has them"},
     {"libgltfx/schema/", "reads the words, and judges each reference where the walk meets it"},
     {"tools/gltfx/schema_json.cpp", "prints the words of a schema"},
     {"tools/gltfx/schema_words.cpp", "prints the words of a schema"},

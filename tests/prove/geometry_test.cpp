@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Primitives that draw the same, and some that do not, by the same vertices stored otherwise.
+#include <array>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "codec/support/draco_encoder.hpp"
+#include "prove/edited_asset.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+using test::EditedAsset;
+using test::Json;
+using testing::HasSubstr;
+
+template <class T>
+std::string raw(const std::vector<T>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
+}
+
+/// A primitive whose accessors each have a view of their own.
+class OnePrimitive {
+ public:
+  OnePrimitive() {
+    json_ = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+      "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {}}]}]})");
+  }
+  OnePrimitive& attribute(const std::string& name, const char* type, int component,
+                          const std::string& bytes, std::size_t count, bool normalized = false) {
+    primitive()["attributes"][name] = add(type, component, bytes, count);
+    if (normalized) json_["accessors"].back()["normalized"] = true;
+    return *this;
+  }
+  OnePrimitive& positions(const std::vector<float>& values) {
+    return attribute("POSITION", "VEC3", 5126, raw(values), values.size() / 3);
+  }
+  OnePrimitive& target(const std::vector<float>& values) {
+    primitive()["targets"].push_back(
+        {{"POSITION", add("VEC3", 5126, raw(values), values.size() / 3)}});
+    return *this;
+  }
+  template <class T>
+  OnePrimitive& indices(const std::vector<T>& values) {
+    primitive()["indices"] = add("SCALAR",
+                                 sizeof(T) == 1   ? 5121
+                                 : sizeof(T) == 2 ? 5123
+                                                  : 5125,
+                                 raw(values), values.size());
+    return *this;
+  }
+  OnePrimitive& mode(int mode) {
+    primitive()["mode"] = mode;
+    return *this;
+  }
+  OnePrimitive& node(const char* member, const Json& value) {
+    json_["nodes"][0][member] = value;
+    return *this;
+  }
+  int add(const char* type, int component, const std::string& bytes, std::size_t count) {
+    const int view = add_view(bytes);
+    json_["accessors"].push_back(
+        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
+    return static_cast<int>(json_["accessors"].size()) - 1;
+  }
+  int add_view(const std::string& bytes) {
+    json_["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}});
+    bytes_ += bytes;
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    return static_cast<int>(json_["bufferViews"].size()) - 1;
+  }
+  Json& primitive() { return json_["meshes"][0]["primitives"][0]; }
+  Json& json() { return json_; }
+  EditedAsset asset() const { return EditedAsset::made(json_.dump(), bytes_); }
+
+ private:
+  Json json_;
+  std::string bytes_;
+};
+
+const std::vector<float> kSquare{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+constexpr std::array<int, 6> kList{0, 1, 2, 0, 2, 3};
+
+OnePrimitive square() {
+  return OnePrimitive().positions(kSquare).indices<std::uint16_t>({0, 1, 2, 0, 2, 3});
+}
+
+MeaningRequest in_any_order() {
+  MeaningRequest request;
+  request.order = VertexOrder::free;
+  return request;
+}
+
+bool same(const OnePrimitive& a, const OnePrimitive& b, const MeaningRequest& request = {}) {
+  const Meaning meaning = test::compare(a.asset(), b.asset(), request);
+  const Meaning back = test::compare(b.asset(), a.asset(), request);
+  EXPECT_EQ(meaning.same(), back.same()) << test::text(meaning) << test::text(back);
+  return meaning.same();
+}
+
+TEST(GeometryMeaning, IsThatOfCorners) {
+  std::vector<float> corners;
+  for (const int i : kList) {
+    const auto first = kSquare.begin() + i * 3;
+    corners.insert(corners.end(), first, first + 3);
+  }
+  EXPECT_TRUE(same(square(), OnePrimitive().positions(corners)));
+  EXPECT_TRUE(
+      same(square(), OnePrimitive().positions(kSquare).indices<std::uint8_t>({0, 1, 2, 0, 2, 3})));
+  const std::vector<float> other{1, 0, 0, 0, 0, 0, 0, 1, 0, 1, 1, 0};
+  EXPECT_TRUE(
+      same(square(), OnePrimitive().positions(other).indices<std::uint32_t>({1, 0, 3, 1, 3, 2})));
+  EXPECT_FALSE(
+      same(square(), OnePrimitive().positions(other).indices<std::uint32_t>({1, 0, 3, 1, 3, 0})));
+}
+
+TEST(GeometryMeaning, StripsAndFansAreLists) {
+  const OnePrimitive fan = OnePrimitive().positions(kSquare).mode(6);
+  EXPECT_TRUE(same(square(), fan));
+  const OnePrimitive strip =
+      OnePrimitive().positions(kSquare).indices<std::uint8_t>({1, 2, 0, 3}).mode(5);
+  EXPECT_FALSE(same(square(), strip)) << "begins with another corner";
+  EXPECT_TRUE(same(square(), strip, in_any_order()));
+  EXPECT_FALSE(same(square(), OnePrimitive().positions(kSquare).mode(2), in_any_order()));
+}
+
+TEST(GeometryMeaning, OrderMayBeFree) {
+  const OnePrimitive turned =
+      OnePrimitive().positions(kSquare).indices<std::uint16_t>({2, 3, 0, 1, 2, 0});
+  EXPECT_FALSE(same(square(), turned));
+  EXPECT_TRUE(same(square(), turned, in_any_order()));
+  const OnePrimitive flipped =
+      OnePrimitive().positions(kSquare).indices<std::uint16_t>({2, 3, 0, 2, 1, 0});
+  EXPECT_FALSE(same(square(), flipped, in_any_order())) << "turns the other way";
+  const OnePrimitive twice =
+      OnePrimitive().positions(kSquare).indices<std::uint16_t>({0, 1, 2, 0, 2, 3, 0, 2, 3});
+  EXPECT_FALSE(same(square(), twice, in_any_order()));
+  const OnePrimitive lines = OnePrimitive().positions(kSquare).mode(3);
+  const OnePrimitive pairs =
+      OnePrimitive().positions(kSquare).indices<std::uint8_t>({3, 2, 0, 1, 2, 1}).mode(1);
+  EXPECT_TRUE(same(lines, pairs, in_any_order()));
+}
+
+TEST(GeometryMeaning, NumbersAreComparedAsDecoded) {
+  const auto colored = [](const std::string& bytes, int component, bool normalized) {
+    return square().attribute("COLOR_0", "VEC4", component, bytes, 4, normalized);
+  };
+  std::vector<std::uint8_t> small;
+  std::vector<float> floats;
+  for (int i = 0; i < 16; ++i) {
+    small.push_back(static_cast<std::uint8_t>(i * 17));
+    floats.push_back(static_cast<float>(i * 17 / 255.0));
+  }
+  EXPECT_TRUE(same(colored(raw(small), 5121, true), colored(raw(floats), 5126, false)));
+  EXPECT_FALSE(same(colored(raw(small), 5121, true), colored(raw(small), 5121, false)));
+  floats[7] = std::nextafter(floats[7], 1.0F);
+  EXPECT_FALSE(same(colored(raw(small), 5121, true), colored(raw(floats), 5126, false)));
+}
+
+TEST(GeometryMeaning, ToleranceIsByMeaning) {
+  std::vector<float> moved = kSquare;
+  moved[4] = 0.25F;
+  const OnePrimitive other =
+      OnePrimitive().positions(moved).indices<std::uint16_t>({0, 1, 2, 0, 2, 3});
+  const Meaning meaning = test::compare(square().asset(), other.asset());
+  ASSERT_EQ(meaning.differences.size(), 1U);
+  EXPECT_EQ(meaning.differences[0].pointer, "/meshes/0/primitives/0/attributes/POSITION");
+  EXPECT_EQ(meaning.differences[0].what, "POSITION of corner 1 is 0.25 away");
+  EXPECT_EQ(meaning.differences[0].amount, 0.25);
+  MeaningRequest request;
+  request.tolerance.position = 0.25;
+  const Meaning near = test::compare(square().asset(), other.asset(), request);
+  EXPECT_TRUE(near.same());
+  ASSERT_EQ(near.measured.size(), 1U);
+  EXPECT_EQ(near.measured[0].greatest, 0.25);
+  request.tolerance.position = 0.2499;
+  EXPECT_FALSE(same(square(), other, request));
+}
+
+TEST(GeometryMeaning, DirectionsAreAngles) {
+  const auto with_normals = [](float x, float z) {
+    std::vector<float> normals;
+    for (int i = 0; i < 4; ++i) normals.insert(normals.end(), {x, 0, z});
+    return square().attribute("NORMAL", "VEC3", 5126, raw(normals), 4);
+  };
+  MeaningRequest request;
+  request.tolerance.direction = 30.01;
+  EXPECT_TRUE(same(with_normals(0, 1), with_normals(0.5F, 0.8660254F), request));
+  EXPECT_FALSE(same(with_normals(0, 1), with_normals(0.52F, 0.854F), request));
+  EXPECT_FALSE(same(with_normals(0, 1), with_normals(0, 0.5F)));
+  EXPECT_TRUE(same(with_normals(0, 1), with_normals(0, 0.5F), request)) << "the same direction";
+}
+
+TEST(GeometryMeaning, OfTheSceneAllowsOtherTransforms) {
+  std::vector<float> half = kSquare;
+  for (float& value : half) value /= 2;
+  const OnePrimitive scaled = OnePrimitive()
+                                  .positions(half)
+                                  .indices<std::uint16_t>({0, 1, 2, 0, 2, 3})
+                                  .node("scale", {2, 2, 2});
+  MeaningRequest request;
+  EXPECT_FALSE(same(square(), scaled, request));
+  request.in_world = true;
+  EXPECT_TRUE(same(square(), scaled, request));
+  OnePrimitive off = scaled;
+  off.node("translation", {0, 0, 0.125});
+  const Meaning meaning = test::compare(square().asset(), off.asset(), request);
+  ASSERT_EQ(meaning.differences.size(), 1U);
+  EXPECT_EQ(meaning.differences[0].pointer, "/nodes/0");
+  EXPECT_EQ(meaning.differences[0].amount, 0.125);
+}
+
+TEST(GeometryMeaning, OfMorphTargets) {
+  const std::vector<float> up{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+  std::vector<float> less = up;
+  less[2] = 0.5F;
+  EXPECT_TRUE(same(square().target(up), square().target(up)));
+  EXPECT_FALSE(same(square().target(up), square().target(less)));
+  EXPECT_FALSE(same(square().target(up), square().target(less), in_any_order()));
+  EXPECT_FALSE(same(square().target(up), square()));
+}
+
+// A grid and the bitstream that an encoder makes of it.
+OnePrimitive packed(const test::DracoSource& source, std::size_t corners, std::size_t points) {
+  OnePrimitive made;
+  const int view = made.add_view(test::draco_bytes(source));
+  made.json()["accessors"] = {{{"componentType", 5126}, {"count", points}, {"type", "VEC3"}},
+                              {{"componentType", 5125}, {"count", corners}, {"type", "SCALAR"}}};
+  made.primitive() = Json::parse(R"({"attributes": {"POSITION": 0}, "indices": 1})");
+  made.primitive()["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
+  made.json()["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+  made.json()["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  return made;
+}
+
+TEST(GeometryMeaning, OfBitstreamsIsThatOfTheirGeometry) {
+  test::DracoSource grid = test::draco_grid(9);
+  std::vector<float> positions(grid.points * std::size_t{3});
+  std::memcpy(positions.data(), grid.attributes[0].bytes.data(), positions.size() * sizeof(float));
+  const OnePrimitive plain = OnePrimitive().positions(positions).indices(grid.indices);
+  EXPECT_TRUE(same(plain, packed(grid, grid.indices.size(), grid.points)));
+  grid.edgebreaker = true;
+  EXPECT_TRUE(same(plain, packed(grid, grid.indices.size(), grid.points), in_any_order()));
+  EXPECT_FALSE(same(plain, packed(grid, grid.indices.size(), grid.points)));
+  grid.attributes[0].bits = 4;
+  EXPECT_FALSE(same(plain, packed(grid, grid.indices.size(), grid.points), in_any_order()));
+  grid.indices.resize(grid.indices.size() - 3);
+  grid.attributes[0].bits = 0;
+  EXPECT_FALSE(same(plain, packed(grid, grid.indices.size(), grid.points), in_any_order()));
+}
+
+TEST(GeometryMeaning, OfABitstreamThatCannotBeRead) {
+  const test::DracoSource grid = test::draco_grid(3);
+  const OnePrimitive sound = packed(grid, grid.indices.size(), grid.points);
+  EditedAsset broken = sound.asset();
+  broken.files["buffer0.bin"][20] ^= 0x55;
+  broken.files["buffer0.bin"].resize(24);
+  const Meaning before = test::compare(broken, sound.asset());
+  EXPECT_TRUE(before.same()) << test::text(before);
+  EXPECT_FALSE(before.unread.empty());
+  EXPECT_THAT(test::text(test::compare(sound.asset(), broken)), HasSubstr("cannot be read"));
+}
+
+}  // namespace
+}  // namespace gltfx::prove
