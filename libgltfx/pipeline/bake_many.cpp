@@ -14,6 +14,7 @@
 #include "pipeline/in_order.hpp"
 #include "pipeline/picture_file.hpp"
 #include "preview/contact_sheet.hpp"
+#include "prove/picture.hpp"
 
 namespace gltfx {
 namespace {
@@ -60,12 +61,12 @@ class Comparison {
     const render::Framebuffer b = draw(second_, views->front(), 0.5);
     const preview::Picture left = to_picture(a, first_.report);
     const preview::Picture right = to_picture(b, second_.report);
-    const double difference = preview::mean_square_difference(left, right, a, b);
+    const double difference = prove::mean_square_difference(left, right, a, b);
     psnr_ = difference > 0 ? 10 * std::log10(255.0 * 255.0 / difference)
                            : std::numeric_limits<double>::infinity();
-    ssim_ = preview::structural_similarity(left, right, a, b);
+    ssim_ = prove::structural_similarity(left, right, a, b);
     if (options_.output.empty()) return;
-    auto trouble = write_picture(preview::difference(left, right), options_.output);
+    auto trouble = write_picture(prove::difference(left, right), options_.output);
     if (trouble) error_ = std::move(trouble->message);
   }
 

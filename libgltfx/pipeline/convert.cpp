@@ -19,11 +19,11 @@
 #include "change/place.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
+#include "prove/findings.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
 #include "steps/step.hpp"
-#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 namespace {
@@ -165,7 +165,7 @@ class ConvertRun {
 
   Reason find_error(const ValidatedAsset& after) {
     report_.steps.back().bytes_after = stored_bytes(after.asset());
-    NewFindings found = new_findings(before_, after, schemas_);
+    prove::NewFindings found = prove::new_findings(before_, after, schemas_);
     report_.new_warnings = std::move(found.warnings);
     if (found.error.empty()) return std::nullopt;
     return fmt::format("the new file would have the new error {}", found.error);

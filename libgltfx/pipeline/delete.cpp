@@ -14,8 +14,8 @@
 #include "change/deletion.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
+#include "prove/findings.hpp"
 #include "report/wording.hpp"
 #include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
@@ -104,7 +104,7 @@ class DeleteRun {
   }
 
   Reason find_error(const ValidatedAsset& after) {
-    NewFindings found = new_findings(before_, after, schemas_);
+    prove::NewFindings found = prove::new_findings(before_, after, schemas_);
     report_.new_warnings = std::move(found.warnings);
     if (found.error.empty()) return std::nullopt;
     return fmt::format("the new file would have the new error {}", found.error);
@@ -125,7 +125,7 @@ std::optional<Draft> delete_in(EditedAsset opened, const DeleteOptions& options,
     return std::nullopt;
   }
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
-  const ValidatedAsset before(std::move(opened.asset), default_validation(schemas));
+  const ValidatedAsset before(std::move(opened.asset), prove::default_validation(schemas));
   return DeleteRun(before, opened.state, options, schemas, folders, report).run();
 }
 

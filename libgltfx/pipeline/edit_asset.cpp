@@ -14,7 +14,7 @@
 #include "change/rewrite.hpp"
 #include "json/lines.hpp"
 #include "model/asset.hpp"
-#include "pipeline/new_findings.hpp"
+#include "prove/findings.hpp"
 
 namespace gltfx {
 namespace {
@@ -138,7 +138,7 @@ std::optional<Draft> carry_out(const EditedFile& file, change::Change change, co
                            in_place ? std::string() : file.options.output);
   auto draft = change::apply(old, change, std::move(now), place);
   if (!draft) return refuse(draft.error().message);
-  validate::ValidatedAsset after(*std::move(draft), default_validation(file.schemas));
+  validate::ValidatedAsset after(*std::move(draft), prove::default_validation(file.schemas));
   if (auto why = proof(after)) return refuse(*std::move(why));
   if (change.format) asset.companions = change::referred_paths(after.asset().document());
   after.forget_large_document();

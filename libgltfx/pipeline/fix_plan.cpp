@@ -2,7 +2,7 @@
 #include "pipeline/fix_plan.hpp"
 
 #include <algorithm>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace gltfx {
@@ -125,27 +125,6 @@ PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const sche
   }
   planned.fixed.assign(sites.size(), false);
   return planned;
-}
-
-FindingsByCode findings_by_code(const FileReport& report) {
-  FindingsByCode counts;
-  for (const Diagnostic& finding : report.diagnostics) counts[finding.code] += finding.count;
-  return counts;
-}
-
-std::vector<std::string_view> worse_codes(const FindingsByCode& known, const FileReport& after,
-                                          Severity least) {
-  std::set<std::string_view> loud;
-  for (const Diagnostic& finding : after.diagnostics) {
-    if (finding.severity <= least) loud.insert(finding.code);
-  }
-  std::vector<std::string_view> worse;
-  for (const auto& [code, count] : findings_by_code(after)) {
-    const auto was = known.find(code);
-    const bool more = count > (was == known.end() ? 0 : was->second);
-    if (more && loud.contains(code)) worse.push_back(code);
-  }
-  return worse;
 }
 
 std::vector<bool> sites_gone(const Sites& sites, const Sites& after,

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What fixes of rules come to in one asset, and whether that makes it worse.
+/// What fixes of rules come to in one asset.
 #pragma once
 
 #include <gltfx/fix.hpp>
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "json/edit.hpp"
@@ -45,14 +43,6 @@ PlannedFixes plan_fixes(const model::OpenedAsset& asset, const validate::Sites& 
 
 /// Whether fixes of a rule may be unsafe.
 bool allows_unsafe(const FixOptions& options, Code code);
-
-/// Number of findings by code.
-using FindingsByCode = std::map<std::string_view, std::uint64_t>;
-FindingsByCode findings_by_code(const FileReport& report);
-
-/// Codes of which `after` has more findings than `before`, and some as loud as `least` or louder.
-std::vector<std::string_view> worse_codes(const FindingsByCode& before, const FileReport& after,
-                                          Severity least = Severity::hint);
 
 /// Which sites, by position, are not among those that the asset has `after` edits of its text.
 std::vector<bool> sites_gone(const validate::Sites& sites, const validate::Sites& after,

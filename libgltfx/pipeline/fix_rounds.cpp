@@ -15,6 +15,7 @@
 #include "base/pages.hpp"
 #include "change/apply.hpp"
 #include "json/parse.hpp"
+#include "prove/findings.hpp"
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
 
@@ -281,11 +282,11 @@ class Rounds {
     const Names names = declared(planned);
     forget_document();
     ValidatedAsset next(*std::move(changed), fix_validation(schemas_, asked_));
-    const auto worse =
-        worse_codes(findings_by_code(asset_.report()), next.report(), least_that_counts(planned));
+    const auto worse = prove::more_findings(prove::FindingCounts(asset_.report()), next.report(),
+                                            least_that_counts(planned));
     // What could not be read could not be found.
     if (!worse.empty() && (was_read || next.asset().document().empty())) {
-      return Error{fmt::format("the new file would have the new finding {}", worse.front())};
+      return Error{fmt::format("the new file would have the new finding {}", worse.front().code)};
     }
     if (!names.empty()) {
       // A reader that passed over the extension would look into it.

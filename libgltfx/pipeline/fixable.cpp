@@ -16,6 +16,7 @@
 #include "change/rewrite.hpp"
 #include "json/lines.hpp"
 #include "pipeline/fix_plan.hpp"
+#include "prove/findings.hpp"
 #include "rules/context.hpp"
 #include "rules/fix.hpp"
 #include "schema/compile.hpp"
@@ -84,16 +85,16 @@ class Proposals {
     auto changed = change::apply(asset, planned.change);
     if (!changed) return nullptr;
     const ValidatedAsset after(*std::move(changed), validation_);
-    if (!worse_codes(before(), after.report()).empty()) return nullptr;
+    if (!prove::more_findings(before(), after.report()).empty()) return nullptr;
     return proposed_fix(std::string(rule.fix_does), asset, planned.change.edits);
   }
 
  private:
-  const FindingsByCode& before() {
+  const prove::FindingCounts& before() {
     if (!before_) {
       const model::OpenedAsset& asset = validated_.asset();
       const ValidatedAsset again({asset.name(), asset.container(), asset.resolver()}, validation_);
-      before_ = findings_by_code(again.report());
+      before_.emplace(again.report());
     }
     return *before_;
   }
@@ -102,7 +103,7 @@ class Proposals {
   const std::vector<bool>& planned_;
   std::shared_ptr<const schema::Set> schemas_;
   ValidateOptions validation_;
-  std::optional<FindingsByCode> before_;
+  std::optional<prove::FindingCounts> before_;
 };
 
 void propose(Proposals proposals, FileReport& report) {

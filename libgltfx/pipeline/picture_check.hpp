@@ -11,16 +11,13 @@
 #include "pipeline/bake_scene.hpp"
 #include "preview/framing.hpp"
 #include "preview/picture.hpp"
+#include "prove/picture.hpp"
 #include "render/view.hpp"
 #include "rules/validated_asset.hpp"
 
 namespace gltfx {
 
 /// Small pictures of an asset before a change: of its default scene, from two opposite sides.
-///
-/// Pictures are compared by the means of squares of 8 by 8 pixels, in steps of the 256 of a
-/// display. Two pictures of the asset before the change that differ in nothing but the seed tell
-/// the noise.
 class PictureCheck {
  public:
   /// Draws. `root` and `schemas` as in BakeOptions; `jobs`: threads.
@@ -40,8 +37,7 @@ class PictureCheck {
   std::string obstacle_;
   std::optional<preview::Subject> subject_;
   std::vector<render::View> views_;
-  std::vector<preview::Picture> pictures_;  ///< by view
-  double limit_ = 0;                        ///< what the difference may be
+  prove::PictureProof proof_;
 };
 
 }  // namespace gltfx

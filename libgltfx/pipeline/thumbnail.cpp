@@ -13,9 +13,9 @@
 #include "graph/graph.hpp"
 #include "json/edit.hpp"
 #include "pipeline/edit_asset.hpp"
-#include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_file.hpp"
+#include "prove/findings.hpp"
 #include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
 
@@ -32,7 +32,7 @@ class Embedding {
   Embedding(EditedAsset opened, const SchemaSet& schemas, std::string png)
       : state_(opened.state),
         schemas_(schemas),
-        before_(std::move(opened.asset), default_validation(schemas)),
+        before_(std::move(opened.asset), prove::default_validation(schemas)),
         png_(std::make_shared<const std::string>(std::move(png))) {}
 
   Result<Draft> run(const EditOptions& options) {
@@ -59,7 +59,7 @@ class Embedding {
 
   std::optional<std::string> find_error(const ValidatedAsset& after) const {
     if (auto why = find_false_user(after.asset().document())) return why;
-    const NewFindings found = new_findings(before_, after, schemas_);
+    const prove::NewFindings found = prove::new_findings(before_, after, schemas_);
     if (found.error.empty()) return std::nullopt;
     return fmt::format("the new file would have the new error {}", found.error);
   }

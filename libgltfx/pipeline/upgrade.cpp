@@ -17,10 +17,10 @@
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_check.hpp"
 #include "pipeline/planned_upgrade.hpp"
+#include "prove/findings.hpp"
 #include "schema/compile.hpp"
 #include "steps/upgrade/ambiguity.hpp"
 #include "steps/upgrade/plan.hpp"
@@ -97,7 +97,7 @@ class Verifier {
 
   /// Why `after` may not take the place of the old asset, or nothing.
   std::optional<std::string> find_error(const ValidatedAsset& after, UpgradeReport& report) const {
-    NewFindings found = new_findings(before_, after, schemas_);
+    prove::NewFindings found = prove::new_findings(before_, after, schemas_);
     report.new_warnings = std::move(found.warnings);
     if (!found.error.empty()) {
       return fmt::format(
@@ -120,7 +120,7 @@ class Verifier {
 
 // With findings only: nothing else is to be held beside the new document.
 ValidatedAsset validated(OpenedAsset asset, const SchemaSet& schemas) {
-  ValidatedAsset validated(std::move(asset), default_validation(schemas));
+  ValidatedAsset validated(std::move(asset), prove::default_validation(schemas));
   validated.forget_views();
   validated.forget_info();
   return validated;

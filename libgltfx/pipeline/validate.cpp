@@ -29,9 +29,9 @@
 #include "pipeline/cached_verb.hpp"
 #include "pipeline/fixable.hpp"
 #include "pipeline/in_order.hpp"
-#include "pipeline/new_findings.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/validation_key.hpp"
+#include "prove/findings.hpp"
 #include "report/packed.hpp"
 #include "rules/validated_asset.hpp"
 #include "rules/validator.hpp"
@@ -93,8 +93,8 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
   change.edits = plan.change.edits;
   auto fixed = change::apply(asset, change);
   if (!fixed) return;
-  const validate::ValidatedAsset after(*std::move(fixed), default_validation(schemas));
-  if (!new_findings(validated, after, schemas).error.empty()) return;
+  const validate::ValidatedAsset after(*std::move(fixed), prove::default_validation(schemas));
+  if (!prove::new_findings(validated, after, schemas).error.empty()) return;
   validated.propose(*finding, proposed_fix(description_of(plan), asset, plan.change.edits));
 }
 

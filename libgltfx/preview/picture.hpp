@@ -32,21 +32,4 @@ Picture layer_picture(const render::Framebuffer& buffer, Layer layer, PixelType 
 /// between pixels inside and outside. 100 if there is no edge. Precondition: the buffer has alpha.
 double edge_contrast(const render::Framebuffer& buffer);
 
-/// The mean square of the difference of bytes, over pixels in which either buffer shows something.
-/// Precondition: pictures and buffers of one size and number of channels; the buffers have alpha.
-double mean_square_difference(const Picture& a, const Picture& b,
-                              const render::Framebuffer& buffer_a,
-                              const render::Framebuffer& buffer_b);
-
-/// The mean structural similarity of the same pixels, at most 1 (for equal pictures): of luma, in
-/// Gaussian windows of 11 by 11 pixels that end with the picture (Z. Wang, A. Bovik, H. Sheikh and
-/// E. Simoncelli, Image Quality Assessment: From Error Visibility to Structural Similarity, IEEE
-/// Transactions on Image Processing 13, 2004). 1 if neither shows anything. Precondition: as above.
-double structural_similarity(const Picture& a, const Picture& b,
-                             const render::Framebuffer& buffer_a,
-                             const render::Framebuffer& buffer_b);
-
-/// The difference by pixel: grey, plus four times the difference.
-Picture difference(const Picture& a, const Picture& b);
-
 }  // namespace gltfx::preview

@@ -68,52 +68,5 @@ TEST(Develop, Layers) {
   EXPECT_EQ(layer_picture(buffer, Layer::material, PixelType::floats).floats[0], 3);
 }
 
-TEST(Develop, DifferencesCountWhereThereIsSomething) {
-  const render::Framebuffer buffer = two_pixels();
-  const Picture a{2, 1, 3, {10, 20, 30, 0, 0, 0}, {}};
-  const Picture b{2, 1, 3, {13, 20, 30, 99, 99, 99}, {}};
-  EXPECT_DOUBLE_EQ(mean_square_difference(a, b, buffer, buffer), 3);
-  EXPECT_THAT(difference(a, b).bytes, ElementsAre(116, 128, 128, 0, 0, 0));
-}
-
-// Squares of one pixel, lighter and darker by `contrast`.
-Picture checker(double middle, double contrast) {
-  constexpr std::uint32_t kSide = 31;
-  Picture picture{kSide, kSide, 3, {}, {}};
-  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
-    const double value = middle + (i % 2 == 0 ? contrast : -contrast);
-    picture.bytes.insert(picture.bytes.end(), 3, static_cast<std::uint8_t>(value));
-  }
-  return picture;
-}
-
-// Of a window in the middle, where means, variances and covariance are known.
-TEST(Similarity, IsTheFormulaOfThePaper) {
-  render::Framebuffer buffer(31, 31, {.alpha = true});
-  buffer.alpha[15 * 31 + 15] = 1;
-  const auto similarity = [&](const Picture& a, const Picture& b) {
-    return structural_similarity(a, b, buffer, buffer);
-  };
-  const double c1 = 2.55 * 2.55;
-  const double c2 = 7.65 * 7.65;
-  EXPECT_DOUBLE_EQ(similarity(checker(90, 20), checker(90, 20)), 1);
-  EXPECT_NEAR(similarity(checker(60, 0), checker(120, 0)),
-              (2 * 60 * 120 + c1) / (60 * 60 + 120 * 120 + c1), 1e-6);
-  EXPECT_NEAR(similarity(checker(90, 0), checker(90, 20)), c2 / (400 + c2), 1e-3);
-  EXPECT_NEAR(similarity(checker(90, 20), checker(90, -20)), (c2 - 800) / (c2 + 800), 1e-3);
-}
-
-TEST(Similarity, CountsWhereThereIsSomething) {
-  render::Framebuffer nothing(31, 31, {.alpha = true});
-  EXPECT_EQ(structural_similarity(checker(90, 0), checker(90, 20), nothing, nothing), 1);
-  Picture b = checker(90, 0);
-  for (std::size_t i = 0; i < std::size_t{3} * 31 * 10; ++i) b.bytes[i] = 200;
-  render::Framebuffer below = nothing;
-  for (std::size_t i = std::size_t{31} * 16; i < below.alpha.size(); ++i) below.alpha[i] = 1;
-  EXPECT_NEAR(structural_similarity(checker(90, 0), b, below, nothing), 1, 1e-12);
-  below.alpha[0] = 1;
-  EXPECT_LT(structural_similarity(checker(90, 0), b, nothing, below), 0.9999);
-}
-
 }  // namespace
 }  // namespace gltfx::preview
