@@ -21,6 +21,7 @@
 #include "pipeline/picture_check.hpp"
 #include "pipeline/planned_upgrade.hpp"
 #include "prove/findings.hpp"
+#include "prove/meaning.hpp"
 #include "schema/compile.hpp"
 #include "steps/upgrade/ambiguity.hpp"
 #include "steps/upgrade/plan.hpp"
@@ -89,6 +90,7 @@ class Verifier {
            const std::vector<UpgradeAction>& actions)
       : before_(before),
         schemas_(schemas),
+        verify_(options.verify),
         obstacle_(options.verify ? find_undrawn(actions) : std::string()) {
     if (!options.verify || !obstacle_.empty()) return;
     pictures_.emplace(before, options.root, schemas, options.jobs);
@@ -104,6 +106,16 @@ class Verifier {
           "the new file would have the new error {}; fix the findings of 'gltfx validate' first",
           found.error);
     }
+    if (verify_) {
+      // No upgrade moves a vertex. Small pictures would not show each.
+      const prove::Meaning meaning =
+          prove::compare_meshes(before_.asset(), after.asset(), *schemas_, {});
+      if (!meaning.same()) {
+        const prove::Difference& first = meaning.differences.front();
+        return fmt::format("the geometry would change: {} {} (--verify)", first.pointer,
+                           first.what);
+      }
+    }
     report.not_verified = obstacle_;
     if (!pictures_ || !obstacle_.empty()) return std::nullopt;
     std::string difference = pictures_->find_difference(after);
@@ -114,6 +126,7 @@ class Verifier {
  private:
   const ValidatedAsset& before_;
   const SchemaSet& schemas_;
+  bool verify_;
   std::string obstacle_;  // why there are no pictures
   std::optional<PictureCheck> pictures_;
 };

@@ -68,7 +68,8 @@ struct UpgradeOptions : EditOptions {
   bool pack = false;
   /// Remove textures, images and buffer views that are without references after this upgrade.
   bool prune = false;
-  /// Draw the asset before and after; a file whose picture changes beyond noise is not written.
+  /// Draw the asset before and after; a file whose picture changes beyond noise, or one of whose
+  /// vertices changes at all, is not written.
   bool verify = false;
   /// Engines that the asset is for: a plan notes which of them ignore a successor.
   std::vector<TargetChoice> targets;
