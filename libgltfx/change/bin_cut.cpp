@@ -29,7 +29,8 @@ std::vector<std::uint64_t> next_begins(const std::vector<Part>& parts) {
   return begins;
 }
 
-// Whole words of what only parts that go lie in, with the bytes that filled them up.
+// Whole words of what only parts that go lie in, with the bytes that filled them up; at the end of
+// the chunk all of it.
 std::vector<ByteRange> words_of(const std::vector<Part>& parts, std::uint64_t size) {
   const std::vector<std::uint64_t> next = next_begins(parts);
   std::vector<ByteRange> cut;
@@ -37,10 +38,14 @@ std::vector<ByteRange> words_of(const std::vector<Part>& parts, std::uint64_t si
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::uint64_t end = parts[i].user.bytes.end;
     if (parts[i].goes) {
-      const std::uint64_t begin = std::max(parts[i].user.bytes.begin, kept);
+      std::uint64_t begin = std::max(parts[i].user.bytes.begin, kept);
       end = std::min({(end + kWord - 1) / kWord * kWord, next[i], size});
-      if (end < begin + kWord) continue;
-      end = begin + (end - begin) / kWord * kWord;
+      if (next[i] == UINT64_MAX) {  // nothing has to keep its alignment
+        if (begin - kept < kWord) begin = kept;
+      } else {
+        end = std::max(begin, begin + (end - std::min(begin, end)) / kWord * kWord);
+      }
+      if (end <= begin) continue;
       cut.push_back({begin, end});
     }
     kept = std::max(kept, end);

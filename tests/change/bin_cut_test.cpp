@@ -54,6 +54,15 @@ TEST(BinCut, WhatOnlyAnOrphanHasIsCutAndTheRestMoves) {
                          R"({"buffer":0,"byteOffset":4,"byteLength":4}]})");
 }
 
+TEST(BinCut, WhatFilledTheEndUpGoesToo) {
+  const CutView result = cut(R"({"buffer":0,"byteOffset":8,"byteLength":3},)"
+                             R"({"buffer":0,"byteLength":5})",
+                             12, 11);
+  EXPECT_THAT(result.cut, ElementsAre("5-12"));
+  EXPECT_EQ(result.text, R"({"buffers":[{"byteLength":5},{"byteLength":9}],"bufferViews":[)"
+                         R"({"buffer":0,"byteLength":5}]})");
+}
+
 TEST(BinCut, LessThanAWordStays) {
   const CutView result = cut(R"({"buffer":0,"byteOffset":4,"byteLength":2},)"
                              R"({"buffer":0,"byteOffset":6,"byteLength":2})",

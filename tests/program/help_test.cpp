@@ -55,6 +55,11 @@ const std::vector<Verb>& verbs() {
              "--diff --raw "
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
+      {"convert",
+       words("PATH --to --partial --format --restore --in-place --output --backup --check --diff "
+             "--raw "
+             "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
+             "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"hook", words("VERB")},
       {"bake",
        words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "

@@ -143,7 +143,7 @@ void read_fix(Reading& reading, FixRequest& request) {
 
 void declare_convert(Options& options, ConvertRequest& request) {
   options.add(
-      "--to", "FORM", "Store as glb, gltf (with files) or embedded (data URIs)",
+      "--to", "FORM", "Store as glb, gltf (files) or embedded (data URIs)",
       one_of(request.convert.to,
              {{"glb", StoredAs::glb}, {"gltf", StoredAs::gltf}, {"embedded", StoredAs::embedded}}));
   options.add("--partial", "", "Write although something was refused",

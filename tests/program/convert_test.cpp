@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `gltfx convert`: where its output goes, what it says, and what it ends with.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "container/temp_folder.hpp"
+#include "process.hpp"
+
+namespace gltfx::program {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ConvertTest : public testing::Test {
+ protected:
+  ConvertTest() {
+    add("a.gltf");
+    folder_.write("b.bin", "abcd");
+  }
+  void add(const std::string& name) {
+    folder_.write(name,
+                  R"({"asset":{"version":"2.0"},"buffers":[{"uri":"b.bin","byteLength":4}]})");
+  }
+  Outcome here(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "convert");
+    return gltfx(std::move(arguments), {folder_.path().native(), {}, {}});
+  }
+  bool has(const std::string& name) const { return fs::exists(folder_.path() / name); }
+
+  container::test::TempFolder folder_;
+};
+
+TEST_F(ConvertTest, IsADryRunUnlessToldWhereToWrite) {
+  const Outcome outcome = here({"a.gltf", "--to", "glb"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("container  one GLB, 1 buffer"), HasSubstr("-> "),
+                                 HasSubstr("1 can be converted; nothing was written")));
+  EXPECT_EQ(folder_.entries(), 2);
+  EXPECT_EQ(here({"a.gltf", "--to", "glb", "--check"}).code, 1);
+  EXPECT_EQ(here({"a.gltf", "--check"}).code, 0);
+}
+
+TEST_F(ConvertTest, TheNameTellsTheFormAndMayNotContradictIt) {
+  EXPECT_EQ(here({"a.gltf", "-o", "new/a.glb"}).code, 0);
+  EXPECT_TRUE(read_file((folder_.path() / "new/a.glb").native()).starts_with("glTF"));
+  EXPECT_EQ(here({"new/a.glb", "-o", "back/a.gltf"}).code, 0);
+  EXPECT_TRUE(has("back/a.bin"));
+  const Outcome wrong = here({"a.gltf", "-o", "new/b.gltf", "--to", "glb"});
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("--to glb does not go with a name that ends in .gltf"));
+  const Outcome in_place = here({"a.gltf", "--in-place", "--to", "glb"});
+  EXPECT_EQ(in_place.code, 2);
+  EXPECT_THAT(in_place.err, HasSubstr("--in-place keeps the container"));
+}
+
+TEST_F(ConvertTest, AFolderGetsNamesThatEndAsTheForm) {
+  add("more/c.gltf");
+  folder_.write("more/b.bin", "efgh");
+  const Outcome outcome = here({".", "-o", "out/", "--to", "glb", "-j", "2"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(has("out/a.glb"));
+  EXPECT_TRUE(has("out/more/c.glb"));
+  EXPECT_FALSE(has("out/b.bin"));
+  const Outcome again = here({".", "-o", "out/", "--to", "glb"});
+  EXPECT_THAT(again.out, HasSubstr("2 files written"));
+}
+
+TEST_F(ConvertTest, WhatIsRefusedIsNamedAndTheExitCodeIsOne) {
+  fs::remove(folder_.path() / "b.bin");
+  const Outcome outcome = here({"a.gltf", "-o", "a.glb"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("refused /buffers/0: "));
+  EXPECT_THAT(outcome.err, HasSubstr("(--partial writes the rest)"));
+  EXPECT_FALSE(has("a.glb"));
+  EXPECT_EQ(here({"a.gltf", "-o", "a.glb", "--partial"}).code, 1);
+  EXPECT_TRUE(has("a.glb"));
+  EXPECT_EQ(here({"none.gltf", "-o", "a.glb"}).code, 3);
+}
+
+TEST_F(ConvertTest, JsonHasARowForEachStep) {
+  const Outcome outcome = here({"a.gltf", "--to", "glb", "--format", "json"});
+  EXPECT_EQ(outcome.code, 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  const auto& step = json["files"][0]["steps"][0];
+  EXPECT_EQ(step["step"], "container");
+  EXPECT_EQ(step["what"], "one GLB, 1 buffer");
+  EXPECT_EQ(step["changed"], true);
+  EXPECT_THAT(step["left"], IsEmpty());
+  EXPECT_THAT(step["refused"], IsEmpty());
+  EXPECT_THAT(step["loss"], IsEmpty());
+  EXPECT_EQ(step["bytes_before"], 74);
+  EXPECT_GT(step["bytes_after"], step["bytes_before"]);
+  EXPECT_EQ(json["summary"]["changed"], 1);
+}
+
+TEST_F(ConvertTest, TheDiffIsThatOfTheText) {
+  const Outcome outcome = here({"a.gltf", "--to", "glb", "--diff"});
+  EXPECT_THAT(outcome.out,
+              HasSubstr(R"(+{"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]})"));
+}
+
+}  // namespace
+}  // namespace gltfx::program

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page about conversions lists the steps in their words.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "container/temp_folder.hpp"
+#include "steps/file_names.hpp"
+#include "steps/step.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(Steps, AreOnThePageInTheirOrder) {
+  const std::string page =
+      container::test::content_of(std::string(GLTFX_SOURCE_DIR) + "/docs/convert.md");
+  std::string rows;
+  for (const StepDescription& step : steps()) {
+    rows += fmt::format("| {} | {} | {} | {} |\n", step.name, step.summary, step.keeps, step.loses);
+  }
+  EXPECT_THAT(page, HasSubstr(rows + "\n"));
+}
+
+TEST(Steps, AreAskedForByOptions) {
+  ConvertOptions options;
+  for (const StepDescription& step : steps()) EXPECT_FALSE(step.asked(options)) << step.name;
+  options.to = StoredAs::glb;
+  EXPECT_TRUE(steps().back().asked(options));
+}
+
+TEST(FileNames, LongNamesAreCutBetweenCodePoints) {
+  std::string name;
+  for (int i = 0; i < 100; ++i) name += "\xF0\x9F\x8C\xBF";
+  EXPECT_EQ(clean_name(name), name.substr(0, 4 * 56));
+}
+
+TEST(FileNames, AreTakenOnceInAnyCase) {
+  FileNames names({"Wood.png"});
+  EXPECT_EQ(names.take("wood", ".png"), "wood-2.png");
+  EXPECT_EQ(names.take("WOOD.PNG", ".png"), "WOOD-3.png");
+  EXPECT_EQ(names.take("wood.jpeg", ".jpg"), "wood.jpg");
+}
+
+TEST(FileNames, EndAsTheirBytesSay) {
+  const auto bytes = [](std::string_view text) {
+    return container::Bytes::from_string(std::string(text));
+  };
+  EXPECT_EQ(image_ending(bytes("\x89PNG\r\n\x1a\n......"), "image/jpeg"), ".png");
+  EXPECT_EQ(image_ending(bytes("\xFF\xD8\xFF\xE0..........."), ""), ".jpg");
+  EXPECT_EQ(image_ending(bytes("GIF89a.........."), "image/png"), ".gif");
+  EXPECT_EQ(image_ending(bytes("something else"), "image/x-foo"), ".foo");
+  EXPECT_EQ(image_ending(bytes("something else"), "image/../../a"), "");
+}
+
+}  // namespace
+}  // namespace gltfx::steps
