@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <optional>
 #include <utility>
 
 #include "base/fork.hpp"
@@ -27,6 +28,47 @@ std::chrono::milliseconds standstill_of(const Settings& settings) {
 // An encoder holds the texels, its output, and tables.
 constexpr std::uint64_t kEncoderMemoryPerByte = 8;
 
+// As kSecondsPerByte, for each texel that is filtered, and for each that is encoded with all effort
+// and decoded again.
+constexpr double kSecondsPerFilteredTexel = 2e-6;
+constexpr double kSecondsPerEncodedTexel = 6e-5;
+
+Job image_job(const Settings& settings, const ImageRequest& request) {
+  Job job = limited_job(settings, Task::image, request.bytes.size());
+  job.format = request.format;
+  job.level = request.level;
+  job.pixels = request.pixels;
+  const std::uint64_t most = std::min(request.max_pixels, kMostTexels);
+  const bool floats = holds_floats(request.format);
+  if (request.pixels) job.memory_bytes += most * (floats ? 16 : 8);
+  job.normals = request.normals;
+  job.halvings =
+      static_cast<std::uint8_t>(std::min<std::uint32_t>(request.halvings, kMostHalvings));
+  job.max_pixels = request.max_pixels;
+  job.milliseconds +=
+      static_cast<std::uint64_t>(static_cast<double>(most) * kSecondsPerTexel * 1000);
+  return job;
+}
+
+// The texels, half of them as floats, and what becomes of those.
+constexpr std::uint64_t kFilterMemoryPerTexel = 64;
+
+void add_resize(Job& job, const Resize& resize, std::uint64_t texels) {
+  job.resize = resize;
+  if (resize.max_side == 0) return;
+  texels = std::min(texels, kMostTexels);
+  job.memory_bytes += texels * kFilterMemoryPerTexel;
+  job.milliseconds +=
+      static_cast<std::uint64_t>(static_cast<double>(texels) * kSecondsPerFilteredTexel * 1000);
+}
+
+void add_encoding(Job& job, std::uint64_t texels) {
+  constexpr std::uint64_t kMostTexelBytes = 16;
+  job.memory_bytes += texels * kMostTexelBytes * kEncoderMemoryPerByte;
+  job.milliseconds +=
+      static_cast<std::uint64_t>(static_cast<double>(texels) * kSecondsPerEncodedTexel * 1000);
+}
+
 std::atomic<std::uint64_t> chances = 0;
 
 DecodeError noted(const DecodeError& error) {
@@ -44,7 +86,13 @@ DecodeError no_avif() {
           "This installation has no decoder of AVIF images: gltfx was built without libavif."};
 }
 
-// The result of `work`. Missing memory in this process is not an error of a payload.
+bool in_image_worker(ImageFormat format) { return format != ImageFormat::avif; }
+
+Raster raster_of(const Image& image) {
+  return {image.width, image.height, image.channels, image.bits};
+}
+
+// What `work` gives. That memory is missing here is no error of a payload.
 template <typename Work>
 auto guarded(Work&& work) -> decltype(work()) {
   try {
@@ -82,6 +130,15 @@ struct Client::State {
         avif_program(program_path(settings.folder, "gltfx-codec-avif")),
         avif_images(avif_program, settings.workers, standstill_of(settings)) {}
 
+  /// The workers that decode a format.
+  Pool& decoders_of(ImageFormat format) {
+    return format == ImageFormat::avif ? avif_images : images;
+  }
+  std::optional<DecodeError> find_missing(ImageFormat format) const {
+    if (format == ImageFormat::avif && !is_program(avif_program)) return noted(no_avif());
+    return std::nullopt;
+  }
+
   Settings settings;
   Pool meshes, images;
   std::string avif_program;
@@ -115,24 +172,27 @@ DracoEncodeResult Client::encode_draco(const DracoMesh& mesh, const Origin& orig
 }
 
 ImageResult Client::decode_image(const ImageRequest& request) {
-  Job job = limited_job(state_->settings, Task::image, request.bytes.size());
-  job.format = request.format;
-  job.level = request.level;
-  job.pixels = request.pixels;
-  if (request.pixels) {
-    const std::uint64_t texel = holds_floats(request.format) ? 16 : 8;
-    job.memory_bytes += std::min(request.max_pixels, kMostTexels) * texel;
-  }
-  job.normals = request.normals;
-  job.halvings =
-      static_cast<std::uint8_t>(std::min<std::uint32_t>(request.halvings, kMostHalvings));
-  job.max_pixels = request.max_pixels;
-  const auto texels = static_cast<double>(std::min(request.max_pixels, kMostTexels));
-  job.milliseconds += static_cast<std::uint64_t>(texels * kSecondsPerTexel * 1000);
-  const bool avif = request.format == ImageFormat::avif;
-  if (avif && !is_program(state_->avif_program)) return noted(no_avif());
-  return result_of<Image>(avif ? state_->avif_images : state_->images, job, request.bytes,
-                          request.origin, request.pixels);
+  if (auto missing = state_->find_missing(request.format)) return *std::move(missing);
+  const bool resized = request.pixels && request.resize.max_side != 0;
+  if (resized && !in_image_worker(request.format)) return resize_elsewhere(request);
+  Job job = image_job(state_->settings, request);
+  if (resized) add_resize(job, request.resize, request.max_pixels);
+  return result_of<Image>(state_->decoders_of(request.format), job, request.bytes, request.origin,
+                          request.pixels);
+}
+
+// Of an image whose own worker does not resize.
+ImageResult Client::resize_elsewhere(const ImageRequest& request) {
+  ImageRequest whole = request;
+  whole.resize = {};
+  ImageResult decoded = decode_image(whole);
+  const auto* image = std::get_if<Image>(&decoded);
+  if (image == nullptr) return decoded;
+  Job job = image_job(state_->settings, request);
+  job.raster = raster_of(*image);
+  job.input_bytes = image->pixels.size();
+  add_resize(job, request.resize, image->texels());
+  return result_of<Image>(state_->images, job, image->pixels, request.origin, true);
 }
 
 EncodeResult Client::encode_image(const EncodeRequest& request) {
@@ -142,10 +202,41 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
   job.raster = request.raster;
   job.encoded = request.format;
   job.quality = request.quality;
+  job.options = request.options;
   if (!is_consistent(job)) {
     return DecodeError{ErrorKind::malformed, "The format does not support such images."};
   }
   return result_of<EncodedImage>(state_->images, job, request.pixels, request.origin, true);
+}
+
+EncodeResult Client::transcode_image(const TranscodeRequest& request) {
+  ImageRequest image = request.image;
+  image.pixels = true;
+  image.normals = false;
+  image.level = image.halvings = 0;
+  image.resize = {};
+  std::span<const std::byte> payload = image.bytes;
+  ImageResult decoded;
+  Job job = image_job(state_->settings, image);
+  std::uint64_t texels = std::min(image.max_pixels, kMostTexels);
+  if (!in_image_worker(image.format)) {
+    decoded = decode_image(image);
+    if (auto* error = std::get_if<DecodeError>(&decoded)) return std::move(*error);
+    job.raster = raster_of(*std::get_if<Image>(&decoded));
+    payload = std::get_if<Image>(&decoded)->pixels;
+    job.input_bytes = payload.size();
+    texels = std::get_if<Image>(&decoded)->texels();
+  }
+  job.task = Task::transcode;
+  add_resize(job, request.image.resize, texels);
+  job.encoded = request.format;
+  job.quality = request.quality;
+  job.options = request.options;
+  add_encoding(job, texels);
+  if (!is_consistent(job)) {
+    return DecodeError{ErrorKind::malformed, "The format has no such quality."};
+  }
+  return result_of<EncodedImage>(state_->images, job, payload, image.origin, true);
 }
 
 void Client::prepare_images() {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/origin.hpp"
+#include "codec/image_options.hpp"
 
 namespace gltfx::codec {
 
@@ -105,6 +106,7 @@ struct ImageRequest {
   bool pixels = false;   ///< return the pixels
   bool normals = false;  ///< check the first three channels as a normal map
   Origin origin = {};
+  Resize resize = {};  ///< of the pixels; statistics are of the image that is handed over
 };
 
 /// One channel over all texels. Values are 0 to 255, or 0 to 65535 if `Image::bits` is 16.
@@ -157,8 +159,6 @@ struct Image {
 };
 using ImageResult = std::variant<Image, DecodeError>;
 
-enum class EncodedFormat : std::uint8_t { png, jpeg, webp, exr };
-
 /// Texels in rows from the top, packed, `channels` numbers each in the machine's byte order.
 struct Raster {
   std::uint32_t width = 0;
@@ -168,8 +168,8 @@ struct Raster {
   bool operator==(const Raster&) const = default;
 };
 
-/// An image to encode. PNG holds 8 and 16 bits; JPEG 8 bits of 1 or 3 channels; WebP 8 bits of 3 or
-/// 4; EXR floats.
+/// An image to encode. PNG holds 8 and 16 bits; JPEG 8 bits of 1 or 3 channels; WebP 8 bits, where
+/// grey becomes RGB; EXR floats.
 struct EncodeRequest {
   EncodedFormat format = EncodedFormat::png;
   Raster raster;
@@ -177,6 +177,15 @@ struct EncodeRequest {
   std::uint32_t quality = 90;
   std::span<const std::byte> pixels;  ///< exactly as many as `raster` says
   Origin origin = {};                 ///< of the asset that the image is for
+  EncodeOptions options = {};
+};
+
+/// An image file to decode, resize and encode again: its pixels stay with the worker.
+struct TranscodeRequest {
+  ImageRequest image;  ///< `pixels`, `normals`, `level` and `halvings` are not looked at
+  EncodedFormat format = EncodedFormat::png;
+  std::uint32_t quality = 0;  ///< as in EncodeRequest
+  EncodeOptions options = {};
 };
 
 /// The bytes of an image file: the same for the same request, independent of time and load.
@@ -185,6 +194,8 @@ struct EncodedImage {
   std::uint64_t size = 0;
   std::span<const std::byte> bytes;  ///< `size` of them
   std::shared_ptr<const void> owner;
+  Raster source = {};  ///< as it was decoded or given
+  Raster raster = {};  ///< as it is in the file
 };
 using EncodeResult = std::variant<EncodedImage, DecodeError>;
 
@@ -228,14 +239,21 @@ class Client {
   ImageResult decode_image(const ImageRequest& request);
   /// A DecodeError of kind `malformed` when the format cannot hold such an image.
   EncodeResult encode_image(const EncodeRequest& request);
-  /// Begins to load the image decoders, without waiting: loading takes longer than decoding most
-  /// images.
+  /// Gives the same bytes for the same request. What PNG, EXR and lossless WebP hold is decoded
+  /// once more and compared. `malformed` when the format cannot hold the image: JPEG an alpha other
+  /// than 1, WebP without loss 16 bits, and others floats. With `quality` or less than lossless, 16
+  /// bits become 8.
+  EncodeResult transcode_image(const TranscodeRequest& request);
+  /// Begins to load the decoders of images, without waiting for it: that takes longer than to
+  /// decode most images.
   void prepare_images();
 
   /// The shared client of this process. Its workers end with the process.
   static Client& shared();
 
  private:
+  ImageResult resize_elsewhere(const ImageRequest& request);
+
   struct State;
   std::unique_ptr<State> state_;
 };

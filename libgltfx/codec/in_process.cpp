@@ -51,6 +51,7 @@ DracoEncodeResult Client::encode_draco(const DracoMesh&, const Origin&) {
 
 ImageResult Client::decode_image(const ImageRequest&) { return no_images(); }
 EncodeResult Client::encode_image(const EncodeRequest&) { return no_images(); }
+EncodeResult Client::transcode_image(const TranscodeRequest&) { return no_images(); }
 void Client::prepare_images() {}
 
 Client& Client::shared() {

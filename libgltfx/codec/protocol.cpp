@@ -142,19 +142,6 @@ Image read_image(FieldReader& in) {
   return image;
 }
 
-Frame write_encoded(const EncodedImage& image) {
-  FieldWriter out = begin(Kind::encoded);
-  out.number(image.size);
-  return out.take();
-}
-
-EncodedImage read_encoded(FieldReader& in) {
-  EncodedImage image;
-  image.size = in.number<std::uint64_t>();
-  in.require(image.size > 0);
-  return image;
-}
-
 void write(FieldWriter& out, const Raster& raster) {
   out.number(raster.width);
   out.number(raster.height);
@@ -171,19 +158,56 @@ Raster read_raster(FieldReader& in) {
   return raster;
 }
 
-bool holds(const Job& job) {
-  const Raster& raster = job.raster;
-  switch (job.encoded) {
-    case EncodedFormat::png:
-      return raster.bits == 8 || raster.bits == 16;
-    case EncodedFormat::jpeg:
-      return raster.bits == 8 && raster.channels % 2 == 1 && job.quality > 0;
-    case EncodedFormat::webp:
-      return raster.bits == 8 && raster.channels >= 3;
-    case EncodedFormat::exr:
-      return raster.bits == 32;
-  }
-  return false;
+Frame write_encoded(const EncodedImage& image) {
+  FieldWriter out = begin(Kind::encoded);
+  out.number(image.size);
+  write(out, image.source);
+  write(out, image.raster);
+  return out.take();
+}
+
+EncodedImage read_encoded(FieldReader& in) {
+  EncodedImage image;
+  image.size = in.number<std::uint64_t>();
+  in.require(image.size > 0);
+  image.source = read_raster(in);
+  image.raster = read_raster(in);
+  return image;
+}
+
+void write(FieldWriter& out, const Resize& resize) {
+  out.number(resize.max_side);
+  out.name(resize.kind);
+  out.number(static_cast<std::uint8_t>(resize.weigh_alpha));
+  out.number(resize.alpha_cutoff);
+  out.name(resize.wrap_u);
+  out.name(resize.wrap_v);
+}
+
+Resize read_resize(FieldReader& in) {
+  Resize resize;
+  resize.max_side = in.number<std::uint32_t>();
+  resize.kind = in.name(TexelKind::data);
+  resize.weigh_alpha = in.flag();
+  resize.alpha_cutoff = in.number<float>();
+  resize.wrap_u = in.name(Wrap::mirror);
+  resize.wrap_v = in.name(Wrap::mirror);
+  in.require(std::isfinite(resize.alpha_cutoff));
+  return resize;
+}
+
+void write(FieldWriter& out, const EncodeOptions& options) {
+  out.number(options.near_lossless);
+  out.number(static_cast<std::uint8_t>(options.subsampled));
+  out.number(static_cast<std::uint8_t>(options.smallest));
+}
+
+EncodeOptions read_options(FieldReader& in) {
+  EncodeOptions options;
+  options.near_lossless = in.check_at_most(in.number<std::uint32_t>(), 100U);
+  options.subsampled = in.flag();
+  options.smallest = in.flag();
+  return options;
 }
 
 std::optional<std::uint64_t> size_of(const Raster& raster) {
@@ -233,9 +257,11 @@ Frame write_job(const Job& job) {
   out.number(static_cast<std::uint8_t>(job.pixels));
   out.number(static_cast<std::uint8_t>(job.normals));
   out.number(job.halvings);
+  write(out, job.resize);
   write(out, job.raster);
   out.name(job.encoded);
   out.number(job.quality);
+  write(out, job.options);
   out.number(job.input_bytes);
   out.number(job.max_pixels);
   out.number(job.memory_bytes);
@@ -247,15 +273,17 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   FieldReader in(frame);
   if (read_kind(in) != Kind::job) return std::nullopt;
   Job job;
-  job.task = in.name(Task::encode_draco);
+  job.task = in.name(Task::transcode);
   job.format = in.name(ImageFormat::openexr);
   job.level = in.number<std::uint32_t>();
   job.pixels = in.flag();
   job.normals = in.flag();
   job.halvings = in.check_at_most(in.number<std::uint8_t>(), kMostHalvings);
+  job.resize = read_resize(in);
   job.raster = read_raster(in);
   job.encoded = in.name(EncodedFormat::exr);
   job.quality = in.number<std::uint32_t>();
+  job.options = read_options(in);
   job.input_bytes = in.number<std::uint64_t>();
   job.max_pixels = in.number<std::uint64_t>();
   job.memory_bytes = in.number<std::uint64_t>();
@@ -281,75 +309,30 @@ std::optional<Answer> read_answer(std::span<const std::byte> frame) {
   return std::nullopt;
 }
 
-bool is_consistent(const Job& job) {
-  if (job.task != Task::encode) return true;
-  const Raster& raster = job.raster;
-  if (raster.width == 0 || raster.height == 0) return false;
-  if (raster.channels == 0 || raster.channels > 4 || job.quality > 100) return false;
-  return holds(job) && size_of(raster) == job.input_bytes;
-}
-
-unsigned component_size(Component component) {
-  switch (component) {
-    case Component::int8:
-    case Component::uint8:
-      return 1;
-    case Component::int16:
-    case Component::uint16:
-      return 2;
-    case Component::int32:
-    case Component::uint32:
-    case Component::float32:
-      return 4;
-    case Component::other:
-      break;
+bool format_holds(const Job& job, const Raster& raster) {
+  switch (job.encoded) {
+    case EncodedFormat::png:
+      return raster.bits == 8 || raster.bits == 16;
+    case EncodedFormat::jpeg:
+      return raster.bits == 8 && raster.channels % 2 == 1 && job.quality > 0;
+    case EncodedFormat::webp:
+      return raster.bits == 8;
+    case EncodedFormat::exr:
+      return raster.bits == 32;
   }
-  return 0;
+  return false;
 }
 
-std::optional<std::uint64_t> result_size(const DracoMesh& mesh) {
-  // 32 bits times 12, and 32 bits times 255 times 4 for each of a thousand: 64 bits hold the sum.
-  std::uint64_t end = (std::uint64_t{mesh.faces} * 12 + 7) / 8 * 8;
-  if (mesh.attributes.size() > kMostAttributes) return std::nullopt;
-  for_each_values(mesh, [&](std::uint64_t offset, std::uint64_t size) { end = offset + size; });
-  return end;
-}
-
-std::optional<std::uint64_t> result_size(const Image& image) {
-  return checked_mul(image.texels(), std::uint64_t{image.channels} * (image.bits / 8));
-}
-
-std::optional<std::uint64_t> result_size(const EncodedImage& image) { return image.size; }
-
-bool attach(DracoMesh& mesh, std::span<const std::byte> memory) {
-  const auto wanted = result_size(mesh);
-  const auto address = reinterpret_cast<std::uintptr_t>(memory.data());
-  if (!wanted || *wanted > memory.size() || address % alignof(std::uint32_t) != 0) return false;
-  mesh.indices = {reinterpret_cast<const std::uint32_t*>(memory.data()),
-                  std::size_t{mesh.faces} * 3};
-  std::uint32_t greatest = 0;
-  for (const std::uint32_t index : mesh.indices) greatest = std::max(greatest, index);
-  if (mesh.faces != 0 && greatest >= mesh.points) return false;
-  auto attribute = mesh.attributes.begin();
-  for_each_values(mesh, [&](std::uint64_t offset, std::uint64_t size) {
-    attribute->values =
-        memory.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
-    ++attribute;
-  });
-  return true;
-}
-
-bool attach(Image& image, std::span<const std::byte> memory) {
-  const auto wanted = result_size(image);
-  if (!wanted || *wanted > memory.size()) return false;
-  image.pixels = memory.first(static_cast<std::size_t>(*wanted));
-  return true;
-}
-
-bool attach(EncodedImage& image, std::span<const std::byte> memory) {
-  if (image.size > memory.size()) return false;
-  image.bytes = memory.first(static_cast<std::size_t>(image.size));
-  return true;
+bool is_consistent(const Job& job) {
+  if (job.quality > 100 || job.options.near_lossless > 100) return false;
+  const Raster& raster = job.raster;
+  const bool texels = raster.width != 0 || raster.height != 0;
+  if (job.task != Task::encode && !texels) return true;
+  if (raster.width == 0 || raster.height == 0) return false;
+  if (raster.channels == 0 || raster.channels > 4) return false;
+  if (raster.bits != 8 && raster.bits != 16 && raster.bits != 32) return false;
+  if (size_of(raster) != job.input_bytes) return false;
+  return job.task != Task::encode || format_holds(job, raster);
 }
 
 }  // namespace gltfx::codec

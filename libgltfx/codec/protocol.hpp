@@ -32,7 +32,7 @@ struct Hello {
   bool operator==(const Hello&) const = default;
 };
 
-enum class Task : std::uint8_t { draco, image, encode, encode_draco };
+enum class Task : std::uint8_t { draco, image, encode, encode_draco, transcode };
 /// Whether the answer is an encoded file.
 constexpr bool encodes(Task task) { return task >= Task::encode; }
 
@@ -45,9 +45,13 @@ struct Job {
   bool pixels = false;
   bool normals = false;
   std::uint8_t halvings = 0;  ///< of the sides of an image, up to 3
-  Raster raster;              ///< Task::encode, as the two below
+  Resize resize;
+  /// Of the payload: it is texels, and no file. Always with Task::encode; with Task::image and
+  /// Task::transcode where another worker has decoded the file.
+  Raster raster;
   EncodedFormat encoded = EncodedFormat::png;
   std::uint32_t quality = 0;
+  EncodeOptions options;
   std::uint64_t input_bytes = 0;
   std::uint64_t max_pixels = 0;
   std::uint64_t memory_bytes = 0;  ///< limit, beyond what the worker used before any job
@@ -71,6 +75,8 @@ std::optional<Answer> read_answer(std::span<const std::byte> frame);
 /// Whether a job is possible: the payload of an encoder has the size of its raster, and the format
 /// can hold such a raster.
 bool is_consistent(const Job& job);
+/// The latter.
+bool format_holds(const Job& job, const Raster& raster);
 
 /// Bytes of one component, 0 for `other`.
 unsigned component_size(Component component);

@@ -130,7 +130,7 @@ TEST(Encode, WhatAFormatDoesNotHoldIsRefused) {
   EXPECT_TRUE(refused(EncodedFormat::png, {0, 1, 4, 8}, 0));
   EXPECT_TRUE(refused(EncodedFormat::png, {1, 1, 5, 8}, 5));
   EXPECT_TRUE(refused(EncodedFormat::jpeg, {1, 1, 4, 8}, 4));
-  EXPECT_TRUE(refused(EncodedFormat::webp, {1, 1, 1, 8}, 1));
+  EXPECT_TRUE(refused(EncodedFormat::webp, {1, 1, 3, 16}, 6));
   EXPECT_TRUE(refused(EncodedFormat::webp, {20000, 1, 3, 8}, 60000));
   EXPECT_TRUE(refused(EncodedFormat::exr, {1, 1, 3, 8}, 3));
 }

@@ -18,6 +18,8 @@ Job some_job() {
   job.pixels = true;
   job.normals = true;
   job.halvings = 3;
+  job.resize = {512, TexelKind::normal, true, 0.25F, Wrap::mirror, Wrap::clamp};
+  job.options = {60, false, true};
   job.input_bytes = 7;
   job.max_pixels = 1ULL << 40U;
   job.memory_bytes = 9;

@@ -77,6 +77,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"jerror.h", {"tools/gltfx_codec/jpeg_"}},
     {"webp/", {"tools/gltfx_codec/webp_"}},
     {"png.h", {"tools/gltfx_codec/png_"}},
+    {"zlib.h", {"tools/gltfx_codec/png_"}},
     {"zstd.h", {"tools/gltfx_codec/ktx2_"}},
     {"avif/", {"tools/gltfx_codec/avif_"}},
     {"tiny_gltf.h", {"libgltfx/interop/"}},

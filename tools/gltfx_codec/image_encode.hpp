@@ -14,9 +14,11 @@ Answer hand_over(std::span<const std::byte> file, const Output& output);
 
 // Each encodes the texels that `job.raster` describes; formats and forms have been checked.
 
+// With `job.options.smallest` they take longer for fewer bytes.
+
 /// PNG of every depth and number of channels.
 Answer encode_png(const Job& job, std::span<const std::byte> texels, const Output& output);
-/// WebP, lossless with quality 0; colours of transparent texels are kept.
+/// WebP, lossless with quality 0; colours of transparent texels are kept, grey becomes RGB.
 Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Output& output);
 Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, const Output& output);
 /// EXR of floats, compressed without loss.

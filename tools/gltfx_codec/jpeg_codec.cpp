@@ -161,6 +161,11 @@ class JpegEncoder {
     jpeg_.in_color_space = raster.channels == 1 ? JCS_GRAYSCALE : JCS_RGB;
     jpeg_set_defaults(&jpeg_);
     jpeg_set_quality(&jpeg_, static_cast<int>(job.quality), TRUE);
+    if (raster.channels == 3) {
+      jpeg_.comp_info[0].h_samp_factor = jpeg_.comp_info[0].v_samp_factor =
+          job.options.subsampled ? 2 : 1;
+    }
+    jpeg_.optimize_coding = job.options.smallest ? TRUE : FALSE;
     jpeg_start_compress(&jpeg_, TRUE);
     const std::size_t size = std::size_t{raster.width} * raster.channels;
     for (std::size_t at = 0; at < texels.size(); at += size) {

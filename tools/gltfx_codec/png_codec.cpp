@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <png.h>
+#include <zlib.h>
 
 #include "image_decode.hpp"
 #include "image_encode.hpp"
@@ -136,6 +137,19 @@ void append(png_structp png, png_bytep bytes, std::size_t size) {
   if (!fits) png_error(png, "");
 }
 
+/// How libpng packs: which filters it tries on each row, and what zlib makes of the result. The
+/// latter two are libpng's own choice.
+struct Packing {
+  int level = 0;
+  int filters = PNG_ALL_FILTERS;
+  int strategy = Z_FILTERED;
+};
+// Files are 2 % larger than at zlib's usual level 6, in less than half of the time.
+constexpr Packing kQuick{4};
+// No level is always the best one.
+constexpr std::array kSmallest{kQuick, Packing{9}, Packing{9, PNG_FILTER_NONE, Z_DEFAULT_STRATEGY},
+                               Packing{9, PNG_ALL_FILTERS, Z_DEFAULT_STRATEGY}};
+
 class PngEncoder {
  public:
   PngEncoder()
@@ -149,19 +163,20 @@ class PngEncoder {
   PngEncoder(const PngEncoder&) = delete;
   PngEncoder& operator=(const PngEncoder&) = delete;
 
-  bool encode(const Raster& raster, std::span<const std::byte> texels) {
+  bool encode(const Raster& raster, std::span<const std::byte> texels, const Packing& packing) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
-    write(raster, texels);
+    write(raster, texels, packing);
     return true;
   }
-  std::span<const std::byte> file() const { return file_; }
+  std::vector<std::byte>& file() { return file_; }
 
  private:
-  void write(const Raster& raster, std::span<const std::byte> texels) {
+  void write(const Raster& raster, std::span<const std::byte> texels, const Packing& packing) {
     png_set_write_fn(png_, &file_, append, flush);
     png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    // Files are 2 % larger than at zlib's usual level 6, in less than half of the time.
-    png_set_compression_level(png_, 4);
+    png_set_compression_level(png_, packing.level);
+    png_set_filter(png_, PNG_FILTER_TYPE_BASE, packing.filters);
+    png_set_compression_strategy(png_, packing.strategy);
     png_set_IHDR(png_, info_, raster.width, raster.height, static_cast<int>(raster.bits),
                  kColorType[raster.channels], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE,
                  PNG_FILTER_TYPE_BASE);
@@ -199,9 +214,15 @@ Answer decode_png(const Job& job, std::span<const std::byte> bytes, const Output
 }
 
 Answer encode_png(const Job& job, std::span<const std::byte> texels, const Output& output) {
-  PngEncoder encoder;
-  if (!encoder.encode(job.raster, texels)) throw std::bad_alloc();
-  return hand_over(encoder.file(), output);
+  const std::span<const Packing> packings =
+      job.options.smallest ? std::span<const Packing>(kSmallest) : std::span(&kQuick, 1);
+  std::vector<std::byte> best;
+  for (const Packing& packing : packings) {
+    PngEncoder encoder;
+    if (!encoder.encode(job.raster, texels, packing)) throw std::bad_alloc();
+    if (best.empty() || encoder.file().size() < best.size()) best = std::move(encoder.file());
+  }
+  return hand_over(best, output);
 }
 
 }  // namespace gltfx::codec

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <vector>
 
 #include <webp/decode.h>
 #include <webp/demux.h>
@@ -85,13 +86,38 @@ Answer decode_still(Image image, const Job& job, std::span<const std::byte> byte
   return look_at(std::move(image), job, pixels);
 }
 
-// The defaults of cwebp; one thread, so that the bytes do not depend on the machine.
-bool configure(WebPConfig& config, std::uint32_t quality) {
+// As cwebp has them by default; one thread, so that the bytes do not depend on the machine.
+// `transparent`: some alpha is 0. Colours there are kept (`exact`), which takes from libwebp most
+// of what it gains by being nearly lossless.
+bool configure(WebPConfig& config, const Job& job, bool transparent) {
   if (WebPConfigInit(&config) == 0) return false;
-  config.exact = 1;
-  if (quality == 0) return WebPConfigLosslessPreset(&config, 6) != 0;
-  config.quality = static_cast<float>(quality);
+  const bool near = job.quality == 0 && job.options.near_lossless < 100;
+  config.exact = near && !transparent ? 0 : 1;
+  config.quality = static_cast<float>(job.quality);
+  if (job.quality == 0) {
+    if (WebPConfigLosslessPreset(&config, 6) == 0) return false;
+    config.near_lossless = static_cast<int>(job.options.near_lossless);
+  }
   return WebPValidateConfig(&config) != 0;
+}
+
+bool has_transparent(const Raster& raster, std::span<const std::byte> texels) {
+  if (raster.channels != 4) return false;
+  for (std::size_t i = 3; i < texels.size(); i += 4) {
+    if (texels[i] == std::byte{0}) return true;
+  }
+  return false;
+}
+
+// Grey as RGB, with alpha where there was alpha: WebP has no grey.
+std::vector<std::byte> expand_grey(const Raster& raster, std::span<const std::byte> texels) {
+  std::vector<std::byte> expanded;
+  expanded.reserve(texels.size() / raster.channels * (raster.channels + 2));
+  for (std::size_t i = 0; i < texels.size(); i += raster.channels) {
+    expanded.insert(expanded.end(), 3, texels[i]);
+    if (raster.channels == 2) expanded.push_back(texels[i + 1]);
+  }
+  return expanded;
 }
 
 }  // namespace
@@ -115,10 +141,17 @@ Answer decode_webp(const Job& job, std::span<const std::byte> bytes, const Outpu
 }
 
 Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Output& output) {
-  const Raster& raster = job.raster;
+  Raster raster = job.raster;
+  std::vector<std::byte> expanded;
+  if (raster.channels < 3) {
+    expanded = expand_grey(raster, texels);
+    texels = expanded;
+    raster.channels += 2;
+  }
   WebPConfig config;
   WebPPicture picture;
-  if (!configure(config, job.quality) || WebPPictureInit(&picture) == 0) throw std::bad_alloc();
+  if (!configure(config, job, has_transparent(raster, texels)) || WebPPictureInit(&picture) == 0)
+    throw std::bad_alloc();
   if (raster.width > WEBP_MAX_DIMENSION || raster.height > WEBP_MAX_DIMENSION) {
     return DecodeError{ErrorKind::malformed, "WebP holds no more than 16383 texels a side."};
   }

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Image files that the worker decodes and encodes again, pixels unseen by the caller.
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "codec/client.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+using testing::HasSubstr;
+
+// Colours that change slowly with some noise, and alphas of which a third are 0.
+std::vector<std::byte> smooth_texels(const Raster& raster, bool opaque = false) {
+  std::vector<std::byte> bytes;
+  std::uint32_t state = 1;
+  for (std::uint32_t i = 0; i < raster.width * raster.height; ++i) {
+    for (std::uint32_t c = 0; c < raster.channels; ++c) {
+      state = state * 1664525U + 1013904223U;
+      const bool alpha = c + 1 == raster.channels && raster.channels % 2 == 0;
+      unsigned value = i % raster.width * 2 + i / raster.width + c * 30 + (state >> 28U);
+      if (alpha) value = opaque ? 255 : i % 3 == 0 ? 0 : value;
+      for (std::uint32_t k = 0; k < raster.bits / 8; ++k) bytes.push_back(std::byte(value & 0xFFU));
+    }
+  }
+  return bytes;
+}
+
+std::vector<std::byte> png_file(const Raster& raster, const std::vector<std::byte>& texels) {
+  const auto result = Client::shared().encode_image({EncodedFormat::png, raster, 0, texels});
+  const auto* file = std::get_if<EncodedImage>(&result);
+  if (file == nullptr) return {};
+  return {file->bytes.begin(), file->bytes.end()};
+}
+
+TranscodeRequest to_format(const std::vector<std::byte>& png, EncodedFormat format,
+                           std::uint32_t quality = 0) {
+  TranscodeRequest request;
+  request.image.bytes = png;
+  request.image.max_pixels = 1U << 20U;
+  request.format = format;
+  request.quality = quality;
+  return request;
+}
+
+EncodedImage transcoded(const TranscodeRequest& request) {
+  EncodeResult result = Client::shared().transcode_image(request);
+  if (const auto* error = std::get_if<DecodeError>(&result)) {
+    ADD_FAILURE() << error->message;
+    return {};
+  }
+  return std::get<EncodedImage>(std::move(result));
+}
+
+std::string transcode_error(const TranscodeRequest& request) {
+  const EncodeResult result = Client::shared().transcode_image(request);
+  const auto* error = std::get_if<DecodeError>(&result);
+  if (error == nullptr) return "encoded";
+  EXPECT_EQ(error->kind, ErrorKind::malformed);
+  return error->message;
+}
+
+Image image_in(const EncodedImage& file, ImageFormat format) {
+  ImageRequest request;
+  request.bytes = file.bytes;
+  request.format = format;
+  request.pixels = true;
+  ImageResult result = Client::shared().decode_image(request);
+  if (const auto* error = std::get_if<DecodeError>(&result)) {
+    ADD_FAILURE() << error->message;
+    return {};
+  }
+  return std::get<Image>(std::move(result));
+}
+
+int greatest_difference(std::span<const std::byte> a, std::span<const std::byte> b) {
+  EXPECT_EQ(a.size(), b.size());
+  int greatest = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    greatest = std::max(greatest, std::abs(static_cast<int>(a[i]) - static_cast<int>(b[i])));
+  }
+  return greatest;
+}
+
+TEST(Transcode, LosslessWebpKeepsColoursBelowAlphaZero) {
+  const Raster raster{80, 70, 4, 8};
+  const std::vector<std::byte> texels = smooth_texels(raster);
+  const EncodedImage file = transcoded(to_format(png_file(raster, texels), EncodedFormat::webp));
+  EXPECT_EQ(file.source, raster);
+  EXPECT_EQ(file.raster, raster);
+  EXPECT_EQ(greatest_difference(image_in(file, ImageFormat::webp).pixels, texels), 0);
+}
+
+TEST(Transcode, GreyBecomesRgbInWebpAndStaysGreyInPng) {
+  for (const std::uint32_t channels : {1U, 2U}) {
+    const Raster raster{40, 30, channels, 8};
+    const std::vector<std::byte> texels = smooth_texels(raster);
+    const std::vector<std::byte> png = png_file(raster, texels);
+    const EncodedImage webp = transcoded(to_format(png, EncodedFormat::webp));
+    EXPECT_EQ(webp.raster.channels, channels + 2);
+    const Image image = image_in(webp, ImageFormat::webp);
+    ASSERT_EQ(image.channels, channels + 2);
+    for (std::size_t i = 0; i < std::size_t{40} * 30; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        ASSERT_EQ(image.pixels[i * image.channels + c], texels[i * channels]);
+      }
+      if (channels == 1) continue;
+      ASSERT_EQ(image.pixels[i * 4 + 3], texels[i * 2 + 1]);
+    }
+    const EncodedImage same = transcoded(to_format(png, EncodedFormat::png));
+    EXPECT_EQ(greatest_difference(image_in(same, ImageFormat::png).pixels, texels), 0);
+  }
+}
+
+TEST(Transcode, OpaqueAlphaIsNoLoss) {
+  const Raster raster{70, 66, 4, 8};
+  const std::vector<std::byte> png = png_file(raster, smooth_texels(raster, true));
+  EXPECT_GT(transcoded(to_format(png, EncodedFormat::webp)).size, 0U) << "WebP drops it";
+  const EncodedImage jpeg = transcoded(to_format(png, EncodedFormat::jpeg, 90));
+  EXPECT_EQ(jpeg.raster.channels, 3U);
+  const std::vector<std::byte> clear = png_file(raster, smooth_texels(raster));
+  EXPECT_THAT(transcode_error(to_format(clear, EncodedFormat::jpeg, 90)), HasSubstr("alpha"));
+}
+
+TEST(Transcode, SmallestPngIsNoLargerAndHoldsTheSame) {
+  for (const std::uint32_t bits : {8U, 16U}) {
+    for (std::uint32_t channels = 1; channels <= 4; ++channels) {
+      const Raster raster{90, 61, channels, bits};
+      const std::vector<std::byte> texels = smooth_texels(raster);
+      const std::vector<std::byte> png = png_file(raster, texels);
+      TranscodeRequest request = to_format(png, EncodedFormat::png);
+      request.options.smallest = true;
+      const EncodedImage small = transcoded(request);
+      EXPECT_LE(small.size, png.size());
+      const Image image = image_in(small, ImageFormat::png);
+      EXPECT_EQ(image.bits, bits);
+      EXPECT_EQ(greatest_difference(image.pixels, texels), 0);
+      TranscodeRequest again = request;
+      const std::vector<std::byte> first(small.bytes.begin(), small.bytes.end());
+      again.image.bytes = first;
+      EXPECT_TRUE(std::ranges::equal(transcoded(again).bytes, first)) << "nothing left to gain";
+    }
+  }
+}
+
+TEST(Transcode, SixteenBitsNeedPngOrALoss) {
+  const Raster raster{64, 64, 3, 16};
+  const std::vector<std::byte> png = png_file(raster, smooth_texels(raster));
+  EXPECT_THAT(transcode_error(to_format(png, EncodedFormat::webp)), HasSubstr("does not hold"));
+  EXPECT_EQ(transcoded(to_format(png, EncodedFormat::png)).raster.bits, 16U);
+  const EncodedImage webp = transcoded(to_format(png, EncodedFormat::webp, 90));
+  EXPECT_EQ(webp.source.bits, 16U);
+  EXPECT_EQ(webp.raster.bits, 8U);
+  EXPECT_EQ(transcoded(to_format(png, EncodedFormat::jpeg, 90)).raster.bits, 8U);
+  EXPECT_THAT(transcode_error(to_format(png, EncodedFormat::exr)), HasSubstr("does not hold"));
+}
+
+TEST(Transcode, NearlyLosslessWebpIsSmallerAndNear) {
+  const Raster raster{128, 128, 4, 8};
+  const std::vector<std::byte> texels = smooth_texels(raster, true);
+  const std::vector<std::byte> png = png_file(raster, texels);
+  TranscodeRequest request = to_format(png, EncodedFormat::webp);
+  const EncodedImage exact = transcoded(request);
+  request.options.near_lossless = 60;
+  const EncodedImage near = transcoded(request);
+  EXPECT_LT(near.size, exact.size);
+  const Image a = image_in(exact, ImageFormat::webp);
+  const Image b = image_in(near, ImageFormat::webp);
+  const int difference = greatest_difference(a.pixels, b.pixels);
+  EXPECT_GT(difference, 0);
+  EXPECT_LE(difference, 2);
+  const std::vector<std::byte> clear = smooth_texels(raster);
+  const std::vector<std::byte> file = png_file(raster, clear);
+  request.image.bytes = file;
+  EXPECT_LE(greatest_difference(image_in(transcoded(request), ImageFormat::webp).pixels, clear), 2)
+      << "below alpha 0, too";
+}
+
+TEST(Transcode, JpegHalvesColoursOnlyWhereAsked) {
+  // Columns of red and green: half the resolution of colour is brown.
+  const Raster raster{64, 64, 3, 8};
+  std::vector<std::byte> texels;
+  for (unsigned i = 0; i < 64 * 64; ++i) {
+    const unsigned red = i % 2 == 0 ? 200 : 60;
+    for (const unsigned value : {red, 260 - red, 90U}) texels.push_back(std::byte(value));
+  }
+  TranscodeRequest request = to_format(png_file(raster, texels), EncodedFormat::jpeg, 95);
+  const std::vector<std::byte> png = png_file(raster, texels);
+  request.image.bytes = png;
+  const EncodedImage halved = transcoded(request);
+  request.options.subsampled = false;
+  const EncodedImage whole = transcoded(request);
+  EXPECT_GT(greatest_difference(image_in(halved, ImageFormat::jpeg).pixels, texels), 40);
+  EXPECT_LE(greatest_difference(image_in(whole, ImageFormat::jpeg).pixels, texels), 12);
+}
+
+TEST(Transcode, ImagesAreResizedOnTheWay) {
+  const Raster raster{64, 32, 4, 8};
+  const std::vector<std::byte> png = png_file(raster, smooth_texels(raster));
+  TranscodeRequest request = to_format(png, EncodedFormat::webp);
+  request.image.resize.max_side = 16;
+  const EncodedImage file = transcoded(request);
+  EXPECT_EQ(file.source, raster);
+  EXPECT_EQ(file.raster, (Raster{16, 8, 4, 8}));
+  const Image image = image_in(file, ImageFormat::webp);
+  EXPECT_EQ(image.width, 16U);
+  ImageRequest pixels = request.image;
+  pixels.pixels = true;
+  const ImageResult same = Client::shared().decode_image(pixels);
+  ASSERT_TRUE(std::holds_alternative<Image>(same));
+  EXPECT_EQ(greatest_difference(image.pixels, std::get<Image>(same).pixels), 0);
+}
+
+TEST(Transcode, TheSameRequestGivesTheSameBytes) {
+  const Raster raster{70, 70, 4, 8};
+  const std::vector<std::byte> png = png_file(raster, smooth_texels(raster, true));
+  for (const auto& [format, quality] :
+       {std::pair(EncodedFormat::png, 0U), std::pair(EncodedFormat::webp, 0U),
+        std::pair(EncodedFormat::webp, 80U), std::pair(EncodedFormat::jpeg, 90U)}) {
+    TranscodeRequest request = to_format(png, format, quality);
+    request.options.smallest = true;
+    request.image.resize.max_side = 33;
+    Client other;
+    const EncodedImage once = transcoded(request);
+    const EncodeResult twice = other.transcode_image(request);
+    ASSERT_TRUE(std::holds_alternative<EncodedImage>(twice));
+    EXPECT_TRUE(std::ranges::equal(once.bytes, std::get<EncodedImage>(twice).bytes));
+  }
+}
+
+TEST(Transcode, BrokenImagesAndOddRequestsAreErrors) {
+  const Raster raster{30, 30, 3, 8};
+  std::vector<std::byte> png = png_file(raster, smooth_texels(raster));
+  EXPECT_THAT(transcode_error(to_format(png, EncodedFormat::jpeg, 0)), HasSubstr("not hold"));
+  EXPECT_THAT(transcode_error(to_format(png, EncodedFormat::png, 101)), HasSubstr("quality"));
+  TranscodeRequest large = to_format(png, EncodedFormat::png);
+  large.image.max_pixels = 899;
+  const EncodeResult result = Client::shared().transcode_image(large);
+  ASSERT_TRUE(std::holds_alternative<DecodeError>(result));
+  EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::too_large);
+  png.resize(png.size() / 2);
+  EXPECT_NE(transcode_error(to_format(png, EncodedFormat::webp)), "encoded");
+}
+
+}  // namespace
+}  // namespace gltfx::codec

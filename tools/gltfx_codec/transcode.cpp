@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "transcode.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "image_decode.hpp"
+#include "image_encode.hpp"
+#include "resize.hpp"
+
+namespace gltfx::codec {
+
+Answer hand_over(std::span<const std::byte> file, const Output& output) {
+  const std::span<std::byte> to = output(file.size());
+  if (to.size() < file.size() || file.empty()) throw std::bad_alloc();
+  std::memcpy(to.data(), file.data(), file.size());
+  EncodedImage image;
+  image.size = file.size();
+  return image;
+}
+
+namespace {
+
+Answer decode(const Job& job, std::span<const std::byte> bytes, const Output& output) {
+  switch (job.format) {
+    case ImageFormat::png:
+      return decode_png(job, bytes, output);
+    case ImageFormat::jpeg:
+      return decode_jpeg(job, bytes, output);
+    case ImageFormat::webp:
+      return decode_webp(job, bytes, output);
+    case ImageFormat::ktx2:
+      return decode_ktx2(job, bytes, output);
+    case ImageFormat::radiance:
+      return decode_radiance(job, bytes, output);
+    default:
+      return decode_exr(job, bytes, output);
+  }
+}
+
+Answer encode(const Job& job, std::span<const std::byte> texels, const Output& output) {
+  switch (job.encoded) {
+    case EncodedFormat::png:
+      return encode_png(job, texels, output);
+    case EncodedFormat::webp:
+      return encode_webp(job, texels, output);
+    case EncodedFormat::jpeg:
+      return encode_jpeg(job, texels, output);
+    default:
+      return encode_exr(job, texels, output);
+  }
+}
+
+DecodeError refused(const char* message) { return {ErrorKind::malformed, message}; }
+
+/// An image that has been decoded, and its texels.
+struct Decoded {
+  Image image;
+  Texels texels;
+};
+using DecodedResult = std::variant<Decoded, DecodeError>;
+
+// All texels of a file, or those that another worker has decoded.
+DecodedResult texels_of(const Job& job, std::span<const std::byte> bytes) {
+  Decoded decoded;
+  if (job.raster.width != 0) {
+    decoded.texels = {job.raster, {bytes.begin(), bytes.end()}};
+    return decoded;
+  }
+  Job inner = job;
+  inner.pixels = true;
+  Answer answer = decode(inner, bytes, [&](std::uint64_t size) {
+    decoded.texels.bytes.resize(static_cast<std::size_t>(size));
+    return std::span(decoded.texels.bytes);
+  });
+  if (auto* error = std::get_if<DecodeError>(&answer)) return std::move(*error);
+  decoded.image = std::move(*std::get_if<Image>(&answer));
+  const Image& image = decoded.image;
+  decoded.texels.raster = {image.width, image.height, image.channels, image.bits};
+  return decoded;
+}
+
+void shrink(Texels& texels, const Resize& how) {
+  if (!how.needed(texels.raster.width, texels.raster.height)) return;
+  texels = resize(texels.raster, texels.bytes, how);
+}
+
+Answer hand_over_pixels(Decoded decoded, const Job& job, const Output& output) {
+  const Raster& raster = decoded.texels.raster;
+  Image image;
+  image.width = raster.width;
+  image.height = raster.height;
+  image.channels = raster.channels;
+  image.bits = raster.bits;
+  image.doubt = std::move(decoded.image.doubt);
+  const std::span<std::byte> to = create_pixels(image, job, output);
+  std::memcpy(to.data(), decoded.texels.bytes.data(), decoded.texels.bytes.size());
+  if (image.bits == 32) return image;
+  Statistics statistics(image, job.normals);
+  statistics.add(to);
+  statistics.finish(image);
+  return image;
+}
+
+// What an encoder makes of texels: WebP has no grey.
+Raster raster_in_file(const Job& job, Raster raster) {
+  if (job.encoded == EncodedFormat::webp && raster.channels < 3) raster.channels += 2;
+  return raster;
+}
+
+// Whether the file holds every bit of what it was made of.
+bool keeps_all(const Job& job) {
+  return job.encoded == EncodedFormat::png || job.encoded == EncodedFormat::exr ||
+         (job.encoded == EncodedFormat::webp && job.quality == 0 &&
+          job.options.near_lossless == 100);
+}
+
+// Drops an alpha that is 1 throughout. False when it is not.
+bool drop_alpha(Texels& texels) {
+  const std::size_t channels = texels.raster.channels;
+  const std::size_t count = texels.bytes.size() / channels;
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (texels.bytes[i * channels + channels - 1] != std::byte{255}) return false;
+    for (std::size_t c = 0; c + 1 < channels; ++c)
+      texels.bytes[to++] = texels.bytes[i * channels + c];
+  }
+  texels.bytes.resize(to);
+  --texels.raster.channels;
+  return true;
+}
+
+void halve_bits(Texels& texels) {
+  for (std::size_t i = 0; i * 2 < texels.bytes.size(); ++i) {
+    std::uint16_t value = 0;
+    std::memcpy(&value, texels.bytes.data() + i * 2, sizeof value);
+    texels.bytes[i] = static_cast<std::byte>((value * 255U + 32767) / 65535);
+  }
+  texels.bytes.resize(texels.bytes.size() / 2);
+  texels.raster.bits = 8;
+}
+
+// Gives texels the form that a format holds, where that loses no more than is asked for.
+std::optional<DecodeError> fit(Texels& texels, const Job& job) {
+  if (texels.raster.bits == 16 && !format_holds(job, texels.raster) && !keeps_all(job)) {
+    halve_bits(texels);
+  }
+  const bool alpha = texels.raster.channels % 2 == 0;
+  if (job.encoded == EncodedFormat::jpeg && texels.raster.bits == 8 && alpha &&
+      !drop_alpha(texels)) {
+    return refused("JPEG holds no alpha.");
+  }
+  if (!format_holds(job, texels.raster)) {
+    return refused("The format does not hold such images.");
+  }
+  return std::nullopt;
+}
+
+// Whether the first texels are the others, as grey or RGB, with alpha or, where all is opaque,
+// without.
+bool same_texels(const Texels& a, const Texels& b) {
+  const std::size_t count = std::size_t{a.raster.width} * a.raster.height;
+  const std::size_t size = a.raster.bits / 8;
+  if (a.raster.width != b.raster.width || a.raster.height != b.raster.height ||
+      a.raster.bits != b.raster.bits) {
+    return false;
+  }
+  if (a.raster.channels == b.raster.channels) return a.bytes == b.bytes;
+  if (size != 1) return false;
+  const auto channel = [](const Texels& texels, std::size_t texel, std::size_t c) {
+    const std::size_t channels = texels.raster.channels;
+    if (c == 3) {
+      return channels % 2 == 0 ? texels.bytes[texel * channels + channels - 1] : std::byte{255};
+    }
+    return texels.bytes[texel * channels + (channels < 3 ? 0 : c)];
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      if (channel(a, i, c) != channel(b, i, c)) return false;
+    }
+  }
+  return true;
+}
+
+bool comes_back(const Job& job, std::span<const std::byte> file, const Texels& wanted) {
+  Job inner = job;
+  inner.raster = {};
+  inner.max_pixels = std::uint64_t{wanted.raster.width} * wanted.raster.height;
+  inner.format = job.encoded == EncodedFormat::png    ? ImageFormat::png
+                 : job.encoded == EncodedFormat::webp ? ImageFormat::webp
+                                                      : ImageFormat::openexr;
+  const DecodedResult again = texels_of(inner, file);
+  const auto* decoded = std::get_if<Decoded>(&again);
+  return decoded != nullptr && same_texels(wanted, decoded->texels);
+}
+
+Answer transcode(const Job& job, std::span<const std::byte> bytes, const Output& output) {
+  DecodedResult result = texels_of(job, bytes);
+  auto* decoded = std::get_if<Decoded>(&result);
+  if (decoded == nullptr) return std::move(*std::get_if<DecodeError>(&result));
+  Texels& texels = decoded->texels;
+  const Raster source = texels.raster;
+  shrink(texels, job.resize);
+  if (auto error = fit(texels, job)) return *std::move(error);
+  Job inner = job;
+  inner.raster = texels.raster;
+  std::span<const std::byte> file;
+  Answer answer = encode(inner, texels.bytes, [&](std::uint64_t size) {
+    const std::span<std::byte> to = output(size);
+    file = to;
+    return to;
+  });
+  auto* encoded = std::get_if<EncodedImage>(&answer);
+  if (encoded == nullptr) return answer;
+  if (keeps_all(job) && !comes_back(job, file, texels)) {
+    return refused("The encoder does not keep all texels of this image.");
+  }
+  encoded->source = source;
+  encoded->raster = raster_in_file(job, texels.raster);
+  return answer;
+}
+
+}  // namespace
+
+Answer serve_image(const Job& job, std::span<const std::byte> bytes, const Output& output) {
+  if (job.task == Task::transcode) return transcode(job, bytes, output);
+  if (job.task == Task::encode) {
+    Answer answer = encode(job, bytes, output);
+    if (auto* encoded = std::get_if<EncodedImage>(&answer)) {
+      encoded->source = job.raster;
+      encoded->raster = raster_in_file(job, job.raster);
+    }
+    return answer;
+  }
+  const bool whole = job.raster.width == 0 && (job.resize.max_side == 0 || !job.pixels);
+  if (whole) return decode(job, bytes, output);
+  DecodedResult result = texels_of(job, bytes);
+  auto* decoded = std::get_if<Decoded>(&result);
+  if (decoded == nullptr) return std::move(*std::get_if<DecodeError>(&result));
+  shrink(decoded->texels, job.resize);
+  return hand_over_pixels(std::move(*decoded), job, output);
+}
+
+}  // namespace gltfx::codec
