@@ -75,7 +75,7 @@ std::optional<Answer> read_answer(std::span<const std::byte> frame);
 /// Whether a job is possible: the payload of an encoder has the size of its raster, and the format
 /// can hold such a raster.
 bool is_consistent(const Job& job);
-/// The latter.
+/// Whether the format that a job asks for can hold a raster.
 bool format_holds(const Job& job, const Raster& raster);
 
 /// Bytes of one component, 0 for `other`.

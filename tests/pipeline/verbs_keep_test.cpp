@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+// Whatever verb writes an asset, the asset means what it meant before: all that is not asked for is
+// kept, and what is referred to is still there.
+#include <gltfx/pipeline.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "container/temp_folder.hpp"
+#include "graph/graph.hpp"
+#include "graph/orphans.hpp"
+#include "pipeline/open_asset.hpp"
+#include "prove/meaning.hpp"
+#include "schema/compile.hpp"
+
+namespace gltfx {
+namespace {
+
+namespace fs = std::filesystem;
+using container::test::TempFolder;
+using model::OpenedAsset;
+using testing::StartsWith;
+
+const fs::path kFixtures = fs::path(GLTFX_SOURCE_DIR) / "fixtures";
+
+std::vector<fs::path> assets_in(const char* folder) {
+  std::vector<fs::path> assets;
+  for (const auto& entry : fs::recursive_directory_iterator(kFixtures / folder)) {
+    const std::string ending = entry.path().extension().native();
+    if (ending == ".gltf" || ending == ".glb") assets.push_back(entry.path());
+  }
+  std::sort(assets.begin(), assets.end());
+  return assets;
+}
+
+OpenedAsset opened(const fs::path& path) { return *open_asset(path.native(), {}); }
+
+prove::Meaning compare(const fs::path& before, const fs::path& after, bool unused_may_go = false) {
+  prove::MeaningRequest request;
+  request.images = prove::ImageComparison::bytes;
+  request.unused_may_go = unused_may_go;
+  return prove::compare_meaning(opened(before), opened(after), *schema::builtin_set(), request);
+}
+
+std::string text_of(const prove::Meaning& meaning) {
+  std::string text;
+  for (const prove::Difference& one : meaning.differences)
+    text += one.pointer + " " + one.what + "\n";
+  return text;
+}
+
+// JSON pointers of materials, meshes, textures and their like without any reference.
+std::vector<std::string> unused_objects(const fs::path& path) {
+  const OpenedAsset asset = opened(path);
+  if (asset.document().empty()) return {};
+  const graph::Graph graph(asset.document(), *schema::builtin_set());
+  std::vector<json::NodeId> candidates;
+  for (const char* array : {"materials", "meshes", "textures", "images", "samplers", "accessors"}) {
+    const json::NodeId list = graph.tree().member(asset.document().root(), array);
+    if (list == json::kNoNode || !asset.document().is_array(list)) continue;
+    for (const json::NodeId element : asset.document().elements(list))
+      candidates.push_back(element);
+  }
+  std::sort(candidates.begin(), candidates.end());
+  std::vector<std::string> pointers;
+  for (const json::NodeId object : graph::find_orphans(graph, candidates))
+    pointers.push_back(asset.document().pointer_of(object));
+  return pointers;
+}
+
+class EachGoodAsset : public testing::Test {
+ protected:
+  // `write` gives what became of the asset at the first path, which goes to the second one.
+  template <class Write>
+  std::size_t expect_same(const Write& write, bool unused_may_go = false) {
+    std::size_t changed = 0;
+    for (const fs::path& path : assets_in("good")) {
+      const TempFolder folder;
+      const fs::path output = folder.path() / "out" / path.filename();
+      const EditOutcome outcome = write(path, output);
+      if (!outcome.written) continue;
+      changed += outcome.changes ? 1 : 0;
+      EXPECT_EQ(text_of(compare(path, outcome.written_to, unused_may_go)), "") << path;
+    }
+    return changed;
+  }
+};
+
+TEST_F(EachGoodAsset, MeansTheSameAfterFixes) {
+  expect_same([](const fs::path& path, const fs::path& output) -> EditOutcome {
+    FixOptions options;
+    options.output = output.native();
+    return fix_file(path.native(), options);
+  });
+}
+
+TEST_F(EachGoodAsset, MeansTheSameWithoutItsUnusedObjects) {
+  const std::size_t changed = expect_same(
+      [](const fs::path& path, const fs::path& output) -> EditOutcome {
+        DeleteOptions options;
+        options.output = output.native();
+        options.pointers = unused_objects(path);
+        return options.pointers.empty() ? EditOutcome() : delete_objects(path.native(), options);
+      },
+      true);
+  EXPECT_GE(changed, 3U);
+}
+
+TEST_F(EachGoodAsset, MeansTheSameInEachContainer) {
+  for (const StoredAs to : {StoredAs::glb, StoredAs::gltf, StoredAs::embedded}) {
+    const std::size_t changed =
+        expect_same([&](const fs::path& path, fs::path output) -> EditOutcome {
+          ConvertOptions options;
+          options.to = to;
+          options.output =
+              output.replace_extension(to == StoredAs::glb ? ".glb" : ".gltf").native();
+          return convert_file(path.native(), options);
+        });
+    EXPECT_GE(changed, 10U);
+  }
+}
+
+// An upgrade changes materials and what shows them, and nothing else.
+TEST(EachLegacyAsset, DiffersInItsMaterialsAloneAfterAnUpgrade) {
+  std::size_t changed = 0;
+  for (const fs::path& path : assets_in("legacy")) {
+    const TempFolder folder;
+    UpgradeOptions options;
+    options.output = (folder.path() / path.filename()).native();
+    const UpgradeReport report = upgrade_file(path.native(), options);
+    if (!report.written || !report.changes) continue;
+    ++changed;
+    for (const prove::Difference& one : compare(path, report.written_to, true).differences) {
+      EXPECT_THAT(one.pointer, testing::AnyOf(StartsWith("/materials"), StartsWith("/textures"),
+                                              StartsWith("/images"), StartsWith("/extensions")))
+          << path << " " << one.what;
+    }
+  }
+  EXPECT_GE(changed, 5U);
+}
+
+}  // namespace
+}  // namespace gltfx
