@@ -90,7 +90,7 @@ class ConvertRun {
     auto draft = carry_out(
         {before_, state_, options_, schemas_, folders_}, std::move(change_),
         [this](const ValidatedAsset& after) { return find_error(after); }, report_);
-    if (!draft) report_.new_warnings.clear();
+    if (!draft) forget_changes();
     return draft;
   }
 
@@ -99,7 +99,18 @@ class ConvertRun {
 
   std::nullopt_t refuse(std::string why) {
     note_failure(report_, EditProblem::refused, std::move(why));
+    forget_changes();
     return std::nullopt;
+  }
+
+  // Nothing came of the steps.
+  void forget_changes() {
+    for (ConvertStep& row : report_.steps) {
+      row.changes = false;
+      row.bytes_after = row.bytes_before;
+    }
+    report_.new_files.clear();
+    report_.new_warnings.clear();
   }
 
   // Runs a step on what the steps before made; why all is refused, or nothing.

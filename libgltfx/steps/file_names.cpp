@@ -71,9 +71,10 @@ std::string FileNames::take(const std::string& name, std::string_view ending) {
   std::string stem = name;
   const std::string own = ending_of(name);
   if (own == ending || (own == ".jpeg" && ending == ".jpg")) stem.resize(name.size() - own.size());
-  for (unsigned number = 1;; ++number) {
-    std::string tried = number == 1 ? fmt::format("{}{}", stem, ending)
-                                    : fmt::format("{}-{}{}", stem, number, ending);
+  unsigned& number = numbers_[lower_case(stem).append(ending)];
+  while (true) {
+    std::string tried = ++number == 1 ? fmt::format("{}{}", stem, ending)
+                                      : fmt::format("{}-{}{}", stem, number, ending);
     if (taken_.insert(lower_case(tried)).second) return tried;
   }
 }

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 #include "container/bytes.hpp"
 
@@ -30,6 +31,8 @@ class FileNames {
 
  private:
   std::set<std::string> taken_;  ///< in lower case
+  /// The last number of a name that was taken, likewise.
+  std::unordered_map<std::string, unsigned> numbers_;
 };
 
 }  // namespace gltfx::steps

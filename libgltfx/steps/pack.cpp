@@ -135,7 +135,7 @@ class Packer {
 
   // Buffers of one file share its bytes.
   void put(std::uint64_t index, Bytes bytes) {
-    const std::string file = key_of(buffer(index));
+    const std::string file = path_of(buffer(index));
     const auto known = files_.find(file);
     if (!file.empty() && known != files_.end() &&
         bytes.size() <= known->second.end - known->second.begin) {
@@ -144,7 +144,7 @@ class Packer {
     }
     const std::uint64_t length = bytes.size();
     const std::uint64_t base = append(std::move(bytes));
-    files_[file] = {base, base + length};
+    if (!file.empty()) files_[file] = {base, base + length};
     packed_.push_back({index, base});
   }
 
@@ -235,9 +235,11 @@ class Packer {
         refuse("images", i, "it is in none of the formats that a buffer view may hold");
         continue;
       }
-      const auto [view, is_new] = views.try_emplace(key_of(image));
-      if (is_new) view->second = add_view(*std::move(bytes));
-      refer(image, view->second, has_type ? "" : image::media_type(sniffed.format));
+      const std::string file = path_of(image);
+      const auto known = file.empty() ? views.end() : views.find(file);
+      const std::uint64_t view = known == views.end() ? add_view(*std::move(bytes)) : known->second;
+      if (!file.empty()) views.emplace(file, view);
+      refer(image, view, has_type ? "" : image::media_type(sniffed.format));
       ++images_;
       ++moved_;
     }
@@ -249,11 +251,9 @@ class Packer {
     return both ? "it has both a uri and a bufferView" : "";
   }
 
-  // Objects of one file share its bytes. Empty: it has none.
-  std::string key_of(json::NodeId image) const {
-    const std::string uri = model::string_member(document_, image, "uri");
-    const container::Uri reference = container::classify_uri(uri);
-    return reference.kind == container::UriKind::relative_path ? reference.path : uri;
+  // Of the file of a buffer or an image; empty: it has none.
+  std::string path_of(json::NodeId object) const {
+    return container::classify_uri(model::string_member(document_, object, "uri")).path;
   }
 
   std::uint64_t add_view(Bytes bytes) {

@@ -122,17 +122,18 @@ class TextStorage {
   // A file of the BIN chunk, and files of the images in it.
   void split_chunk() {
     const graph::Graph graph(document_, input_.schemas);
-    const std::map<json::NodeId, Bytes> images = images_in_chunk(graph);
+    const std::map<std::uint64_t, Bytes> images = images_in_chunk(graph);
     std::map<json::NodeId, std::string> uris;  // by view
     std::set<json::NodeId> gone, moved;
-    for (const auto& [image, bytes] : images) {
-      const json::NodeId index = document_.find(image, "bufferView");
+    for (const auto& [index, bytes] : images) {
+      const json::NodeId image = element(RootArray::images, index);
+      const json::NodeId member = document_.find(image, "bufferView");
       const json::NodeId view = view_of(image);
       const auto [uri, is_new] = uris.try_emplace(view);
-      if (is_new) uri->second = image_file(image, bytes);
-      editor_.rename(index - 1, "uri");
-      editor_.replace_scalar(index, json_string(uri->second));
-      moved.insert(index);
+      if (is_new) uri->second = image_file(index, bytes);
+      editor_.rename(member - 1, "uri");
+      editor_.replace_scalar(member, json_string(uri->second));
+      moved.insert(member);
       gone.insert(view);
       ++images_;
     }
@@ -163,9 +164,9 @@ class TextStorage {
     return declared && *declared <= length && length - *declared < 4 ? *declared : length;
   }
 
-  // Those that go into files.
-  std::map<json::NodeId, Bytes> images_in_chunk(const graph::Graph& graph) {
-    std::map<json::NodeId, Bytes> found;
+  // Those that go into files, by index.
+  std::map<std::uint64_t, Bytes> images_in_chunk(const graph::Graph& graph) {
+    std::map<std::uint64_t, Bytes> found;
     const auto unknown = graph::unknown_with_integers(graph);
     for (std::uint64_t i = 0; i < count(RootArray::images); ++i) {
       if (bytes_.image_storage(i) != Storage::buffer_view) continue;
@@ -178,7 +179,7 @@ class TextStorage {
              fmt::format("{} may hold indices of buffer views (--schema describes it)",
                          printable(graph.tree().pointer(unknown.front()))));
       } else if (auto bytes = bytes_.image(i)) {
-        found.emplace(image, *std::move(bytes));
+        found.emplace(i, *std::move(bytes));
       } else {
         note(outcome_.row.left, pointer, bytes.error().message);
       }
@@ -263,19 +264,16 @@ class TextStorage {
     const std::string_view type = sniffed.known      ? image::media_type(sniffed.format)
                                   : declared.empty() ? kOctets
                                                      : std::string_view(declared);
-    set_uri(image, embeds_ ? container::data_uri(type, bytes->text()) : image_file(image, *bytes));
+    set_uri(image, embeds_ ? container::data_uri(type, bytes->text()) : image_file(index, *bytes));
     ++images_;
   }
 
   // Gives the URI.
-  std::string image_file(json::NodeId image, const Bytes& bytes) {
+  std::string image_file(std::uint64_t index, const Bytes& bytes) {
+    const json::NodeId image = element(RootArray::images, index);
     const std::string type = model::string_member(document_, image, "mimeType");
     std::string stem = clean_name(model::string_member(document_, image, "name"));
-    if (stem.empty()) {
-      const auto& images = elements_.elements(RootArray::images);
-      const auto index = std::find(images.begin(), images.end(), image) - images.begin();
-      stem = fmt::format("{}_image{}", own_name(), index);
-    }
+    if (stem.empty()) stem = fmt::format("{}_image{}", own_name(), index);
     if (input_.options.shared_folder) {
       stem += fmt::format("-{:08x}", content_hash(bytes.text()) & UINT32_MAX);
     }

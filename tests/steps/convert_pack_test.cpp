@@ -38,6 +38,7 @@ class Pack : public testing::Test {
     EXPECT_EQ(report.written, partial) << report.error;
     EXPECT_EQ(fs::exists(output()), partial);
     EXPECT_EQ(report.problem == EditProblem::refused, !partial);
+    for (const ConvertStep& step : report.steps) EXPECT_EQ(step.changes, partial);
     return report;
   }
 
