@@ -168,7 +168,7 @@ Trouble TemporaryFile::write(std::string_view bytes) {
 // EINVAL: a file system that cannot make anything durable. There may be more files to be written
 // than a process can hold open.
 void TemporaryFile::begin_sync() const {
-#ifdef SYNC_FILE_RANGE_WRITE
+#ifdef __linux__
   static_cast<void>(::sync_file_range(fd_.get(), 0, 0, SYNC_FILE_RANGE_WRITE));
 #endif
 }

@@ -88,7 +88,7 @@ class ConvertRun {
     if (auto why = find_taken_name()) return refuse(*std::move(why));
     for (const change::NewFile& file : change_.files) report_.new_files.push_back(file.path);
     auto draft = carry_out(
-        {before_, state_, options_, schemas_, folders_}, std::move(change_),
+        {before_, state_, options_, schemas_, folders_, options_.jobs}, std::move(change_),
         [this](const ValidatedAsset& after) { return find_error(after); }, report_);
     if (!draft) forget_changes();
     return draft;
@@ -253,6 +253,8 @@ void convert_files(const std::vector<EditInput>& inputs, const ConvertOptions& o
       [&](std::size_t i) {
         ConvertOptions each = options;
         each.output = inputs[i].output;
+        // Many files keep all threads busy by themselves.
+        each.jobs = inputs.size() == 1 ? jobs : 1;
         return convert_path(inputs[i].path, each, folders);
       },
       consume);

@@ -138,7 +138,9 @@ std::optional<Draft> carry_out(const EditedFile& file, change::Change change, co
                            in_place ? std::string() : file.options.output);
   auto draft = change::apply(old, change, std::move(now), place);
   if (!draft) return refuse(draft.error().message);
-  validate::ValidatedAsset after(*std::move(draft), prove::default_validation(file.schemas));
+  ValidateOptions validation = prove::default_validation(file.schemas);
+  validation.jobs = file.jobs;
+  validate::ValidatedAsset after(*std::move(draft), validation);
   if (auto why = proof(after)) return refuse(*std::move(why));
   if (change.format) asset.companions = change::referred_paths(after.asset().document());
   after.forget_large_document();

@@ -61,6 +61,7 @@ struct EditedFile {
   const EditOptions& options;
   const std::shared_ptr<const schema::Set>& schemas;
   FolderIndex& folders;
+  unsigned jobs = 1;  ///< threads that validate the draft
 };
 
 /// Why a draft, which was validated with default options, must not take the place of the old asset,

@@ -29,6 +29,7 @@ struct ConvertOptions : EditOptions {
   bool partial = false;
   /// Other assets have their files in the same folder: names of new images say what is in them.
   bool shared_folder = false;
+  unsigned jobs = 1;  ///< threads for one asset; results do not depend on it
 };
 
 /// An object that a step did not deal with, and why.
