@@ -8,10 +8,10 @@ WORKDIR /gltfx
 RUN tools/deb && rm -rf /var/lib/apt/lists/*
 
 FROM debian:12-slim
-COPY --from=build /gltfx/build/deb/gltfx_*.deb /tmp/
+COPY --from=build /gltfx/build/deb/gltfx_*.deb /gltfx/build/deb/gltfx-openimageio_*.deb /tmp/
 RUN apt-get update \
-    && apt-get install --yes --no-install-recommends /tmp/gltfx_*.deb \
-    && rm -rf /tmp/gltfx_*.deb /var/lib/apt/lists/* \
+    && apt-get install --yes --no-install-recommends /tmp/gltfx*.deb \
+    && rm -rf /tmp/gltfx*.deb /var/lib/apt/lists/* \
     && useradd --create-home gltfx
 USER gltfx
 WORKDIR /assets

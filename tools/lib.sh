@@ -10,9 +10,9 @@ export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-dev libtbb-dev
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libzstd-dev libopenexr-dev
   libembree-dev libxxhash-dev libsodium-dev libstb-dev fonts-dejavu-core)
-test_packages=(libtinygltf-dev libavif-dev lld clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
+test_packages=(libtinygltf-dev libavif-dev libopenimageio-dev lld clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
   nodejs pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc)
-package_packages=(libtinygltf-dev dpkg-dev file gzip)  # for Debian packages
+package_packages=(libtinygltf-dev libopenimageio-dev dpkg-dev file gzip)  # for Debian packages
 
 slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only for nightly
 oracle_packages=(python3-jsonschema)  # only for nightly

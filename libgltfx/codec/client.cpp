@@ -39,9 +39,10 @@ Job image_job(const Settings& settings, const ImageRequest& request) {
   job.level = request.level;
   job.pixels = request.pixels;
   const std::uint64_t most = std::min(request.max_pixels, kMostTexels);
-  const bool floats = holds_floats(request.format);
+  const bool floats = holds_floats(request.format) || request.floats;
   if (request.pixels) job.memory_bytes += most * (floats ? 16 : 8);
   job.normals = request.normals;
+  job.floats = request.floats;
   job.halvings =
       static_cast<std::uint8_t>(std::min<std::uint32_t>(request.halvings, kMostHalvings));
   job.max_pixels = request.max_pixels;
@@ -86,7 +87,15 @@ DecodeError no_avif() {
           "This installation has no decoder of AVIF images: gltfx was built without libavif."};
 }
 
-bool in_image_worker(ImageFormat format) { return format != ImageFormat::avif; }
+DecodeError no_openimageio() {
+  return {ErrorKind::unavailable,
+          "This installation has no decoder of such images: install the package "
+          "gltfx-openimageio, or build gltfx where OpenImageIO is found."};
+}
+
+bool in_image_worker(ImageFormat format) {
+  return format != ImageFormat::avif && !is_foreign(format);
+}
 
 Raster raster_of(const Image& image) {
   return {image.width, image.height, image.channels, image.bits};
@@ -128,14 +137,18 @@ struct Client::State {
         images(program_path(settings.folder, "gltfx-codec-image"), settings.workers,
                standstill_of(settings)),
         avif_program(program_path(settings.folder, "gltfx-codec-avif")),
-        avif_images(avif_program, settings.workers, standstill_of(settings)) {}
+        avif_images(avif_program, settings.workers, standstill_of(settings)),
+        foreign_program(program_path(settings.folder, "gltfx-codec-openimageio")),
+        foreign_images(foreign_program, settings.workers, standstill_of(settings)) {}
 
   /// The workers that decode a format.
   Pool& decoders_of(ImageFormat format) {
+    if (is_foreign(format)) return foreign_images;
     return format == ImageFormat::avif ? avif_images : images;
   }
   std::optional<DecodeError> find_missing(ImageFormat format) const {
     if (format == ImageFormat::avif && !is_program(avif_program)) return noted(no_avif());
+    if (is_foreign(format) && !is_program(foreign_program)) return noted(no_openimageio());
     return std::nullopt;
   }
 
@@ -143,6 +156,8 @@ struct Client::State {
   Pool meshes, images;
   std::string avif_program;
   Pool avif_images;
+  std::string foreign_program;
+  Pool foreign_images;
 };
 
 Client::Client(Settings settings) : state_(std::make_unique<State>(std::move(settings))) {}

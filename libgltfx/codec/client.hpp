@@ -88,9 +88,27 @@ struct EncodedDraco {
 };
 using DracoEncodeResult = std::variant<EncodedDraco, DecodeError>;
 
-/// `radiance` and `openexr` hold floats.
-/// `avif` needs an optional decoder.
-enum class ImageFormat : std::uint8_t { png, jpeg, webp, avif, ktx2, radiance, openexr };
+/// `radiance` and `openexr` hold floats; so may `tiff`, `psd`, `dds` and `pnm`.
+/// `avif`, and the formats from `bmp` on, need optional decoders.
+enum class ImageFormat : std::uint8_t {
+  png,
+  jpeg,
+  webp,
+  avif,
+  ktx2,
+  radiance,
+  openexr,
+  bmp,
+  tga,
+  gif,
+  tiff,
+  psd,
+  dds,
+  jpeg2000,
+  pnm,
+};
+/// Whether OpenImageIO decodes it.
+constexpr bool is_foreign(ImageFormat format) { return format >= ImageFormat::bmp; }
 constexpr bool holds_floats(ImageFormat format) {
   return format == ImageFormat::radiance || format == ImageFormat::openexr;
 }
@@ -106,6 +124,8 @@ struct ImageRequest {
   bool pixels = false;   ///< return the pixels
   bool normals = false;  ///< check the first three channels as a normal map
   Origin origin = {};
+  /// Formats that may hold floats are refused as `malformed` when they do, but for this.
+  bool floats = false;
   Resize resize = {};  ///< of the pixels; statistics are of the image that is handed over
 };
 

@@ -257,6 +257,7 @@ Frame write_job(const Job& job) {
   out.number(static_cast<std::uint8_t>(job.pixels));
   out.number(static_cast<std::uint8_t>(job.normals));
   out.number(job.halvings);
+  out.number(static_cast<std::uint8_t>(job.floats));
   write(out, job.resize);
   write(out, job.raster);
   out.name(job.encoded);
@@ -274,11 +275,12 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   if (read_kind(in) != Kind::job) return std::nullopt;
   Job job;
   job.task = in.name(Task::transcode);
-  job.format = in.name(ImageFormat::openexr);
+  job.format = in.name(ImageFormat::pnm);
   job.level = in.number<std::uint32_t>();
   job.pixels = in.flag();
   job.normals = in.flag();
   job.halvings = in.check_at_most(in.number<std::uint8_t>(), kMostHalvings);
+  job.floats = in.flag();
   job.resize = read_resize(in);
   job.raster = read_raster(in);
   job.encoded = in.name(EncodedFormat::exr);

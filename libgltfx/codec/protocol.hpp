@@ -45,6 +45,7 @@ struct Job {
   bool pixels = false;
   bool normals = false;
   std::uint8_t halvings = 0;  ///< of the sides of an image, up to 3
+  bool floats = false;
   Resize resize;
   /// Of the payload: it is texels, and no file. Always with Task::encode; with Task::image and
   /// Task::transcode where another worker has decoded the file.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "codec/client.hpp"
+#include "image/foreign.hpp"
 #include "image/header.hpp"
 #include "model/resource_data.hpp"
 
@@ -26,6 +27,29 @@ inline codec::ImageFormat codec_format(image::Format format) {
   return codec::ImageFormat::ktx2;
 }
 
+inline codec::ImageFormat codec_format(image::ForeignFormat format) {
+  switch (format) {
+    case image::ForeignFormat::bmp:
+      return codec::ImageFormat::bmp;
+    case image::ForeignFormat::tga:
+      return codec::ImageFormat::tga;
+    case image::ForeignFormat::gif:
+      return codec::ImageFormat::gif;
+    case image::ForeignFormat::tiff:
+      return codec::ImageFormat::tiff;
+    case image::ForeignFormat::psd:
+      return codec::ImageFormat::psd;
+    case image::ForeignFormat::dds:
+      return codec::ImageFormat::dds;
+    case image::ForeignFormat::jpeg2000:
+      return codec::ImageFormat::jpeg2000;
+    case image::ForeignFormat::pnm:
+      break;
+  }
+  return codec::ImageFormat::pnm;
+}
+
+/// Whether the pixels of an image can be asked for: it has bytes and a header, and a KTX2 image has
 /// Whether the pixels of an image can be decoded: it has bytes and a header, and a KTX2 image has
 /// supported texels.
 inline bool is_decodable(const ImageData& data) {

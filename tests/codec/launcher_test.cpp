@@ -15,7 +15,7 @@ namespace {
 
 // A worker is a fork of it: a fork keeps the locks of other threads, but not the threads.
 TEST(Launchers, HaveOneThread) {
-  for (const char* name : {"gltfx-codec-draco", "gltfx-codec-image"}) {
+  for (const char* name : {"gltfx-codec-draco", "gltfx-codec-image", "gltfx-codec-openimageio"}) {
     const Process launcher(program_path("", name));
     ASSERT_TRUE(launcher.started()) << name;
     ASSERT_TRUE(receive_packet(launcher.socket())) << name << " does not greet";

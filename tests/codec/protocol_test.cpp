@@ -18,6 +18,7 @@ Job some_job() {
   job.pixels = true;
   job.normals = true;
   job.halvings = 3;
+  job.floats = true;
   job.resize = {512, TexelKind::normal, true, 0.25F, Wrap::mirror, Wrap::clamp};
   job.options = {60, false, true};
   job.input_bytes = 7;

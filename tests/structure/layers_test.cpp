@@ -80,6 +80,7 @@ const std::vector<std::pair<std::string, std::vector<std::string_view>>> kThirdP
     {"zlib.h", {"tools/gltfx_codec/png_"}},
     {"zstd.h", {"tools/gltfx_codec/ktx2_"}},
     {"avif/", {"tools/gltfx_codec/avif_"}},
+    {"OpenImageIO/", {"tools/gltfx_codec/openimageio_"}},
     {"tiny_gltf.h", {"libgltfx/interop/"}},
 };
 

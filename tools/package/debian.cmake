@@ -9,7 +9,11 @@ if(GLTFX_GZIP)
     WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} DEPENDS changelog VERBATIM)
   add_custom_target(gltfx_changelog ALL DEPENDS ${changelog})
 endif()
-foreach(component_package program:gltfx library:libgltfx-dev)
+set(packages program:gltfx library:libgltfx-dev)
+if(TARGET gltfx_codec_openimageio)
+  list(APPEND packages openimageio:gltfx-openimageio)
+endif()
+foreach(component_package ${packages})
   string(REPLACE ":" ";" component_package ${component_package})
   list(GET component_package 0 component)
   list(GET component_package 1 package)
@@ -27,6 +31,9 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
   GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL program library)
+if(TARGET gltfx_codec_openimageio)
+  list(APPEND CPACK_COMPONENTS_ALL openimageio)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -36,7 +43,7 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "gltfx built using CMake")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME gltfx)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS git)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "git, gltfx-openimageio")
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
   "validates, upgrades and draws glTF 2.0 assets
 gltfx opens glTF 2.0 assets from any source and says what is wrong with them
@@ -45,6 +52,15 @@ touching anything else, and draws pictures of assets on the CPU.
 .
 Assets are not trusted: images and compressed geometry are decoded by
 separate programs with limits on memory and time.")
+
+set(CPACK_DEBIAN_OPENIMAGEIO_PACKAGE_NAME gltfx-openimageio)
+set(CPACK_DEBIAN_OPENIMAGEIO_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_OPENIMAGEIO_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_OPENIMAGEIO_PACKAGE_DEPENDS "gltfx (= ${PROJECT_VERSION})")
+set(CPACK_DEBIAN_OPENIMAGEIO_DESCRIPTION
+  "decoder of foreign images for gltfx
+With it gltfx decodes images that glTF 2.0 does not allow though assets have
+them: BMP, TGA, GIF, TIFF, PSD, DDS, JPEG 2000 and PNM.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libgltfx-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Images of formats that glTF does not have, written as their specifications say: eight texels
+/// each.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace gltfx::test {
+
+inline constexpr unsigned kForeignWidth = 4;
+inline constexpr unsigned kForeignHeight = 2;
+/// Red, green, blue and alpha, in rows from the top.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 8> kForeignTexels{{{200, 100, 50, 128},
+                                                                            {1, 2, 3, 4},
+                                                                            {255, 255, 255, 255},
+                                                                            {9, 8, 7, 64},
+                                                                            {0, 0, 0, 0},
+                                                                            {10, 20, 30, 40},
+                                                                            {77, 66, 55, 44},
+                                                                            {5, 250, 5, 250}}};
+
+/// Numbers one after the other.
+class FileBytes {
+ public:
+  explicit FileBytes(bool big_endian = false) : big_endian_(big_endian) {}
+  FileBytes& text(std::string_view text) {
+    bytes_ += text;
+    return *this;
+  }
+  FileBytes& u8(unsigned value) { return number(value, 1); }
+  FileBytes& u16(unsigned value) { return number(value, 2); }
+  FileBytes& u32(std::uint32_t value) { return number(value, 4); }
+  std::string take() const { return bytes_; }
+
+ private:
+  FileBytes& number(std::uint32_t value, unsigned size) {
+    for (unsigned i = 0; i < size; ++i) {
+      bytes_ += static_cast<char>(value >> 8 * (big_endian_ ? size - 1 - i : i));
+    }
+    return *this;
+  }
+  bool big_endian_;
+  std::string bytes_;
+};
+
+inline std::string bmp_file(std::uint32_t width = kForeignWidth) {
+  FileBytes file;
+  file.text("BM").u32(54 + 24).u32(0).u32(54);
+  file.u32(40).u32(width).u32(kForeignHeight).u16(1).u16(24).u32(0).u32(24);
+  file.u32(2835).u32(2835).u32(0).u32(0);
+  for (const unsigned i : {4U, 5U, 6U, 7U, 0U, 1U, 2U, 3U}) {
+    for (const unsigned c : {2U, 1U, 0U}) file.u8(kForeignTexels[i][c]);
+  }
+  return file.take();
+}
+
+/// With alpha, and with the footer of version 2 or without.
+inline std::string tga_file(bool footer = true) {
+  FileBytes file;
+  file.u8(0).u8(0).u8(2).u16(0).u16(0).u8(0).u16(0).u16(0);
+  file.u16(kForeignWidth).u16(kForeignHeight).u8(32).u8(0x28);
+  for (const auto& texel : kForeignTexels) {
+    for (const unsigned c : {2U, 1U, 0U, 3U}) file.u8(texel[c]);
+  }
+  if (footer) file.u32(0).u32(0).text({"TRUEVISION-XFILE.\0", 18});
+  return file.take();
+}
+
+/// Two frames, of which the second one has colours in another order.
+inline std::string gif_file() {
+  FileBytes file;
+  file.text("GIF89a").u16(kForeignWidth).u16(kForeignHeight).u8(0xF2).u8(0).u8(0);
+  for (const auto& texel : kForeignTexels) file.u8(texel[0]).u8(texel[1]).u8(texel[2]);
+  for (unsigned frame = 0; frame < 2; ++frame) {
+    file.text(",").u16(0).u16(0).u16(kForeignWidth).u16(kForeignHeight).u8(0).u8(3);
+    // Codes of four bits; 8 empties the table before it would need five.
+    std::vector<unsigned> codes{8};
+    for (unsigned i = 0; i < 8; ++i) {
+      if (i == 5) codes.push_back(8);
+      codes.push_back(frame == 0 ? i : 7 - i);
+    }
+    codes.push_back(9);
+    codes.resize((codes.size() + 1) / 2 * 2);
+    file.u8(static_cast<unsigned>(codes.size() / 2));
+    for (std::size_t i = 0; i < codes.size(); i += 2) file.u8(codes[i] | codes[i + 1] << 4U);
+    file.u8(0);
+  }
+  file.text(";");
+  return file.take();
+}
+
+enum class TiffAlpha : std::uint8_t { none, associated, unassociated };
+
+/// One strip of 8 bits, or of floats that are half of the texels.
+inline std::string tiff_file(TiffAlpha alpha, bool floats = false) {
+  const unsigned channels = alpha == TiffAlpha::none ? 3 : 4;
+  const unsigned size = floats ? 4 : 1;
+  const unsigned entries = alpha == TiffAlpha::none ? 10 : 11;
+  const std::uint32_t behind = 8 + 2 + (entries + 1) * 12 + 4;
+  FileBytes file;
+  file.text({"II*\0", 4}).u32(8).u16(entries + 1);
+  const auto entry = [&](unsigned tag, unsigned type, std::uint32_t count, std::uint32_t value) {
+    file.u16(tag).u16(type).u32(count).u32(value);
+  };
+  entry(256, 3, 1, kForeignWidth);
+  entry(257, 3, 1, kForeignHeight);
+  entry(258, 3, channels, behind);
+  entry(259, 3, 1, 1);
+  entry(262, 3, 1, 2);
+  entry(273, 4, 1, behind + 16);
+  entry(277, 3, 1, channels);
+  entry(278, 3, 1, kForeignHeight);
+  entry(279, 4, 1, 8 * channels * size);
+  entry(284, 3, 1, 1);
+  if (alpha != TiffAlpha::none) entry(338, 3, 1, alpha == TiffAlpha::associated ? 1 : 2);
+  entry(339, 3, channels, behind + 8);
+  file.u32(0);
+  for (unsigned c = 0; c < 4; ++c) file.u16(size * 8);
+  for (unsigned c = 0; c < 4; ++c) file.u16(floats ? 3 : 1);
+  for (const auto& texel : kForeignTexels) {
+    for (unsigned c = 0; c < channels; ++c) {
+      unsigned value = texel[c];
+      if (alpha == TiffAlpha::associated && c < 3) value = (value * texel[3] + 127) / 255;
+      if (!floats) {
+        file.u8(value);
+        continue;
+      }
+      const float half = static_cast<float>(value) / 2;
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &half, sizeof bits);
+      file.u32(bits);
+    }
+  }
+  return file.take();
+}
+
+/// Without layers: the picture that they show.
+inline std::string psd_file() {
+  FileBytes file(true);
+  file.text("8BPS").u16(1).u16(0).u32(0).u16(3).u32(kForeignHeight).u32(kForeignWidth);
+  file.u16(8).u16(3).u32(0).u32(0).u32(0).u16(0);
+  for (unsigned c = 0; c < 3; ++c) {
+    for (const auto& texel : kForeignTexels) file.u8(texel[c]);
+  }
+  return file.take();
+}
+
+/// Plain texels with alpha.
+inline std::string dds_file() {
+  FileBytes file;
+  file.text("DDS ").u32(124).u32(0x100F).u32(kForeignHeight).u32(kForeignWidth).u32(16).u32(0);
+  for (unsigned i = 0; i < 12; ++i) file.u32(0);
+  file.u32(32).u32(0x41).u32(0).u32(32);
+  file.u32(0xFF).u32(0xFF00).u32(0xFF0000).u32(0xFF000000);
+  file.u32(0x1000).u32(0).u32(0).u32(0).u32(0);
+  for (const auto& texel : kForeignTexels) {
+    for (const unsigned value : texel) file.u8(value);
+  }
+  return file.take();
+}
+
+inline std::string ppm_file() {
+  FileBytes file;
+  file.text("P6\n4 2\n255\n");
+  for (const auto& texel : kForeignTexels) file.u8(texel[0]).u8(texel[1]).u8(texel[2]);
+  return file.take();
+}
+
+}  // namespace gltfx::test

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "openimageio_decode.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include "image_decode.hpp"
+
+namespace gltfx::codec {
+namespace {
+
+// The image, what a plugin holds of it, and the texels.
+constexpr std::uint64_t kBytesPerTexel = 48;
+
+// Of all plugins those that read memory and that are of use. What has none of that is left out:
+// ICO, SGI, Softimage, RLA, Cineon and HEIF.
+const char* plugin_of(ImageFormat format) {
+  switch (format) {
+    case ImageFormat::bmp:
+      return "bmp";
+    case ImageFormat::tga:
+      return "targa";
+    case ImageFormat::gif:
+      return "gif";
+    case ImageFormat::tiff:
+      return "tiff";
+    case ImageFormat::psd:
+      return "psd";
+    case ImageFormat::dds:
+      return "dds";
+    case ImageFormat::jpeg2000:
+      return "jpeg2000";
+    default:
+      return "pnm";
+  }
+}
+
+using Input = std::unique_ptr<OIIO::ImageInput>;
+
+// An error that nobody asks for is printed.
+std::string message_of(const Input& input) {
+  std::string message = input ? input->geterror() : OIIO::geterror();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  return "OpenImageIO: " + (message.empty() ? "it cannot be read" : message) + ".";
+}
+DecodeError refusal(const Input& input) { return {ErrorKind::malformed, message_of(input)}; }
+DecodeError unusual(const char* message) { return {ErrorKind::malformed, message}; }
+
+/// Which channels of a file are handed over.
+struct Selection {
+  int from = 1;          ///< the first so many of the file
+  std::uint32_t to = 1;  ///< those of the image
+};
+
+// Two channels that are not grey and alpha become red, green and no blue.
+Selection select(const OIIO::ImageSpec& spec) {
+  const bool alpha = spec.alpha_channel == spec.nchannels - 1 || spec.alpha_channel == 3;
+  if (spec.nchannels == 1) return {1, 1};
+  if (spec.nchannels == 2) return {2, alpha ? 2U : 3U};
+  return spec.nchannels > 3 && alpha && spec.alpha_channel == 3 ? Selection{4, 4} : Selection{3, 3};
+}
+
+bool is_float(OIIO::TypeDesc type) { return type.is_floating_point(); }
+
+// Widens rows of two channels to three, from the end, so that nothing is written over too early.
+void widen(std::span<std::byte> pixels, std::size_t texels, std::size_t size) {
+  for (std::size_t i = texels; i-- > 0;) {
+    std::memmove(pixels.data() + i * 3 * size, pixels.data() + i * 2 * size, 2 * size);
+    std::memset(pixels.data() + (i * 3 + 2) * size, 0, size);
+  }
+}
+
+// Divides colours by the alpha behind them, rounded and clamped.
+template <typename T>
+void divide(std::span<std::byte> pixels, double full) {
+  constexpr std::size_t kChannels = 4;
+  for (std::size_t at = 0; at + kChannels * sizeof(T) <= pixels.size();
+       at += kChannels * sizeof(T)) {
+    T values[kChannels];
+    std::memcpy(values, pixels.data() + at, sizeof values);
+    if (!(values[3] > 0)) continue;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double color = static_cast<double>(values[c]) * full / static_cast<double>(values[3]);
+      values[c] = std::is_floating_point_v<T> ? static_cast<T>(color)
+                                              : static_cast<T>(std::min(color + 0.5, full));
+    }
+    std::memcpy(pixels.data() + at, values, sizeof values);
+  }
+}
+
+// What `oiio:UnassociatedAlpha` asks for keeps colours that a file does not multiply; those of a
+// TIFF may be multiplied in the file.
+bool is_multiplied(const OIIO::ImageSpec& spec, const Job& job, const Image& image) {
+  return job.format == ImageFormat::tiff && image.channels == 4 &&
+         spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+}
+
+std::optional<DecodeError> find_obstacle(const OIIO::ImageSpec& spec, const Job& job) {
+  if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.deep) {
+    return unusual("It has no texels.");
+  }
+  if (spec.depth > 1) return unusual("It is a volume.");
+  if (spec.get_string_attribute("textureformat") == "CubeFace Environment") {
+    return unusual("It is a cube map.");
+  }
+  if (is_float(spec.format) && !job.floats) return unusual("It holds floating-point values.");
+  const auto texels =
+      static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
+  if (texels > job.max_pixels) return too_many_texels();
+  if (exceeds_memory(job, texels, kBytesPerTexel)) return no_memory();
+  return std::nullopt;
+}
+
+Answer read(const Input& input, const OIIO::ImageSpec& spec, const Job& job, const Output& output) {
+  const Selection selection = select(spec);
+  Image image;
+  image.width = static_cast<std::uint32_t>(spec.width);
+  image.height = static_cast<std::uint32_t>(spec.height);
+  image.channels = selection.to;
+  image.bits = is_float(spec.format) ? 32 : spec.format.size() > 1 ? 16 : 8;
+  std::span<std::byte> pixels = create_pixels(image, job, output);
+  std::vector<std::byte> own;
+  if (pixels.empty()) {
+    own.resize(static_cast<std::size_t>(*result_size(image)));
+    pixels = own;
+  }
+  const OIIO::TypeDesc type = image.bits == 32   ? OIIO::TypeDesc::FLOAT
+                              : image.bits == 16 ? OIIO::TypeDesc::UINT16
+                                                 : OIIO::TypeDesc::UINT8;
+  if (!input->read_image(0, 0, 0, selection.from, type, pixels.data())) return refusal(input);
+  if (selection.to == 3 && selection.from == 2) {
+    widen(pixels, static_cast<std::size_t>(image.texels()), image.bits / 8);
+  }
+  if (is_multiplied(spec, job, image)) {
+    if (image.bits == 8) divide<std::uint8_t>(pixels, 255);
+    if (image.bits == 16) divide<std::uint16_t>(pixels, 65535);
+    if (image.bits == 32) divide<float>(pixels, 1);
+  }
+  if (image.bits == 32) return image;
+  Statistics statistics(image, job.normals);
+  statistics.add(pixels);
+  statistics.finish(image);
+  return image;
+}
+
+}  // namespace
+
+void prepare_openimageio() {
+  OIIO::attribute("threads", 1);  // a worker can start none
+  OIIO::attribute("exr_threads", -1);
+  OIIO::attribute("plugin_searchpath", "");
+  for (auto format = ImageFormat::bmp; format <= ImageFormat::pnm;
+       format = static_cast<ImageFormat>(static_cast<int>(format) + 1)) {
+    if (!OIIO::ImageInput::create(plugin_of(format))) OIIO::geterror();
+  }
+}
+
+Answer decode_openimageio(const Job& job, std::span<const std::byte> bytes, const Output& output) {
+  if (!is_foreign(job.format)) return unusual("It is another decoder's.");
+  OIIO::Filesystem::IOMemReader reader(const_cast<std::byte*>(bytes.data()), bytes.size());
+  const Input input = OIIO::ImageInput::create(plugin_of(job.format));
+  if (!input) return refusal(input);
+  OIIO::ImageSpec wishes;
+  wishes["oiio:UnassociatedAlpha"] = 1;
+  if (!input->set_ioproxy(&reader)) return refusal(input);
+  OIIO::ImageSpec spec;
+  // A name without a meaning: whoever opened it would get nothing.
+  if (!input->open(std::string("image.") + plugin_of(job.format), spec, wishes)) {
+    return refusal(input);
+  }
+  Answer answer = DecodeError{};
+  if (auto obstacle = find_obstacle(spec, job)) {
+    answer = *std::move(obstacle);
+  } else {
+    answer = read(input, spec, job, output);
+  }
+  input->close();
+  input->geterror();
+  return answer;
+}
+
+}  // namespace gltfx::codec
