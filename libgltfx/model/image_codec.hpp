@@ -49,7 +49,6 @@ inline codec::ImageFormat codec_format(image::ForeignFormat format) {
   return codec::ImageFormat::pnm;
 }
 
-/// Whether the pixels of an image can be asked for: it has bytes and a header, and a KTX2 image has
 /// Whether the pixels of an image can be decoded: it has bytes and a header, and a KTX2 image has
 /// supported texels.
 inline bool is_decodable(const ImageData& data) {
