@@ -192,6 +192,7 @@ ImageResult Client::decode_image(const ImageRequest& request) {
   if (resized && !in_image_worker(request.format)) return resize_elsewhere(request);
   Job job = image_job(state_->settings, request);
   if (resized) add_resize(job, request.resize, request.max_pixels);
+  if (!is_consistent(job)) return DecodeError{ErrorKind::malformed, "There is no such cutoff."};
   return result_of<Image>(state_->decoders_of(request.format), job, request.bytes, request.origin,
                           request.pixels);
 }

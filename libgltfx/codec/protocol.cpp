@@ -192,7 +192,6 @@ Resize read_resize(FieldReader& in) {
   resize.alpha_cutoff = in.number<float>();
   resize.wrap_u = in.name(Wrap::mirror);
   resize.wrap_v = in.name(Wrap::mirror);
-  in.require(std::isfinite(resize.alpha_cutoff));
   return resize;
 }
 
@@ -327,6 +326,7 @@ bool format_holds(const Job& job, const Raster& raster) {
 
 bool is_consistent(const Job& job) {
   if (job.quality > 100 || job.options.near_lossless > 100) return false;
+  if (!std::isfinite(job.resize.alpha_cutoff)) return false;
   const Raster& raster = job.raster;
   const bool texels = raster.width != 0 || raster.height != 0;
   if (job.task != Task::encode && !texels) return true;

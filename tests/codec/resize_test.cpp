@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Images that the worker makes smaller: read back as PNG, judged by what their texels are for.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -242,6 +244,41 @@ TEST(Resize, SizesKeepTheAspectAndAreNeverLarger) {
   EXPECT_EQ(size(300, 1, 7), std::pair(7U, 1U)) << "a side of one texel";
   EXPECT_EQ(size(1, 300, 1), std::pair(1U, 1U));
   EXPECT_EQ(size(3, 3, 2), std::pair(2U, 2U));
+}
+
+TEST(Resize, FloatsStayFloats) {
+  std::vector<float> light;
+  for (unsigned i = 0; i < 16 * 8; ++i) light.insert(light.end(), {i % 2 == 0 ? 30.0F : 10, 7, 0});
+  const auto bytes = std::as_bytes(std::span(light));
+  const auto encoded = Client::shared().encode_image(
+      {EncodedFormat::exr, Raster{16, 8, 3, 32}, 0, {bytes.data(), bytes.size()}});
+  ASSERT_TRUE(std::holds_alternative<EncodedImage>(encoded));
+  ImageRequest request;
+  request.bytes = std::get<EncodedImage>(encoded).bytes;
+  request.format = ImageFormat::openexr;
+  request.pixels = true;
+  request.resize = to_side(8, TexelKind::color);
+  const ImageResult result = Client::shared().decode_image(request);
+  ASSERT_TRUE(std::holds_alternative<Image>(result));
+  const Image& image = std::get<Image>(result);
+  ASSERT_EQ(image.bits, 32U);
+  ASSERT_EQ(image.pixels.size(), std::size_t{8} * 4 * 3 * 4);
+  std::array<float, 3> texel{};
+  std::memcpy(texel.data(), image.pixels.data() + 12 * 9, sizeof texel);
+  EXPECT_NEAR(texel[0], 20, 0.001) << "light is averaged as it is";
+  EXPECT_EQ(texel[1], 7);
+}
+
+TEST(Resize, ACutoffIsANumber) {
+  const std::vector<std::byte> file = png_of(paint({8, 8, 3, 8}, checker));
+  ImageRequest request;
+  request.bytes = file;
+  request.pixels = true;
+  request.resize = to_side(4, TexelKind::color);
+  request.resize.alpha_cutoff = std::numeric_limits<float>::quiet_NaN();
+  const ImageResult result = Client::shared().decode_image(request);
+  ASSERT_TRUE(std::holds_alternative<DecodeError>(result));
+  EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::malformed);
 }
 
 TEST(Resize, StatisticsAreThoseOfTheResult) {

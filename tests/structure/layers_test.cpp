@@ -90,7 +90,7 @@ const std::vector<std::string_view> kSystemHeaders{
     "sched.h",        "sys/socket.h",    "sys/types.h", "sys/wait.h",    "spawn.h",
     "sys/prctl.h",    "sys/resource.h",  "sys/time.h",  "linux/audit.h", "linux/capability.h",
     "linux/filter.h", "linux/seccomp.h", "malloc.h",    "sys/file.h",    "sys/xattr.h",
-    "elf.h",          "link.h",          "pthread.h"};
+    "elf.h",          "link.h",          "pthread.h",   "dlfcn.h"};
 
 bool is_public(std::string_view path) { return path.starts_with("libgltfx/include/"); }
 

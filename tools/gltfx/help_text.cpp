@@ -58,7 +58,7 @@ constexpr std::string_view kUpgradeExamples = R"(Examples:
 )";
 
 constexpr std::string_view kEditExamples = R"(Examples:
-  gltfx edit model.gltf --delete /meshes/3   dry run: deleted objects, references
+  gltfx edit model.gltf --delete /meshes/3   dry run: what goes, what refers
   gltfx edit model.gltf --delete /nodes/7 --cascade --diff
   gltfx edit model.glb --delete /animations/0 --delete /animations/2 -o new.glb
   gltfx edit model.glb --delete /materials/1 --cascade --in-place --backup

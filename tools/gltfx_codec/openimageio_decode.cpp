@@ -2,18 +2,22 @@
 #include "openimageio_decode.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <cstring>
 #include <memory>
 #include <new>
 #include <optional>
 #include <string>
+#include <thread>
 #include <type_traits>
 #include <vector>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <dlfcn.h>
 
+#include "base/directory.hpp"
 #include "image_decode.hpp"
 
 namespace gltfx::codec {
@@ -153,9 +157,34 @@ Answer read(const Input& input, const OIIO::ImageSpec& spec, const Job& job, con
   return image;
 }
 
+// A fork has no thread of another, but keeps its locks. OpenVDB, which is of no use here,
+// brings log4cplus, which starts four when it is loaded. This ends them; its header is in a package
+// that OpenImageIO does not need.
+void end_threads() {
+  using Function = void (*)();
+  void* const found = ::dlsym(RTLD_DEFAULT, "_ZN9log4cplus18shutdownThreadPoolEv");
+  if (found != nullptr) reinterpret_cast<Function>(found)();
+}
+
+int count_threads() {
+  DirectoryReader tasks("/proc/self/task");
+  int count = 0;
+  while (tasks.next() != nullptr) ++count;
+  return count;
+}
+
+// OpenImageIO starts a thread even when it is to have none, and ends it at once.
+void wait_for_threads() {
+  constexpr int kMostMilliseconds = 1000;
+  for (int i = 0; i < kMostMilliseconds && count_threads() > 1; ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
 }  // namespace
 
 void prepare_openimageio() {
+  end_threads();
   OIIO::attribute("threads", 1);  // a worker can start none
   OIIO::attribute("exr_threads", -1);
   OIIO::attribute("plugin_searchpath", "");
@@ -163,6 +192,7 @@ void prepare_openimageio() {
        format = static_cast<ImageFormat>(static_cast<int>(format) + 1)) {
     if (!OIIO::ImageInput::create(plugin_of(format))) OIIO::geterror();
   }
+  wait_for_threads();
 }
 
 Answer decode_openimageio(const Job& job, std::span<const std::byte> bytes, const Output& output) {
