@@ -28,8 +28,7 @@ struct ExitCodeEntry {
 
 inline constexpr std::array<ExitCodeEntry, 5> kExitCodes{{
     {ExitCode::ok, "success: no findings at or above --fail-on"},
-    {ExitCode::findings,
-     "findings at or above --fail-on, work left or refused, or failed renders"},
+    {ExitCode::findings, "findings at or above --fail-on, work left or refused, or failed renders"},
     {ExitCode::usage, "invalid usage, configuration, schema or baseline, or no assets"},
     {ExitCode::unreadable, "an input cannot be read"},
     {ExitCode::internal, "internal error, or the output cannot be written"},
