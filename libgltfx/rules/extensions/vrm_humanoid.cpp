@@ -21,7 +21,6 @@
 namespace gltfx::validate {
 namespace {
 
-constexpr std::string_view kAvatar = "VRMC_vrm";
 constexpr std::string_view kFirstAvatar = "VRM";
 
 // A bone and its parent bone; '*' is the side, the same for both.

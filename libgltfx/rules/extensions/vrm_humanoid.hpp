@@ -11,6 +11,7 @@
 
 namespace gltfx::validate {
 
+inline constexpr std::string_view kAvatar = "VRMC_vrm";
 inline constexpr std::string_view kAvatarAnimation = "VRMC_vrm_animation";
 
 struct HumanBone {

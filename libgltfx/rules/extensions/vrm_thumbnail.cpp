@@ -6,6 +6,7 @@
 #include "model/node.hpp"
 #include "rules/context.hpp"
 #include "rules/extension_walk.hpp"
+#include "rules/extensions/vrm_humanoid.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/phases.hpp"
 #include "rules/payload/texture_slots.hpp"
@@ -13,7 +14,6 @@
 namespace gltfx::validate {
 
 void check_thumbnails(DataPhase& phase) {
-  constexpr std::string_view kAvatar = "VRMC_vrm";
   const json::Document& document = phase.context.document;
   const json::NodeId meta =
       model::object_member(document, root_extension(phase.context, kAvatar), "meta");
