@@ -182,7 +182,7 @@ TEST(DracoEncode, TrianglesWithoutAreaOrSharedByManyStay) {
   // Points 9 and 10 lie where point 0 is: a triangle of different points in one place.
   mesh.points = 11;
   mesh.bytes[0].resize(std::size_t{11} * 12);
-  for (const std::uint32_t corner : {0, 9, 10, 0, 1, 9, 1, 2, 4, 4, 2, 1, 1, 2, 4}) {
+  for (const std::uint32_t corner : {0U, 9U, 10U, 0U, 1U, 9U, 1U, 2U, 4U, 4U, 2U, 1U, 1U, 2U, 4U}) {
     mesh.indices.push_back(corner);
   }
   expect_exact(mesh);
