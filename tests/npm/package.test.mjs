@@ -155,25 +155,26 @@ test("upgrade and inspect: the asset of before is left alone, the new one is upg
 
 test("fix and edit: new bytes, and what became of each finding and object", async () => {
   const { edit, fix, validate } = await importFrom(folder, "gltfx/index.mjs");
-  const text = '{"asset": {"version": "2.0"}, "scenes": [{"nodes": ["0"]}], "nodes": [{"name": "a"}, {"name": "b"}]}';
+  const text =
+    '{"asset": {"version": "2.0"}, "scenes": [{"nodes": ["0", "1"]}], "nodes": [{"extras": {}}, {"extras": {}}]}';
   const before = new TextEncoder().encode(text);
   const fixed = await fix(before);
-  assert.equal(new TextDecoder().decode(fixed.asset), text.replace('"0"', "0"));
-  assert.deepEqual(fixed.report.actions, [
-    { code: "INVALID_INDEX", fix: "safe", count: 1, pointers: ["/scenes/0/nodes/0"], done: true },
-  ]);
+  assert.equal(new TextDecoder().decode(fixed.asset), text.replace('"0", "1"', "0, 1"));
+  const pointers = ["/scenes/0/nodes/0", "/scenes/0/nodes/1"];
+  assert.deepEqual(fixed.report.actions, [{ code: "INVALID_INDEX", fix: "safe", count: 2, pointers, done: true }]);
   assert.equal(new TextDecoder().decode(before), text);
   assert.equal((await validate(fixed.asset)).counts.errors, 0);
   const left = await fix(before, { skip: ["INVALID_INDEX"] });
   assert.deepEqual([left.report.changes, left.asset], [false, before]);
 
-  const refused = await edit(fixed.asset, { delete: ["/nodes/0"] });
+  const refused = await edit(fixed.asset, { delete: ["/nodes/1"] });
   assert.equal(refused.report.problem, "refused");
-  assert.equal(refused.report.obstacles[0].pointer, "/scenes/0/nodes/0");
+  assert.equal(refused.report.obstacles[0].pointer, "/scenes/0/nodes/1");
   assert.deepEqual(refused.asset, fixed.asset);
-  const { asset, report } = await edit(fixed.asset, { delete: ["/nodes/1"] });
-  assert.deepEqual(JSON.parse(new TextDecoder().decode(asset)).nodes, [{ name: "a" }]);
-  assert.deepEqual(report.deleted, [{ pointer: "/nodes/1" }]);
+  const { asset, report } = await edit(fixed.asset, { delete: ["/nodes/1"], cascade: true });
+  const { nodes, scenes } = JSON.parse(new TextDecoder().decode(asset));
+  assert.deepEqual([nodes, scenes], [[{ extras: {} }], [{ nodes: [0] }]]);
+  assert.deepEqual(report.deleted, [{ pointer: "/nodes/1" }, { pointer: "/scenes/0/nodes/1", cause: "/nodes/1" }]);
   await assert.rejects(fix(new Uint8Array(4)), Error);
 });
 
