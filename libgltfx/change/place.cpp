@@ -153,7 +153,8 @@ class Placement {
   bool is_taken(const std::string& path, std::string_view bytes) const {
     return std::any_of(change_.files.begin(), change_.files.end(), [&](const NewFile& file) {
       return file.path == path &&
-             !container::same_bytes(file.pieces, {std::as_bytes(std::span(bytes)), nullptr});
+             !container::same_bytes(
+                 file.pieces, {std::as_bytes(std::span(bytes.data(), bytes.size())), nullptr});
     });
   }
 
