@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "json/writer.hpp"
+#include "edit_json.hpp"
 #include "report/safe_text.hpp"
 #include "report/wording.hpp"
 
@@ -129,38 +129,23 @@ std::string convert_summary_text(const ConvertSummary& summary, bool writing) {
 }
 
 std::string convert_json(const ConvertReport& report, bool first) {
-  std::string out = first ? "\n" : ",\n";
-  json::Writer writer(out);
-  writer.begin_object();
-  writer.member("path", report.path);
-  writer.member("problem", edit_problem_name(report.problem));
-  if (!report.error.empty()) writer.member("error", report::long_value(report.error));
-  writer.member("changes", report.changes);
-  writer.member("written", report.written);
-  if (!report.written_to.empty()) writer.member("writtenTo", report.written_to);
-  writer.key("steps");
-  writer.begin_array();
-  for (const ConvertStep& step : report.steps) write_step(writer, step);
-  writer.end_array();
-  report::write_long_values(writer, "newFiles", report.new_files);
-  report::write_long_values(writer, "newWarnings", report.new_warnings);
-  if (!report.diff.empty()) writer.member("diff", report.diff);
-  writer.end_object();
-  report::defuse_json(out, 0);
-  return out;
+  return edit_json(report, first, [&](json::Writer& writer) {
+    write_place(writer, report);
+    writer.key("steps");
+    writer.begin_array();
+    for (const ConvertStep& step : report.steps) write_step(writer, step);
+    writer.end_array();
+    report::write_long_values(writer, "newFiles", report.new_files);
+    report::write_long_values(writer, "newWarnings", report.new_warnings);
+  });
 }
 
 std::string convert_json_end(const ConvertSummary& summary) {
-  std::string out = "\n],\"summary\":";
-  json::Writer writer(out);
-  writer.begin_object();
-  writer.member("files", summary.files);
-  writer.member("unreadable", summary.unreadable);
-  writer.member("refused", summary.refused);
-  writer.member("changed", summary.changed);
-  writer.member("written", summary.written);
-  writer.end_object();
-  return out + "}\n";
+  return edit_json_end({{"files", summary.files},
+                        {"unreadable", summary.unreadable},
+                        {"refused", summary.refused},
+                        {"changed", summary.changed},
+                        {"written", summary.written}});
 }
 
 }  // namespace gltfx::tool

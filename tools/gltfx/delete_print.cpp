@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "json/writer.hpp"
+#include "edit_json.hpp"
 #include "report/safe_text.hpp"
 #include "report/wording.hpp"
 
@@ -81,56 +81,41 @@ std::string delete_summary_text(const DeleteSummary& summary, bool writing) {
 }
 
 std::string delete_json(const DeleteReport& report, bool first) {
-  std::string out = first ? "\n" : ",\n";
-  json::Writer writer(out);
-  writer.begin_object();
-  writer.member("path", report.path);
-  writer.member("problem", edit_problem_name(report.problem));
-  if (!report.error.empty()) writer.member("error", report::long_value(report.error));
-  writer.member("changes", report.changes);
-  writer.member("written", report.written);
-  if (!report.written_to.empty()) writer.member("writtenTo", report.written_to);
-  writer.key("deleted");
-  writer.begin_array();
-  for (const DeletedObject& object : report.deleted) {
-    writer.begin_object();
-    writer.member("pointer", report::long_value(object.pointer));
-    if (!object.cause.empty()) writer.member("cause", report::long_value(object.cause));
-    writer.end_object();
-  }
-  writer.end_array();
-  writer.key("obstacles");
-  writer.begin_array();
-  for (const DeleteObstacle& obstacle : report.obstacles) {
-    writer.begin_object();
-    writer.member("pointer", report::long_value(obstacle.pointer));
-    writer.member("target", report::long_value(obstacle.target));
-    writer.member("mustHave", obstacle.must_have);
-    writer.end_object();
-  }
-  writer.end_array();
-  writer.member("renumbered", report.renumbered);
-  writer.member("bytes", report.bytes);
-  report::write_long_values(writer, "namesRemoved", report.names_removed);
-  report::write_long_values(writer, "doubtful", report.doubtful);
-  report::write_long_values(writer, "newWarnings", report.new_warnings);
-  if (!report.diff.empty()) writer.member("diff", report.diff);
-  writer.end_object();
-  report::defuse_json(out, 0);
-  return out;
+  return edit_json(report, first, [&](json::Writer& writer) {
+    write_place(writer, report);
+    writer.key("deleted");
+    writer.begin_array();
+    for (const DeletedObject& object : report.deleted) {
+      writer.begin_object();
+      writer.member("pointer", report::long_value(object.pointer));
+      if (!object.cause.empty()) writer.member("cause", report::long_value(object.cause));
+      writer.end_object();
+    }
+    writer.end_array();
+    writer.key("obstacles");
+    writer.begin_array();
+    for (const DeleteObstacle& obstacle : report.obstacles) {
+      writer.begin_object();
+      writer.member("pointer", report::long_value(obstacle.pointer));
+      writer.member("target", report::long_value(obstacle.target));
+      writer.member("mustHave", obstacle.must_have);
+      writer.end_object();
+    }
+    writer.end_array();
+    writer.member("renumbered", report.renumbered);
+    writer.member("bytes", report.bytes);
+    report::write_long_values(writer, "namesRemoved", report.names_removed);
+    report::write_long_values(writer, "doubtful", report.doubtful);
+    report::write_long_values(writer, "newWarnings", report.new_warnings);
+  });
 }
 
 std::string delete_json_end(const DeleteSummary& summary) {
-  std::string out = "\n],\"summary\":";
-  json::Writer writer(out);
-  writer.begin_object();
-  writer.member("files", summary.files);
-  writer.member("unreadable", summary.unreadable);
-  writer.member("refused", summary.refused);
-  writer.member("deleted", summary.deleted);
-  writer.member("written", summary.written);
-  writer.end_object();
-  return out + "}\n";
+  return edit_json_end({{"files", summary.files},
+                        {"unreadable", summary.unreadable},
+                        {"refused", summary.refused},
+                        {"deleted", summary.deleted},
+                        {"written", summary.written}});
 }
 
 }  // namespace gltfx::tool

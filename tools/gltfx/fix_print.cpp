@@ -2,7 +2,6 @@
 #include "fix_print.hpp"
 
 #include <gltfx/validate.hpp>
-#include <gltfx/version.hpp>
 
 #include <iterator>
 #include <string_view>
@@ -11,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "json/writer.hpp"
+#include "edit_json.hpp"
 #include "report/safe_text.hpp"
 #include "report/wording.hpp"
 
@@ -97,44 +96,23 @@ std::string fix_summary_text(const FixSummary& summary, bool writing) {
                      parts.empty() ? "no files" : fmt::format("{}", fmt::join(parts, "; ")));
 }
 
-std::string fix_json_begin() {
-  std::string out = R"({"gltfx":)";
-  json::append_string(out, version());
-  return out + R"(,"format":1,"files":[)";
-}
-
 std::string fix_json(const FixReport& report, bool first) {
-  std::string out = first ? "\n" : ",\n";
-  json::Writer writer(out);
-  writer.begin_object();
-  writer.member("path", report.path);
-  writer.member("problem", edit_problem_name(report.problem));
-  if (!report.error.empty()) writer.member("error", report::long_value(report.error));
-  writer.member("changes", report.changes);
-  writer.member("written", report.written);
-  if (!report.written_to.empty()) writer.member("writtenTo", report.written_to);
-  writer.key("actions");
-  writer.begin_array();
-  for (const FixAction& action : report.actions) write_action(writer, action);
-  writer.end_array();
-  report::write_long_values(writer, "changedFiles", report.changed_files);
-  if (!report.diff.empty()) writer.member("diff", report.diff);
-  writer.end_object();
-  report::defuse_json(out, 0);
-  return out;
+  return edit_json(report, first, [&](json::Writer& writer) {
+    write_place(writer, report);
+    writer.key("actions");
+    writer.begin_array();
+    for (const FixAction& action : report.actions) write_action(writer, action);
+    writer.end_array();
+    report::write_long_values(writer, "changedFiles", report.changed_files);
+  });
 }
 
 std::string fix_json_end(const FixSummary& summary) {
-  std::string out = "\n],\"summary\":";
-  json::Writer writer(out);
-  writer.begin_object();
-  writer.member("files", summary.files);
-  writer.member("unreadable", summary.unreadable);
-  writer.member("fixed", summary.fixed);
-  writer.member("left", summary.left);
-  writer.member("written", summary.written);
-  writer.end_object();
-  return out + "}\n";
+  return edit_json_end({{"files", summary.files},
+                        {"unreadable", summary.unreadable},
+                        {"fixed", summary.fixed},
+                        {"left", summary.left},
+                        {"written", summary.written}});
 }
 
 }  // namespace gltfx::tool

@@ -27,8 +27,6 @@ std::string fix_text(const FixReport& report, const Style& style);
 /// One line on the whole run; `writing`: whether the run writes files.
 std::string fix_summary_text(const FixSummary& summary, bool writing);
 
-/// The start of the output.
-std::string fix_json_begin();
 /// One file; `first`: none was written before it.
 std::string fix_json(const FixReport& report, bool first);
 /// The end of the output, with the totals of the run.

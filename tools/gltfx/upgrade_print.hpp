@@ -30,8 +30,6 @@ std::string upgrade_plan_text(const UpgradeReport& report, const Style& style);
 /// One line on the whole run, and the upgrades on request; `writing`: whether the run writes files.
 std::string upgrade_summary_text(const UpgradeSummary& summary, bool writing);
 
-/// The start of the output.
-std::string upgrade_json_begin();
 /// One file; `first`: none was written before it.
 std::string upgrade_json(const UpgradeReport& report, bool first);
 /// The end of the output, with the totals of the run.
