@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <new>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,7 +17,7 @@
 #include "change/companions.hpp"
 #include "change/place.hpp"
 #include "pipeline/edit_bytes.hpp"
-#include "pipeline/in_order.hpp"
+#include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
 #include "prove/findings.hpp"
 #include "rules/validated_asset.hpp"
@@ -206,22 +205,10 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderI
 
 ConvertReport convert_path(const std::string& path, const ConvertOptions& options,
                            FolderIndex& folders) {
-  ConvertReport report;
-  report.path = path;
-  try {
-    auto opened = open_to_edit(path, AssetBounds::of(options));
-    if (opened) {
-      convert(*std::move(opened), options, folders, report);
-    } else {
-      note_failure(report, EditProblem::unreadable, opened.error().message);
-    }
-  } catch (const std::bad_alloc&) {
-    note_failure(report, EditProblem::unreadable,
-                 "there is not enough memory to convert this file");
-  } catch (const fs::filesystem_error&) {
-    note_failure(report, EditProblem::unreadable, "the path cannot be looked up");
-  }
-  return report;
+  return edit_file<ConvertReport>(path, options, "convert",
+                                  [&](EditedAsset opened, ConvertReport& report) {
+                                    convert(std::move(opened), options, folders, report);
+                                  });
 }
 
 }  // namespace
@@ -247,17 +234,7 @@ EditedBytes<ConvertReport> convert_bytes(MemoryAsset asset, const ConvertOptions
 
 void convert_files(const std::vector<EditInput>& inputs, const ConvertOptions& options,
                    unsigned jobs, const std::function<void(ConvertReport&&)>& consume) {
-  FolderIndex folders;
-  report_in_order<ConvertReport>(
-      inputs.size(), jobs,
-      [&](std::size_t i) {
-        ConvertOptions each = options;
-        each.output = inputs[i].output;
-        // Many files keep all threads busy by themselves.
-        each.jobs = inputs.size() == 1 ? jobs : 1;
-        return convert_path(inputs[i].path, each, folders);
-      },
-      consume);
+  edit_files(inputs, options, jobs, convert_path, consume);
 }
 
 }  // namespace gltfx

@@ -2,8 +2,6 @@
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,7 +11,7 @@
 
 #include "change/deletion.hpp"
 #include "pipeline/edit_bytes.hpp"
-#include "pipeline/in_order.hpp"
+#include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
 #include "prove/findings.hpp"
 #include "report/wording.hpp"
@@ -131,21 +129,10 @@ std::optional<Draft> delete_in(EditedAsset opened, const DeleteOptions& options,
 
 DeleteReport delete_in_file(const std::string& path, const DeleteOptions& options,
                             FolderIndex& folders) {
-  DeleteReport report;
-  report.path = path;
-  try {
-    auto opened = open_to_edit(path, AssetBounds::of(options));
-    if (opened) {
-      delete_in(*std::move(opened), options, folders, report);
-    } else {
-      note_failure(report, EditProblem::unreadable, opened.error().message);
-    }
-  } catch (const std::bad_alloc&) {
-    note_failure(report, EditProblem::unreadable, "there is not enough memory to edit this file");
-  } catch (const std::filesystem::filesystem_error&) {
-    note_failure(report, EditProblem::unreadable, "the path cannot be looked up");
-  }
-  return report;
+  return edit_file<DeleteReport>(path, options, "edit",
+                                 [&](EditedAsset opened, DeleteReport& report) {
+                                   delete_in(std::move(opened), options, folders, report);
+                                 });
 }
 
 }  // namespace
@@ -165,15 +152,7 @@ EditedBytes<DeleteReport> delete_objects_in_bytes(MemoryAsset asset, const Delet
 
 void delete_objects_in_files(const std::vector<EditInput>& inputs, const DeleteOptions& options,
                              unsigned jobs, const std::function<void(DeleteReport&&)>& consume) {
-  FolderIndex folders;
-  report_in_order<DeleteReport>(
-      inputs.size(), jobs,
-      [&](std::size_t i) {
-        DeleteOptions each = options;
-        each.output = inputs[i].output;
-        return delete_in_file(inputs[i].path, each, folders);
-      },
-      consume);
+  edit_files(inputs, options, jobs, delete_in_file, consume);
 }
 
 }  // namespace gltfx

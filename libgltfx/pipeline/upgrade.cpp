@@ -2,8 +2,6 @@
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
-#include <filesystem>
-#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,7 +14,7 @@
 #include "base/material_table.hpp"
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/edit_bytes.hpp"
-#include "pipeline/in_order.hpp"
+#include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_check.hpp"
 #include "pipeline/planned_upgrade.hpp"
@@ -29,7 +27,6 @@
 namespace gltfx {
 namespace {
 
-namespace fs = std::filesystem;
 using model::OpenedAsset;
 using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
@@ -46,18 +43,6 @@ UpgradeReport report_on(const std::string& path) {
 
 UpgradeReport unreadable(const std::string& path, std::string why) {
   return failed(report_on(path), EditProblem::unreadable, std::move(why));
-}
-
-// The library does not throw.
-template <class Work>
-UpgradeReport guarded(const std::string& path, const Work& work) {
-  try {
-    return work();
-  } catch (const std::bad_alloc&) {
-    return unreadable(path, "there is not enough memory to upgrade this file");
-  } catch (const fs::filesystem_error&) {
-    return unreadable(path, "the path cannot be looked up");
-  }
 }
 
 // A container of glTF 1.0, of which the text has another meaning.
@@ -190,26 +175,34 @@ UpgradeDryRun upgrade_opened(EditedAsset opened, const UpgradeOptions& options,
 
 UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options,
                            FolderIndex& folders) {
-  auto opened = open_to_edit(path, AssetBounds::of(options));
-  if (!opened) return unreadable(path, opened.error().message);
-  return upgrade_opened(*std::move(opened), options, folders).report;
+  return edit_file<UpgradeReport>(
+      path, options, "upgrade", [&](EditedAsset opened, UpgradeReport& report) {
+        report = upgrade_opened(std::move(opened), options, folders).report;
+      });
 }
 
 }  // namespace
 
 UpgradeDryRun dry_run_upgrade(ValidatedAsset& asset, const UpgradeOptions& options) {
   UpgradeDryRun dry_run;
-  dry_run.report = guarded(asset.asset().name(), [&] {
-    if (auto report = find_old_container(asset.asset(), options)) return *std::move(report);
+  const auto try_upgrade = [&](UpgradeReport& report) {
+    if (auto old = find_old_container(asset.asset(), options)) {
+      report = *std::move(old);
+      return;
+    }
     const SchemaSet schemas = schemas_of(options);
     const auto forget = [&asset] { asset.forget_large_document(); };
     PlannedUpgrade planned = plan_upgrade(asset, options, schemas, forget);
-    if (!planned.report.changes) return std::move(planned.report);
-    FolderIndex folders;
-    UpgradeDryRun tried = carry_out(asset, {}, std::move(planned), schemas, options, folders);
-    dry_run.after = std::move(tried.after);
-    return std::move(tried.report);
-  });
+    if (planned.report.changes) {
+      FolderIndex folders;
+      UpgradeDryRun tried = carry_out(asset, {}, std::move(planned), schemas, options, folders);
+      dry_run.after = std::move(tried.after);
+      report = std::move(tried.report);
+    } else {
+      report = std::move(planned.report);
+    }
+  };
+  dry_run.report = guarded<UpgradeReport>(asset.asset().name(), "upgrade", try_upgrade);
   return dry_run;
 }
 
@@ -225,7 +218,7 @@ UpgradeReport dry_run_upgrade(OpenedAsset& asset, const UpgradeOptions& options)
 
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
   FolderIndex folders;
-  return guarded(path, [&] { return upgrade_path(path, options, folders); });
+  return upgrade_path(path, options, folders);
 }
 
 EditedBytes<UpgradeReport> upgrade_bytes(MemoryAsset asset, const UpgradeOptions& options) {
@@ -240,19 +233,7 @@ EditedBytes<UpgradeReport> upgrade_bytes(MemoryAsset asset, const UpgradeOptions
 
 void upgrade_files(const std::vector<EditInput>& inputs, const UpgradeOptions& options,
                    unsigned jobs, const std::function<void(UpgradeReport&&)>& consume) {
-  FolderIndex folders;
-  report_in_order<UpgradeReport>(
-      inputs.size(), jobs,
-      [&](std::size_t i) {
-        return guarded(inputs[i].path, [&] {
-          UpgradeOptions each = options;
-          // Many files keep all threads busy by themselves.
-          each.jobs = inputs.size() == 1 ? jobs : 1;
-          each.output = inputs[i].output;
-          return upgrade_path(inputs[i].path, each, folders);
-        });
-      },
-      consume);
+  edit_files(inputs, options, jobs, upgrade_path, consume);
 }
 
 }  // namespace gltfx
