@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// pack_buffer [PATH=FILE...]: prints standard input, a .gltf that is not a file, as one GLB. Each
-/// FILE stands for what the asset calls PATH. Exit code 1: something cannot be packed.
+/// pack_buffer [PATH=FILE...]: reads a .gltf from standard input and prints it as one GLB. Each
+/// FILE is the file that the asset calls PATH. Exit code 1: something cannot be packed; 2: a FILE
+/// cannot be read.
 #include <gltfx/pipeline.hpp>
 
 #include <fstream>
@@ -26,6 +27,7 @@ int main(int argc, char** argv) {
     const std::size_t equals = argument.find('=');
     if (equals == std::string::npos) return 2;
     std::ifstream file(argument.substr(equals + 1), std::ios::binary);
+    if (!file) return 2;
     asset.files[argument.substr(0, equals)] = rest_of(file);
   }
   gltfx::ConvertOptions options;

@@ -165,14 +165,14 @@ Trouble TemporaryFile::write(std::string_view bytes) {
                            quoted(target_.native(), 200))};
 }
 
-// EINVAL: a file system that cannot make anything durable. There may be more files to be written
-// than a process can hold open.
 void TemporaryFile::begin_sync() const {
 #ifdef __linux__
   static_cast<void>(::sync_file_range(fd_.get(), 0, 0, SYNC_FILE_RANGE_WRITE));
 #endif
 }
 
+// EINVAL: the file system cannot make files durable. The descriptor is closed because there may be
+// more files to write than a process can hold open.
 Trouble TemporaryFile::make_durable() {
   const UniqueFd file = std::move(fd_);
   if (::fsync(file.get()) == 0 || errno == EINVAL) return std::nullopt;

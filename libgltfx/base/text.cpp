@@ -211,6 +211,11 @@ std::string ending_of(std::string_view path) {
   return lower_case(std::filesystem::path(path).extension().native());
 }
 
+bool has_glb_ending(std::string_view path) {
+  const std::string ending = ending_of(path);
+  return ending == ".glb" || ending == ".vrm";
+}
+
 CodePoint decode_utf8(std::string_view text, std::size_t at) {
   const auto lead = static_cast<unsigned char>(text[at]);
   const CodePoint invalid{lead, 1, false};

@@ -60,4 +60,7 @@ std::string capitalized(std::string text);
 /// The file name extension in lower case, with its dot: ".glb". Empty without a dot.
 std::string ending_of(std::string_view path);
 
+/// Whether the extension is that of a GLB: ".glb" or ".vrm".
+bool has_glb_ending(std::string_view path);
+
 }  // namespace gltfx

@@ -33,7 +33,7 @@ class Additions {
   explicit Additions(const json::Document& document);
 
   /// Give the index in the root array of that name. The bytes of an accessor get a separate buffer
-  /// view; `array` is not images, accessors, bufferViews or buffers.
+  /// view; `array` is not one to which add_image() or add_accessor() adds.
   std::uint64_t add_image(Image image);
   std::uint64_t add_accessor(Accessor accessor);
   std::uint64_t add_element(const std::string& array, std::string json);

@@ -46,7 +46,9 @@ Result<Container> changed_container(const OpenedAsset& before, const Change& cha
   if (format == Format::gltf && old.format == Format::glb) {
     // All blanks at the end, which may be more than padding.
     const std::size_t end = text->find_last_not_of(' ') + 1;
-    return container::open_bytes(Bytes::from_string(std::string(text->substr(0, end))), format);
+    const bool whole = end == text->size();
+    return container::open_bytes(
+        Bytes::from_text(whole ? text : share_text(std::string(text->substr(0, end)))), format);
   }
   if (format == Format::gltf || (old.format == format && !changes_chunks(change))) {
     Container now = old;

@@ -97,4 +97,16 @@ std::vector<ByteRange> cut_bin(const graph::Graph& graph,
   return cut;
 }
 
+std::vector<container::Bytes> without(const container::Bytes& data,
+                                      const std::vector<ByteRange>& cut) {
+  std::vector<container::Bytes> pieces;
+  std::uint64_t at = 0;
+  for (const ByteRange& range : cut) {
+    pieces.push_back(data.part(at, range.begin - at));
+    at = range.end;
+  }
+  pieces.push_back(data.part(at, data.size() - at));
+  return pieces;
+}
+
 }  // namespace gltfx::change

@@ -20,4 +20,8 @@ std::vector<ByteRange> cut_bin(const graph::Graph& graph,
                                const std::function<bool(json::NodeId object)>& goes,
                                std::uint64_t size, json::Editor& editor);
 
+/// The data without the cut ranges, as consecutive pieces.
+std::vector<container::Bytes> without(const container::Bytes& data,
+                                      const std::vector<ByteRange>& cut);
+
 }  // namespace gltfx::change

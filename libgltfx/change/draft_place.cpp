@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "change/draft_place.hpp"
 
-#include <algorithm>
 #include <system_error>
 
 namespace gltfx::change {
@@ -12,12 +11,6 @@ using container::Bytes;
 using Pieces = std::vector<Bytes>;
 
 }  // namespace
-
-DraftPlace::~DraftPlace() {
-  file_.reset();
-  std::error_code ignored;
-  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) fs::remove(*folder, ignored);
-}
 
 Bytes DraftPlace::hold_file(const Pieces& pieces) const {
   return container::gathered(pieces, folder_);
@@ -30,14 +23,11 @@ Bytes DraftPlace::hold_asset(const Pieces& pieces) {
   return hold_file(pieces);
 }
 
+// commit() makes missing folders: here they could be those of an asset that is refused.
 bool DraftPlace::open_output() {
   std::error_code error;
-  for (fs::path folder = output_.parent_path(); !folder.empty() && !fs::exists(folder, error);
-       folder = folder.parent_path()) {
-    made_.insert(made_.begin(), folder);
-  }
-  for (const fs::path& folder : made_) {
-    if (!fs::create_directory(folder, error)) return false;
+  if (!fs::is_directory(output_.parent_path().empty() ? "." : output_.parent_path(), error)) {
+    return false;
   }
   const auto seen = state_if_there(output_);
   if (seen) file_.emplace(output_, *seen);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/replace_file.hpp"
@@ -16,14 +17,10 @@ class DraftPlace {
  public:
   /// In memory.
   DraftPlace() = default;
-  /// What is large lies in a file without a name in `folder`. An asset that goes to `output` lies
-  /// in the draft of that file; empty: it goes nowhere, or in the place of a file.
+  /// Large contents are kept in an unnamed file in `folder`, a large asset in the draft of `output`
+  /// if the folder of that exists. Empty `output`: nothing is written, or a file is replaced.
   DraftPlace(std::filesystem::path folder, std::filesystem::path output)
       : folder_(std::move(folder)), output_(std::move(output)) {}
-  /// Folders that were made for `output` go again where they are empty.
-  ~DraftPlace();
-  DraftPlace(const DraftPlace&) = delete;
-  DraftPlace& operator=(const DraftPlace&) = delete;
 
   /// The pieces in one stretch of memory, those of a file or of the asset itself.
   container::Bytes hold_file(const std::vector<container::Bytes>& pieces) const;
@@ -35,7 +32,6 @@ class DraftPlace {
   bool open_output();
 
   std::filesystem::path folder_, output_;
-  std::vector<std::filesystem::path> made_;  ///< folders, the outermost first
   std::optional<FileDraft> file_;
 };
 

@@ -52,7 +52,25 @@ std::string chunk_header(std::uint32_t type, std::uint64_t length) {
   return header;
 }
 
-Pieces changed(const Bytes& bin, const BinChange& change) {
+/// What follows the JSON chunk: the BIN chunk's data, and everything before and after that chunk.
+struct Rest {
+  Bytes before, bin, behind;
+};
+
+Rest rest_of(const container::Container& container, bool bin_changes) {
+  const Bytes& old = container.bytes;
+  const auto part = [&](std::size_t begin, std::size_t end) {
+    return old.part(begin, end - begin);
+  };
+  const container::Chunk& chunk = container.chunks.front();
+  const std::size_t begin = chunk.offset + chunk.length;
+  if (!bin_changes || !container.bin) return {{}, {}, part(begin, old.size())};
+  const container::Chunk& bin = *container.bin;
+  const std::size_t end = bin.offset + bin.length;
+  return {part(begin, bin.header_offset), part(bin.offset, end), part(end, old.size())};
+}
+
+Pieces changed_bin(const Bytes& bin, const BinChange& change) {
   if (change.whole) return *change.whole;
   Pieces data;
   std::size_t at = 0;
@@ -74,24 +92,6 @@ Pieces changed(const Bytes& bin, const BinChange& change) {
   return data;
 }
 
-/// What follows the JSON chunk: the BIN chunk's data, and everything before and after that chunk.
-struct Rest {
-  Bytes before, bin, behind;
-};
-
-Rest rest_of(const container::Container& container, bool bin_changes) {
-  const Bytes& old = container.bytes;
-  const auto part = [&](std::size_t begin, std::size_t end) {
-    return old.part(begin, end - begin);
-  };
-  const container::Chunk& chunk = container.chunks.front();
-  const std::size_t begin = chunk.offset + chunk.length;
-  if (!bin_changes || !container.bin) return {{}, {}, part(begin, old.size())};
-  const container::Chunk& bin = *container.bin;
-  const std::size_t end = bin.offset + bin.length;
-  return {part(begin, bin.header_offset), part(bin.offset, end), part(end, old.size())};
-}
-
 }  // namespace
 
 std::optional<std::string> find_glb_obstacle(const container::Container& container) {
@@ -106,7 +106,7 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
 Result<Pieces> rewrite_glb(const container::Container& container, std::string_view json,
                            const BinChange& change) {
   const Rest rest = rest_of(container, !change.empty());
-  const Pieces bin = changed(rest.bin, change);
+  const Pieces bin = changed_bin(rest.bin, change);
   const std::size_t bin_size = size_of(bin);
   json = without_padding(json);
   const bool has_new = !change.empty() && !change.drop;
@@ -139,7 +139,7 @@ Result<Pieces> rewrite_sound(const container::Container& container, std::string_
   for (const container::Chunk& chunk : std::span(container.chunks).subspan(1)) {
     const Bytes data = container.bytes.part(chunk.offset, chunk.length);
     const bool changes = container.bin && container.bin->offset == chunk.offset;
-    chunks.push_back({chunk.type, changes ? changed(data, bin) : Pieces{data}});
+    chunks.push_back({chunk.type, changes ? changed_bin(data, bin) : Pieces{data}});
   }
   Pieces pieces(1);
   std::uint64_t total = kHeader;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "graph/unknown_indices.hpp"
 
+#include <algorithm>
+
 namespace gltfx::graph {
 namespace {
 
@@ -17,12 +19,12 @@ bool holds_integer(const json::Document& document, json::NodeId object) {
 
 }  // namespace
 
-std::vector<json::NodeId> unknown_with_integers(const Graph& graph) {
-  std::vector<json::NodeId> found;
-  for (const json::NodeId object : graph.unknown_extensions()) {
-    if (holds_integer(graph.tree().document(), object)) found.push_back(object);
-  }
-  return found;
+json::NodeId find_unknown_with_integer(const Graph& graph) {
+  const auto& objects = graph.unknown_extensions();
+  const auto found = std::find_if(objects.begin(), objects.end(), [&](json::NodeId object) {
+    return holds_integer(graph.tree().document(), object);
+  });
+  return found == objects.end() ? json::kNoNode : *found;
 }
 
 }  // namespace gltfx::graph

@@ -21,10 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_glb(const std::string& name) {
-  return ending_of(name) == ".glb" || ending_of(name) == ".vrm";
-}
-
 /// The conversion of one model into a valid asset.
 class Serialization {
  public:
@@ -46,7 +42,7 @@ class Serialization {
 
  private:
   void write(MemoryAsset& asset) {
-    const bool glb = is_glb(asset.name);
+    const bool glb = has_glb_ending(asset.name);
     interop::StoredBytes stored(model_, {asset.name, glb, options_.embed}, notes_);
     asset.bytes = interop::write_model(model_, stored.buffers(), stored.images(), notes_);
     asset.files = stored.take_files();

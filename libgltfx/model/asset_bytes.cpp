@@ -2,7 +2,6 @@
 #include "model/asset_bytes.hpp"
 
 #include "base/checked.hpp"
-#include "container/opened_files.hpp"
 #include "container/uri.hpp"
 #include "model/accessor.hpp"
 #include "model/fields.hpp"
@@ -35,7 +34,7 @@ json::NodeId AssetBytes::element(RootArray array, std::uint64_t index) const {
 
 Result<Bytes> AssetBytes::fetch(const std::string& uri) {
   container::ResolveError error = container::ResolveError::none;
-  auto bytes = container::fetch(resolver_, uri, &error);
+  auto bytes = container::fetch(files_, uri, &error);
   if (trouble_.empty() && may_pass(error)) trouble_ = bytes.error().message;
   return bytes;
 }

@@ -8,6 +8,7 @@
 
 #include "base/result.hpp"
 #include "container/container.hpp"
+#include "container/opened_files.hpp"
 #include "container/resolver.hpp"
 #include "model/asset.hpp"
 
@@ -21,10 +22,10 @@ class AssetBytes {
  public:
   AssetBytes(const Asset& asset, const container::Container& container,
              const container::Resolver& resolver)
-      : asset_(asset), container_(container), resolver_(resolver) {}
+      : asset_(asset), container_(container), files_(resolver) {}
 
   const Asset& asset() const { return asset_; }
-  const Origin& origin() const { return resolver_.origin(); }
+  const Origin& origin() const { return files_.resolver().origin(); }
   /// The bytes of an element of the root's images or buffers, or a sentence about why there are
   /// none. A buffer may have fewer bytes than it declares.
   Result<container::Bytes> image(std::uint64_t index);
@@ -45,7 +46,7 @@ class AssetBytes {
 
   const Asset& asset_;
   const container::Container& container_;
-  const container::Resolver& resolver_;
+  container::OpenedFiles files_;
   std::string trouble_;
   std::unordered_map<std::uint64_t, container::Bytes> buffers_;  ///< those used so far
 };

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
 
-#include <algorithm>
 #include <filesystem>
 #include <optional>
-#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -49,9 +47,8 @@ std::uint64_t stored_bytes(const OpenedAsset& asset) {
 std::optional<StoredAs> form_of(const OpenedAsset& asset, const ConvertOptions& options) {
   if (options.to || options.output.empty() || options.in_place) return options.to;
   const bool is_glb = asset.container().format == container::Format::glb;
-  const std::string ending = ending_of(options.output);
-  if (is_glb && ending == ".gltf") return StoredAs::gltf;
-  if (!is_glb && (ending == ".glb" || ending == ".vrm")) return StoredAs::glb;
+  if (is_glb && ending_of(options.output) == ".gltf") return StoredAs::gltf;
+  if (!is_glb && has_glb_ending(options.output)) return StoredAs::glb;
   return std::nullopt;
 }
 
@@ -73,13 +70,14 @@ class ConvertRun {
 
   std::optional<Draft> run() {
     if (auto why = find_edit_obstacle(before_)) return refuse(*std::move(why));
+    if (changes_container_in_place()) return refuse("in place, an asset keeps its container");
     for (const steps::StepDescription& step : steps::steps()) {
       if (!step.asked(options_)) continue;
       if (auto why = resolve()) return refuse(*std::move(why));
       if (auto why = take(step)) return refuse(*std::move(why));
     }
     report_.changes = !change_.empty();
-    if (options_.diff) report_.diff = diff_of(before_, change_.edits);
+    if (options_.diff) report_.diff = diff_of(before_, change_.edits, !change_.format);
     if (!report_.changes) {
       copy_unchanged(before_, state_, options_, report_);
       return std::nullopt;
@@ -95,6 +93,19 @@ class ConvertRun {
 
  private:
   const OpenedAsset& asset() const { return now_ ? *now_ : before_; }
+
+  bool changes_container_in_place() const {
+    const bool is_glb = before_.container().format == container::Format::glb;
+    return options_.in_place && options_.to && (options_.to == StoredAs::glb) != is_glb;
+  }
+
+  // Of the new asset.
+  std::string file_name() const {
+    if (!options_.output.empty()) return fs::path(options_.output).filename().native();
+    fs::path name = fs::path(before_.name()).filename();
+    if (options_.to) name.replace_extension(options_.to == StoredAs::glb ? ".glb" : ".gltf");
+    return name.native();
+  }
 
   std::nullopt_t refuse(std::string why) {
     note_failure(report_, EditProblem::refused, std::move(why));
@@ -116,9 +127,11 @@ class ConvertRun {
   Reason take(const steps::StepDescription& step) {
     ConvertStep& row = report_.steps.emplace_back();
     row.step = step.name;
-    const std::string name =
-        fs::path(options_.output.empty() ? before_.name() : options_.output).stem().native();
-    auto outcome = step.run({asset(), *schemas_, options_, name});
+    const bool first = report_.steps.size() == 1;
+    row.bytes_before =
+        first ? stored_bytes(before_) : report_.steps[report_.steps.size() - 2].bytes_after;
+    const std::uint64_t bytes = row.bytes_before;
+    auto outcome = step.run({asset(), *schemas_, options_, file_name()});
     if (!outcome) {
       row.refused.push_back({{}, outcome.error().message});
       return outcome.error().message;
@@ -126,15 +139,14 @@ class ConvertRun {
     row = std::move(outcome->row);
     row.step = step.name;
     row.changes = !outcome->change.empty();
-    row.bytes_before = stored_bytes(asset());
-    row.bytes_after = row.bytes_before;
+    row.bytes_before = row.bytes_after = bytes;
     if (!row.refused.empty() && !options_.partial) {
       return fmt::format("{} (--partial writes the rest)", with_place(row.refused.front()));
     }
     if (!row.changes) return std::nullopt;
     auto placed = change::place(std::move(outcome->change), asset(), nullptr);
     if (!placed) return placed.error().message;
-    add(*placed);
+    if (auto why = add(*placed)) return why;
     last_ = *std::move(placed);
     return std::nullopt;
   }
@@ -150,12 +162,25 @@ class ConvertRun {
     return std::nullopt;
   }
 
-  // To what the steps before changed.
-  void add(const change::Change& change) {
+  // Adds a change to those of the steps before; why they do not go together, or nothing.
+  Reason add(const change::Change& change) {
+    if (change_.empty()) {
+      change_ = change;
+      return std::nullopt;
+    }
+    const auto changes_bytes = [](const change::Change& one) {
+      return !one.bin.empty() || one.sound_chunks || !one.replaced.empty();
+    };
+    if (changes_bytes(change_) && changes_bytes(change)) return "two steps change the same bytes";
     change_.edits = json::chain_edits(*before_.container().json, change_.edits, change.edits);
     change_.files.insert(change_.files.end(), change.files.begin(), change.files.end());
     if (change.format) change_.format = change.format;
-    if (change.bin.whole) change_.bin.whole = change.bin.whole;
+    if (changes_bytes(change)) {
+      change_.bin = change.bin;
+      change_.sound_chunks = change.sound_chunks;
+      change_.replaced = change.replaced;
+    }
+    return std::nullopt;
   }
 
   // A new file does not take the place of another.

@@ -172,8 +172,8 @@ bool copy_unchanged(const OpenedAsset& old, const FileState& state, const EditOp
 }
 
 // No patch changes the JSON inside a binary file: there the diff is a comment of one.
-std::string diff_of(const OpenedAsset& asset, const std::vector<json::Edit>& edits) {
-  const bool is_text = asset.container().format == container::Format::gltf;
+std::string diff_of(const OpenedAsset& asset, const std::vector<json::Edit>& edits, bool applies) {
+  const bool is_text = applies && asset.container().format == container::Format::gltf;
   return change::unified_diff(*asset.container().json, edits, patch_path(asset),
                               is_text ? "" : "# ");
 }

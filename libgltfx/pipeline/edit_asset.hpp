@@ -83,7 +83,9 @@ std::optional<std::string> find_reader(const std::string& path, FolderIndex& fol
 bool copy_unchanged(const model::OpenedAsset& old, const FileState& state,
                     const EditOptions& options, EditOutcome& outcome);
 
-/// For EditOutcome::diff. `edits` are those of the asset's text.
-std::string diff_of(const model::OpenedAsset& asset, const std::vector<json::Edit>& edits);
+/// For EditOutcome::diff. `edits` are those of the asset's text. `applies`: the container stays, so
+/// that the diff of a .gltf may be a patch.
+std::string diff_of(const model::OpenedAsset& asset, const std::vector<json::Edit>& edits,
+                    bool applies = true);
 
 }  // namespace gltfx

@@ -11,8 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "pipeline/edit_asset.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/open_asset.hpp"
@@ -30,7 +28,7 @@ Report guarded(const std::string& path, std::string_view verb, const Work& work)
     work(report);
     return report;
   } catch (const std::bad_alloc&) {
-    why = fmt::format("there is not enough memory to {} this file", verb);
+    why.append("there is not enough memory to ").append(verb).append(" this file");
   } catch (const std::filesystem::filesystem_error&) {
     why = "the path cannot be looked up";
   }

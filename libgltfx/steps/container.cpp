@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the text, the buffers and the images of an asset stand (glTF 2.0 sections 3.6.1, 4).
-#include <utility>
+#include <fmt/format.h>
 
+#include "base/text.hpp"
+#include "graph/unknown_indices.hpp"
+#include "report/wording.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -13,8 +16,18 @@ Result<StepOutcome> store(const StepInput& input) {
 
 }  // namespace
 
-void note(std::vector<ConvertNote>& notes, std::string pointer, std::string reason) {
-  notes.push_back({std::move(pointer), std::move(reason)});
+std::string find_doubt(const graph::Graph& graph, std::string_view things) {
+  const json::NodeId unknown = graph::find_unknown_with_integer(graph);
+  if (unknown == json::kNoNode) return {};
+  return fmt::format("{} may hold indices of {} (--schema describes it)",
+                     printable(graph.tree().pointer(unknown)), things);
+}
+
+std::string describe_moves(std::string_view form, std::uint64_t buffers, std::uint64_t images) {
+  std::string what(form);
+  if (buffers > 0) what += fmt::format(", {}", report::counted(buffers, "buffer"));
+  if (images > 0) what += fmt::format(", {}", report::counted(images, "image"));
+  return what;
 }
 
 StepDescription container_step();

@@ -53,12 +53,23 @@ std::string clean_name(std::string_view name) {
   return is_device(clean) ? "_" + clean : clean;
 }
 
+bool is_media_type(std::string_view text) {
+  const std::size_t slash = text.find('/');
+  if (slash == 0 || slash == text.npos || slash + 1 == text.size()) return false;
+  return std::all_of(text.begin(), text.end(), [&](const char& c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    return letter || c == '.' || c == '+' || c == '-' || c == '_' || &c == text.data() + slash;
+  });
+}
+
 std::string image_ending(const container::Bytes& bytes, std::string_view media_type) {
   const image::Sniffed sniffed = image::sniff(bytes.view());
   if (sniffed.known && sniffed.format == image::Format::jpeg) return ".jpg";
-  if (sniffed.known) media_type = image::media_type(sniffed.format);
-  const container::Content found = container::name_content(bytes.text());
-  if (!sniffed.known && !found.media_type.empty()) media_type = found.media_type;
+  if (sniffed.known) {
+    media_type = image::media_type(sniffed.format);
+  } else if (const auto found = container::name_content(bytes.text()); !found.media_type.empty()) {
+    media_type = found.media_type;
+  }
   const std::string_view subtype = subtype_of(media_type);
   return subtype.empty() ? std::string() : fmt::format(".{}", subtype);
 }

@@ -16,6 +16,9 @@ namespace gltfx::steps {
 /// nothing is left, or the name has characters that are not shown as they are.
 std::string clean_name(std::string_view name);
 
+/// Whether a text is a media type without parameters, as a data URI can hold it: "image/png".
+bool is_media_type(std::string_view text);
+
 /// The ending of the file of an image, with its dot: by its bytes, else by its media type; empty
 /// where neither tells.
 std::string image_ending(const container::Bytes& bytes, std::string_view media_type);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -13,9 +12,7 @@
 #include "change/buffer_layout.hpp"
 #include "container/uri.hpp"
 #include "graph/renumber.hpp"
-#include "graph/unknown_indices.hpp"
 #include "image/header.hpp"
-#include "json/writer.hpp"
 #include "model/asset_bytes.hpp"
 #include "model/fields.hpp"
 #include "report/wording.hpp"
@@ -61,14 +58,15 @@ class Packer {
     outcome_.change.format = container::Format::glb;
     if (size_ > 0) {
       if (input_.asset.container().bin && bytes_.buffer_storage(0) != Storage::bin_chunk) {
-        return Error{"the BIN chunk is the data of no buffer"};
+        return Error{kUnusedChunk};
       }
       outcome_.change.bin.whole = std::move(data_);
       declare_buffer();
     }
     outcome_.change.edits = editor_.take();
     if (!is_glb) keep_line_break();
-    describe(is_glb);
+    outcome_.row.what =
+        describe_moves(is_glb ? "the rest into the GLB" : "one GLB", moved_ - images_, images_);
     return std::move(outcome_);
   }
 
@@ -79,7 +77,7 @@ class Packer {
   std::uint64_t count() const { return elements_.count(RootArray::buffers); }
 
   void refuse(std::string_view array, std::uint64_t index, std::string reason) {
-    note(outcome_.row.refused, fmt::format("/{}/{}", array, index), std::move(reason));
+    outcome_.row.refused.push_back({fmt::format("/{}/{}", array, index), std::move(reason)});
   }
 
   // Gives where they begin.
@@ -109,10 +107,14 @@ class Packer {
       refuse("buffers", index, fmt::format("its data has only {} bytes", bytes->size()));
       return std::nullopt;
     }
-    if (bytes->size() > *declared && bytes_.buffer_storage(index) != Storage::bin_chunk) {
-      note(outcome_.row.left, fmt::format("/buffers/{}", index),
-           fmt::format("{} behind its byteLength",
-                       report::counted(bytes->size() - *declared, "byte")));
+    const std::uint64_t more = bytes->size() - *declared;
+    if (bytes_.buffer_storage(index) == Storage::bin_chunk) {
+      return bytes->part(0, chunk_data_length(*declared, bytes->size()));
+    }
+    if (more > 0) {
+      outcome_.row.left.push_back(
+          {fmt::format("/buffers/{}", index),
+           fmt::format("{} after its byteLength", report::counted(more, "byte"))});
     }
     return bytes->part(0, *declared);
   }
@@ -151,7 +153,9 @@ class Packer {
   // All buffers that have data into the first one.
   void merge() {
     const graph::Graph graph(document_, input_.schemas);
-    const std::string doubt = find_doubt(graph);
+    const auto users = change::buffer_users(graph);
+    std::string doubt = find_doubt(graph, "buffers");
+    if (doubt.empty() && !users) doubt = users.error().message;
     for (std::uint64_t i = 1; i < count(); ++i) {
       const json::NodeId object = buffer(i);
       if (object == json::kNoNode || bytes_.buffer_storage(i) == Storage::nowhere) continue;
@@ -166,19 +170,7 @@ class Packer {
         ++moved_;
       }
     }
-    if (packed_.size() > 1) move_users(graph);
-  }
-
-  // Why not all that refers to a buffer may be known; empty: it is.
-  std::string find_doubt(const graph::Graph& graph) const {
-    const auto unknown = graph::unknown_with_integers(graph);
-    if (!unknown.empty()) {
-      const std::string place = graph.tree().pointer(unknown.front());
-      return fmt::format("{} may hold indices of buffers (--schema describes it)",
-                         printable(place));
-    }
-    const auto users = change::buffer_users(graph);
-    return users ? std::string() : users.error().message;
+    if (packed_.size() > 1) move_users(graph, *users);
   }
 
   // A buffer that goes takes along what it has beside its length, its place and its name.
@@ -191,7 +183,7 @@ class Packer {
     return {};
   }
 
-  void move_users(const graph::Graph& graph) {
+  void move_users(const graph::Graph& graph, const std::vector<change::BufferUser>& users) {
     std::vector<std::uint64_t> base(count()), position(count());
     std::vector<bool> goes(count());
     for (const Packed& packed : packed_) {
@@ -204,8 +196,7 @@ class Packer {
       position[i] = goes[i] ? 0 : next++;
       if (goes[i]) editor_.remove(list, buffer(i));
     }
-    const auto users = change::buffer_users(graph);
-    for (const change::BufferUser& user : *users) {
+    for (const change::BufferUser& user : users) {
       change::move_user(document_, user, user.bytes.begin + base[user.buffer], editor_);
     }
     auto edits = graph::renumber(
@@ -232,7 +223,7 @@ class Packer {
       const image::Sniffed sniffed = image::sniff(bytes->view());
       const bool has_type = document_.find(image, "mimeType") != json::kNoNode;
       if (!sniffed.known && !has_type) {
-        refuse("images", i, "it is in none of the formats that a buffer view may hold");
+        refuse("images", i, "its format is not allowed in a buffer view");
         continue;
       }
       const std::string file = path_of(image);
@@ -297,14 +288,6 @@ class Packer {
     if (space.size() >= kEnough || space.find_first_not_of(' ') == space.npos) return;
     const auto size = static_cast<std::uint32_t>(text.size());
     outcome_.change.edits.push_back({{size, size}, std::string(kEnough - space.size(), ' ')});
-  }
-
-  void describe(bool is_glb) {
-    const std::uint64_t buffers = moved_ - images_;
-    std::string& what = outcome_.row.what;
-    what = is_glb ? "the rest into the GLB" : "one GLB";
-    if (buffers > 0) what += fmt::format(", {}", report::counted(buffers, "buffer"));
-    if (images_ > 0) what += fmt::format(", {}", report::counted(images_, "image"));
   }
 
   const StepInput& input_;

@@ -16,16 +16,16 @@
 
 namespace gltfx::steps {
 
-/// What a step works on. Refers to all but the name.
+/// What a step works on. Refers to all but the file name.
 struct StepInput {
   const model::OpenedAsset& asset;  ///< as the steps before left it
   const schema::Set& schemas;
   const ConvertOptions& options;  ///< `to` says how the asset is to be stored; nothing: as it is
-  std::string name;               ///< of the new asset's file, without folder and ending
+  std::string file_name;          ///< of the new asset
 };
 
-/// What becomes of it. The change need not be placed. `row` has no name; its bytes are filled in by
-/// who runs the step unless it did.
+/// The result of a step. The change need not be placed. The caller sets the name, `changes` and the
+/// sizes in `row`.
 struct StepOutcome {
   change::Change change = {};
   ConvertStep row = {};

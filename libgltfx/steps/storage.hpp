@@ -2,7 +2,12 @@
 /// The ways in which an asset is stored.
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <string_view>
+
 #include "base/result.hpp"
+#include "graph/graph.hpp"
 #include "steps/step.hpp"
 
 namespace gltfx::steps {
@@ -13,7 +18,18 @@ Result<StepOutcome> pack(const StepInput& input);
 /// JSON text, with files or with data URIs as the options say.
 Result<StepOutcome> store_as_text(const StepInput& input);
 
-/// Adds what was not dealt with to a list of a row.
-void note(std::vector<ConvertNote>& notes, std::string pointer, std::string reason);
+/// Why references to `things` ("buffers") may be unknown, half a sentence; empty: all are known.
+std::string find_doubt(const graph::Graph& graph, std::string_view things);
+
+/// Number of bytes of a BIN chunk of `size` bytes that are data of its buffer: the declared ones,
+/// or all if the chunk is longer than padding explains.
+constexpr std::uint64_t chunk_data_length(std::uint64_t declared, std::uint64_t size) {
+  return declared <= size && size - declared < 4 ? declared : size;
+}
+
+/// "FORM, 2 buffers, 1 image".
+std::string describe_moves(std::string_view form, std::uint64_t buffers, std::uint64_t images);
+
+inline constexpr const char* kUnusedChunk = "no buffer uses the BIN chunk";
 
 }  // namespace gltfx::steps

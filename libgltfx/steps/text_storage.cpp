@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // JSON text: what a GLB or a data URI holds goes into files, or all of it into data URIs.
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -16,12 +17,10 @@
 #include "container/base64.hpp"
 #include "container/near_files.hpp"
 #include "graph/renumber.hpp"
-#include "graph/unknown_indices.hpp"
 #include "image/header.hpp"
 #include "json/writer.hpp"
 #include "model/asset_bytes.hpp"
 #include "model/fields.hpp"
-#include "report/wording.hpp"
 #include "steps/file_names.hpp"
 #include "steps/storage.hpp"
 
@@ -36,28 +35,24 @@ using Pieces = std::vector<Bytes>;
 constexpr std::uint64_t kMostText = UINT32_MAX;
 constexpr std::string_view kOctets = "application/octet-stream";
 
-// Without the cut ranges, and only the first `length` bytes of what is left.
-Pieces without(const Bytes& bytes, const std::vector<change::ByteRange>& cut,
-               std::uint64_t length) {
-  Pieces pieces;
-  std::uint64_t at = 0;
-  const auto keep_to = [&](std::uint64_t end) {
-    const std::uint64_t size = std::min(end - at, length);
-    if (size > 0) pieces.push_back(bytes.part(at, size));
-    length -= size;
-  };
-  for (const change::ByteRange& range : cut) {
-    keep_to(range.begin);
-    at = range.end;
-  }
-  keep_to(bytes.size());
-  return pieces;
-}
-
 std::string json_string(std::string_view text) {
   std::string json;
   json::append_string(json, text);
   return json;
+}
+
+std::uint64_t hash_of(const Pieces& pieces) {
+  constexpr std::uint64_t kPrime = 0x100000001B3;
+  std::uint64_t hash = 0;
+  for (const Bytes& piece : pieces) hash = hash * kPrime ^ content_hash(piece.text());
+  return hash;
+}
+
+// Paths that new files must not have.
+std::set<std::string> taken_names(const StepInput& input) {
+  std::set<std::string> taken = change::referred_paths(input.asset.document());
+  taken.insert(input.file_name);
+  return taken;
 }
 
 class TextStorage {
@@ -67,26 +62,28 @@ class TextStorage {
         document_(input.asset.document()),
         elements_(document_),
         bytes_(elements_, input.asset.container(), input.asset.resolver()),
-        names_(change::referred_paths(document_)),
+        names_(taken_names(input)),
         embeds_(input.options.to == StoredAs::embedded),
         editor_(document_) {}
 
   Result<StepOutcome> run() {
     if (auto why = find_chunk_obstacle()) return *std::move(why);
+    if (embeds_ && !fits_in_text()) {
+      return Error{"JSON text has at most 4 GiB; use --to glb or --to gltf"};
+    }
     const bool has_bin =
         count(RootArray::buffers) > 0 && bytes_.buffer_storage(0) == Storage::bin_chunk;
     if (has_bin && !embeds_) {
       split_chunk();
     } else if (has_bin) {
-      name_buffer(0, {chunk().part(0, chunk_length())});
+      name_buffer(0, {chunk()});
     }
     for (std::uint64_t i = 0; i < count(RootArray::buffers); ++i) store_buffer(i);
     for (std::uint64_t i = 0; i < count(RootArray::images); ++i) store_image(i);
-    if (text_ > kMostText) return Error{"JSON text has at most 4 GiB; --to glb has no such text"};
     outcome_.change.edits = editor_.take();
     if (is_glb() || buffers_ + images_ > 0) {
       outcome_.change.format = container::Format::gltf;
-      describe();
+      outcome_.row.what = describe_moves(embeds_ ? "data URIs" : "files", buffers_, images_);
     }
     return std::move(outcome_);
   }
@@ -98,8 +95,29 @@ class TextStorage {
   json::NodeId element(RootArray array, std::uint64_t index) const {
     return elements_.elements(array)[index];
   }
+  // Whether the text can hold all data, checked before any is encoded: many may refer to one file.
+  bool fits_in_text() {
+    std::uint64_t text = document_.text().size();
+    const auto add = [&text](Storage storage, const Result<Bytes>& bytes) {
+      const bool moves = storage == Storage::file || storage == Storage::bin_chunk;
+      if (moves && bytes) text += (bytes->size() + 2) / 3 * 4;
+      return text <= kMostText;
+    };
+    for (std::uint64_t i = 0; i < count(RootArray::buffers); ++i) {
+      if (!add(bytes_.buffer_storage(i), bytes_.buffer(i))) return false;
+    }
+    for (std::uint64_t i = 0; i < count(RootArray::images); ++i) {
+      if (!add(bytes_.image_storage(i), bytes_.image(i))) return false;
+    }
+    return true;
+  }
+  // The data of buffer 0 in the chunk.
   Bytes chunk() const {
-    return container().bytes.part(container().bin->offset, container().bin->length);
+    const container::Chunk& bin = *container().bin;
+    const auto declared =
+        model::unsigned_member(document_, element(RootArray::buffers, 0), "byteLength");
+    return container().bytes.part(bin.offset,
+                                  chunk_data_length(declared.value_or(bin.length), bin.length));
   }
 
   // Chunks of a GLB that a .gltf has no place for.
@@ -110,17 +128,18 @@ class TextStorage {
       const container::Chunk& other = container().chunks[i];
       if (bin && other.offset == bin->offset) continue;
       const std::string_view type = container().bytes.text().substr(other.header_offset + 4, 4);
-      return Error{fmt::format("the chunk {} has no place in a .gltf", gltfx::quoted(type))};
+      return Error{fmt::format("a .gltf cannot hold the chunk {}", gltfx::quoted(type))};
     }
     const bool owned =
         !bin || bin->length == 0 ||
         (count(RootArray::buffers) > 0 && bytes_.buffer_storage(0) == Storage::bin_chunk);
     if (owned) return std::nullopt;
-    return Error{"the BIN chunk is the data of no buffer"};
+    return Error{kUnusedChunk};
   }
 
   // A file of the BIN chunk, and files of the images in it.
   void split_chunk() {
+    if (!has_images_in_views()) return name_buffer(0, {chunk()});
     const graph::Graph graph(document_, input_.schemas);
     const std::map<std::uint64_t, Bytes> images = images_in_chunk(graph);
     std::map<json::NodeId, std::string> uris;  // by view
@@ -148,40 +167,30 @@ class TextStorage {
     const bool empties = !gone.empty() && holds_nothing_but(graph, gone);
     take_out(graph, gone, moved, empties);
     if (empties) return;
-    const std::uint64_t whole = chunk_length();
-    std::uint64_t left = whole;
-    for (const change::ByteRange& range : cut) {
-      left -= std::min(range.end, whole) - std::min(range.begin, whole);
-    }
-    name_buffer(0, without(chunk(), cut, left));
+    name_buffer(0, change::without(chunk(), cut));
   }
 
-  // What of the chunk is data of the buffer: all of it where it is longer than padding explains.
-  std::uint64_t chunk_length() const {
-    const std::uint64_t length = chunk().size();
-    const auto declared =
-        model::unsigned_member(document_, element(RootArray::buffers, 0), "byteLength");
-    return declared && *declared <= length && length - *declared < 4 ? *declared : length;
+  bool has_images_in_views() const {
+    for (std::uint64_t i = 0; i < count(RootArray::images); ++i) {
+      if (bytes_.image_storage(i) == Storage::buffer_view) return true;
+    }
+    return false;
   }
 
   // Those that go into files, by index.
   std::map<std::uint64_t, Bytes> images_in_chunk(const graph::Graph& graph) {
     std::map<std::uint64_t, Bytes> found;
-    const auto unknown = graph::unknown_with_integers(graph);
+    const std::string doubt = find_doubt(graph, "buffer views");
     for (std::uint64_t i = 0; i < count(RootArray::images); ++i) {
       if (bytes_.image_storage(i) != Storage::buffer_view) continue;
       const json::NodeId image = element(RootArray::images, i);
       const auto buffer = elements_.index(view_of(image), "buffer", RootArray::buffers);
       if (!buffer || *buffer != 0) continue;
-      const std::string pointer = fmt::format("/images/{}", i);
-      if (!unknown.empty()) {
-        note(outcome_.row.left, pointer,
-             fmt::format("{} may hold indices of buffer views (--schema describes it)",
-                         printable(graph.tree().pointer(unknown.front()))));
-      } else if (auto bytes = bytes_.image(i)) {
+      auto bytes = doubt.empty() ? bytes_.image(i) : Result<Bytes>(Error{doubt});
+      if (bytes) {
         found.emplace(i, *std::move(bytes));
       } else {
-        note(outcome_.row.left, pointer, bytes.error().message);
+        outcome_.row.left.push_back({fmt::format("/images/{}", i), bytes.error().message});
       }
     }
     return found;
@@ -239,13 +248,13 @@ class TextStorage {
     if (storage != (embeds_ ? Storage::file : Storage::data_uri)) return;
     auto bytes = bytes_.buffer(index);
     if (bytes) return name_buffer(index, {*std::move(bytes)});
-    note(outcome_.row.refused, fmt::format("/buffers/{}", index), bytes.error().message);
+    outcome_.row.refused.push_back({fmt::format("/buffers/{}", index), bytes.error().message});
   }
 
   void name_buffer(std::uint64_t index, Pieces pieces) {
     const std::string stem = index == 0 ? own_name() : fmt::format("{}-{}", own_name(), index);
     set_uri(element(RootArray::buffers, index),
-            embeds_ ? container::data_uri(kOctets, container::join(pieces))
+            embeds_ ? container::data_uri(kOctets, pieces.front().text())
                     : new_file(stem, ".bin", std::move(pieces)));
     ++buffers_;
   }
@@ -256,14 +265,14 @@ class TextStorage {
     const json::NodeId image = element(RootArray::images, index);
     const auto bytes = bytes_.image(index);
     if (!bytes) {
-      note(outcome_.row.refused, fmt::format("/images/{}", index), bytes.error().message);
+      outcome_.row.refused.push_back({fmt::format("/images/{}", index), bytes.error().message});
       return;
     }
     const std::string declared = model::string_member(document_, image, "mimeType");
     const image::Sniffed sniffed = image::sniff(bytes->view());
-    const std::string_view type = sniffed.known      ? image::media_type(sniffed.format)
-                                  : declared.empty() ? kOctets
-                                                     : std::string_view(declared);
+    const std::string_view type = sniffed.known             ? image::media_type(sniffed.format)
+                                  : is_media_type(declared) ? std::string_view(declared)
+                                                            : kOctets;
     set_uri(image, embeds_ ? container::data_uri(type, bytes->text()) : image_file(index, *bytes));
     ++images_;
   }
@@ -274,18 +283,19 @@ class TextStorage {
     const std::string type = model::string_member(document_, image, "mimeType");
     std::string stem = clean_name(model::string_member(document_, image, "name"));
     if (stem.empty()) stem = fmt::format("{}_image{}", own_name(), index);
-    if (input_.options.shared_folder) {
-      stem += fmt::format("-{:08x}", content_hash(bytes.text()) & UINT32_MAX);
-    }
-    return new_file(stem, image_ending(bytes, type), {bytes});
+    return new_file(std::move(stem), image_ending(bytes, type), {bytes});
   }
 
   std::string own_name() const {
-    std::string name = clean_name(input_.name);
+    std::string name = clean_name(std::filesystem::path(input_.file_name).stem().native());
     return name.empty() ? std::string("model") : name;
   }
 
-  std::string new_file(const std::string& stem, std::string_view ending, Pieces pieces) {
+  // Other assets of a shared folder may have files of the same name.
+  std::string new_file(std::string stem, std::string_view ending, Pieces pieces) {
+    if (input_.options.shared_folder) {
+      stem += fmt::format("-{:08x}", hash_of(pieces) & UINT32_MAX);
+    }
     std::string path = names_.take(stem, ending);
     std::string uri = container::uri_of_path(path);
     outcome_.change.files.push_back({std::move(path), std::move(pieces)});
@@ -294,20 +304,12 @@ class TextStorage {
 
   void set_uri(json::NodeId object, const std::string& uri) {
     std::string json = json_string(uri);
-    text_ += json.size();
     const json::NodeId old = document_.find(object, "uri");
     if (old == json::kNoNode) {
       editor_.append_member(object, "uri", json);
     } else {
       editor_.replace_scalar(old, std::move(json));
     }
-  }
-
-  void describe() {
-    std::string& what = outcome_.row.what;
-    what = embeds_ ? "data URIs" : "files";
-    if (buffers_ > 0) what += fmt::format(", {}", report::counted(buffers_, "buffer"));
-    if (images_ > 0) what += fmt::format(", {}", report::counted(images_, "image"));
   }
 
   const StepInput& input_;
@@ -319,7 +321,6 @@ class TextStorage {
   json::Editor editor_;
   StepOutcome outcome_;
   std::uint64_t buffers_ = 0, images_ = 0;  ///< that were moved
-  std::uint64_t text_ = 0;                  ///< bytes of new URIs
 };
 
 }  // namespace

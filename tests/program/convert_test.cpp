@@ -55,7 +55,7 @@ TEST_F(ConvertTest, TheNameTellsTheFormAndMayNotContradictIt) {
   EXPECT_TRUE(has("back/a.bin"));
   const Outcome wrong = here({"a.gltf", "-o", "new/b.gltf", "--to", "glb"});
   EXPECT_EQ(wrong.code, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("--to glb does not go with a name that ends in .gltf"));
+  EXPECT_THAT(wrong.err, HasSubstr("--to glb contradicts the ending .gltf of --output"));
   const Outcome in_place = here({"a.gltf", "--in-place", "--to", "glb"});
   EXPECT_EQ(in_place.code, 2);
   EXPECT_THAT(in_place.err, HasSubstr("--in-place keeps the container"));

@@ -144,7 +144,7 @@ TEST_F(Unpack, AChunkThatATextHasNoPlaceForIsNamed) {
       folder_.write("a.glb", glb_of(kHead + R"("buffers":[{"byteLength":4}]})", "abcd",
                                     container::test::chunk(container::test::kChunkOther, "more")));
   const ConvertReport report = convert_file(file.native(), options_to(out() / "a.gltf"));
-  EXPECT_THAT(report.error, HasSubstr("the chunk 'ALYL' has no place in a .gltf"));
+  EXPECT_THAT(report.error, HasSubstr("a .gltf cannot hold the chunk 'ALYL'"));
   EXPECT_FALSE(fs::exists(out()));
 }
 

@@ -5,6 +5,9 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "base/text.hpp"
 #include "commands.hpp"
 #include "convert_print.hpp"
 #include "edit_run.hpp"
@@ -15,8 +18,7 @@ namespace {
 
 // The name of a converted asset in a folder.
 std::string stored_name(const std::string& place, StoredAs to) {
-  const std::string ending = ending_of(place);
-  const bool fits = to == StoredAs::glb ? ending == ".glb" || ending == ".vrm" : ending == ".gltf";
+  const bool fits = to == StoredAs::glb ? has_glb_ending(place) : ending_of(place) == ".gltf";
   if (fits) return place;
   return std::filesystem::path(place)
       .replace_extension(to == StoredAs::glb ? ".glb" : ".gltf")
@@ -44,6 +46,13 @@ struct ConvertVerb : EditVerb {
       }
     }
     return place_outputs(named, options.output, Ending::may_change);
+  }
+
+  static void note_beside_diff(const ConvertReport& report) {
+    for (const std::string& file : report.new_files) {
+      complain(fmt::format("note: {}: the diff lacks the new file {}, which it refers to",
+                           printable(report.path), printable(file)));
+    }
   }
 
   static bool is_finding(const ConvertReport& report, const ConvertRequest& request,

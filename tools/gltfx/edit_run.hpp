@@ -11,8 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "edit_json.hpp"
@@ -102,7 +100,7 @@ class EditRun {
     summary_.add(report);
     if (!as_json()) show(report);
     if (report.problem != EditProblem::none) {
-      complain(fmt::format("{}: {}", printable(report.path), printable(report.error)));
+      complain(printable(report.path) + ": " + printable(report.error));
       code_ = worse(code_, exit_code_of(report.problem));
     } else if (Verb::is_finding(report, request_, writing())) {
       code_ = worse(code_, ExitCode::findings);

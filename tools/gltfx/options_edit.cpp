@@ -146,7 +146,7 @@ void declare_convert(Options& options, ConvertRequest& request) {
       "--to", "FORM", "Store as glb, gltf (files) or embedded (data URIs)",
       one_of(request.convert.to,
              {{"glb", StoredAs::glb}, {"gltf", StoredAs::gltf}, {"embedded", StoredAs::embedded}}));
-  options.add("--partial", "", "Write although something was refused",
+  options.add("--partial", "", "Write even if something was refused",
               flag(request.convert.partial));
   declare_destination(options, request, request.convert);
   declare_sources(options, request, request.convert);
@@ -159,13 +159,13 @@ void read_convert(Reading& reading, ConvertRequest& request) {
                   "convert: --in-place keeps the container; leave out --to, or use --output.");
   reading.read();
   const std::string ending = ending_of(request.convert.output);
-  const bool binary = ending == ".glb" || ending == ".vrm";
+  const bool binary = has_glb_ending(request.convert.output);
   const bool contradicts = request.convert.to && (binary || ending == ".gltf") &&
                            !request.convert.output.ends_with('/') &&
                            binary != (request.convert.to == StoredAs::glb);
-  reading.require(!contradicts, fmt::format("convert: --to {} does not go with a name that ends in "
-                                            "{}.",
-                                            options.word("--to"), ending));
+  reading.require(!contradicts,
+                  fmt::format("convert: --to {} contradicts the ending {} of --output.",
+                              options.word("--to"), ending));
 }
 
 void declare_edit(Options& options, DeleteRequest& request) {
