@@ -10,4 +10,8 @@ namespace gltfx::graph {
 /// index; json::kNoNode: there is none.
 json::NodeId find_unknown_with_integer(const Graph& graph);
 
+/// The first such object that contains an integer as a member whose name contains "offset", which
+/// may be a place in a buffer; json::kNoNode: there is none.
+json::NodeId find_unknown_offset(const Graph& graph);
+
 }  // namespace gltfx::graph

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -14,12 +15,15 @@
 #include "change/apply.hpp"
 #include "change/companions.hpp"
 #include "change/place.hpp"
+#include "json/parse.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
 #include "prove/findings.hpp"
+#include "prove/meaning.hpp"
 #include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
+#include "steps/layout.hpp"
 #include "steps/step.hpp"
 
 namespace gltfx {
@@ -30,18 +34,6 @@ using model::OpenedAsset;
 using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
 using Reason = std::optional<std::string>;
-
-// What an asset takes with the files that it refers to.
-std::uint64_t stored_bytes(const OpenedAsset& asset) {
-  const container::Container& container = asset.container();
-  const bool is_text = container.format == container::Format::gltf;
-  std::uint64_t bytes = is_text ? container.json->size() : container.bytes.size();
-  for (const std::string& path : change::referred_paths(asset.document())) {
-    std::uint64_t size = 0;
-    if (asset.resolver().stat(path, size) == container::ResolveError::none) bytes += size;
-  }
-  return bytes;
-}
 
 // How the output is to be stored where that is not how the input is; asked for, or told by a name.
 std::optional<StoredAs> form_of(const OpenedAsset& asset, const ConvertOptions& options) {
@@ -71,11 +63,17 @@ class ConvertRun {
   std::optional<Draft> run() {
     if (auto why = find_edit_obstacle(before_)) return refuse(*std::move(why));
     if (changes_container_in_place()) return refuse("in place, an asset keeps its container");
-    for (const steps::StepDescription& step : steps::steps()) {
+    const std::vector<steps::StepDescription> list = steps::steps();
+    for (const steps::StepDescription& step : list) {
+      const bool is_last = &step == &list.back();
+      if (is_last) {
+        if (auto why = lay_out()) return refuse(*std::move(why));
+      }
       if (!step.asked(options_)) continue;
       if (auto why = resolve()) return refuse(*std::move(why));
       if (auto why = take(step)) return refuse(*std::move(why));
     }
+    drop_unnamed_files();
     report_.changes = !change_.empty();
     if (options_.diff) report_.diff = diff_of(before_, change_.edits, !change_.format);
     if (!report_.changes) {
@@ -128,9 +126,9 @@ class ConvertRun {
     ConvertStep& row = report_.steps.emplace_back();
     row.step = step.name;
     const bool first = report_.steps.size() == 1;
-    row.bytes_before =
-        first ? stored_bytes(before_) : report_.steps[report_.steps.size() - 2].bytes_after;
-    const std::uint64_t bytes = row.bytes_before;
+    const std::uint64_t bytes =
+        first ? steps::stored_size(before_) : report_.steps[report_.steps.size() - 2].bytes_after;
+    row.bytes_before = row.bytes_after = bytes;
     auto outcome = step.run({asset(), *schemas_, options_, file_name()});
     if (!outcome) {
       row.refused.push_back({{}, outcome.error().message});
@@ -144,6 +142,10 @@ class ConvertRun {
       return fmt::format("{} (--partial writes the rest)", with_place(row.refused.front()));
     }
     if (!row.changes) return std::nullopt;
+    freedom_.vertex_order |= outcome->freedom.vertex_order;
+    freedom_.keyframes |= outcome->freedom.keyframes;
+    freedom_.unused |= outcome->freedom.unused;
+    freedom_.texels |= outcome->freedom.texels;
     auto placed = change::place(std::move(outcome->change), asset(), nullptr);
     if (!placed) return placed.error().message;
     if (auto why = add(*placed)) return why;
@@ -158,8 +160,39 @@ class ConvertRun {
     if (!next) return next.error().message;
     last_.reset();
     now_.emplace(*std::move(next));
-    report_.steps.back().bytes_after = stored_bytes(*now_);
+    report_.steps.back().bytes_after = size_now();
     return std::nullopt;
+  }
+
+  // Moves the bytes that steps made to where the asset has its own.
+  Reason lay_out() {
+    if (auto why = resolve()) return why;
+    if (!now_) return std::nullopt;
+    auto change = steps::lay_out(before_, *now_, *schemas_);
+    if (!change) return change.error().message;
+    laid_out_ = true;
+    if (change->empty()) return std::nullopt;
+    if (auto why = add(*change)) return why;
+    auto next = change::apply(*now_, *change);
+    if (!next) return next.error().message;
+    now_.emplace(*std::move(next));
+    return std::nullopt;
+  }
+
+  std::uint64_t size_now() const {
+    return laid_out_ ? steps::stored_size(*now_) : steps::laid_out_size(before_, *now_, *schemas_);
+  }
+
+  // Files of steps that a later one moved elsewhere.
+  void drop_unnamed_files() {
+    if (!laid_out_) return;
+    const auto text = share_text(json::apply_edits(*before_.container().json, change_.edits));
+    const json::Parsed parsed = json::parse(*text);
+    const std::set<std::string> named = change::referred_paths(parsed.document);
+    std::erase_if(change_.files,
+                  [&](const change::NewFile& file) { return !named.contains(file.path); });
+    std::erase_if(change_.replaced,
+                  [&](const change::ReplacedFile& file) { return !named.contains(file.path); });
   }
 
   // Adds a change to those of the steps before; why they do not go together, or nothing.
@@ -168,18 +201,14 @@ class ConvertRun {
       change_ = change;
       return std::nullopt;
     }
-    const auto changes_bytes = [](const change::Change& one) {
-      return !one.bin.empty() || one.sound_chunks || !one.replaced.empty();
-    };
-    if (changes_bytes(change_) && changes_bytes(change)) return "two steps change the same bytes";
     change_.edits = json::chain_edits(*before_.container().json, change_.edits, change.edits);
     change_.files.insert(change_.files.end(), change.files.begin(), change.files.end());
-    if (change.format) change_.format = change.format;
-    if (changes_bytes(change)) {
-      change_.bin = change.bin;
-      change_.sound_chunks = change.sound_chunks;
-      change_.replaced = change.replaced;
+    change_.replaced.insert(change_.replaced.end(), change.replaced.begin(), change.replaced.end());
+    if (change.format) {  // the bytes are those of the asset as the steps before left it
+      change_.format = change.format;
+      change_.bin = {};
     }
+    if (!change.bin.empty()) change_.bin = change.bin;
     return std::nullopt;
   }
 
@@ -199,11 +228,29 @@ class ConvertRun {
   }
 
   Reason find_error(const ValidatedAsset& after) {
-    report_.steps.back().bytes_after = stored_bytes(after.asset());
+    report_.steps.back().bytes_after = steps::stored_size(after.asset());
     prove::NewFindings found = prove::new_findings(before_, after, schemas_);
     report_.new_warnings = std::move(found.warnings);
-    if (found.error.empty()) return std::nullopt;
-    return fmt::format("the new file would have the new error {}", found.error);
+    if (!found.error.empty()) {
+      return fmt::format("the new file would have the new error {}", found.error);
+    }
+    return laid_out_ ? find_difference(after.asset()) : std::nullopt;
+  }
+
+  // Where the new asset means something else than the old one, beyond what the steps say.
+  Reason find_difference(const OpenedAsset& after) const {
+    prove::MeaningRequest request;
+    if (freedom_.vertex_order) request.order = prove::VertexOrder::free;
+    if (freedom_.keyframes) request.animations = prove::AnimationComparison::curves;
+    request.images =
+        freedom_.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
+    request.unused_may_go = freedom_.unused;
+    request.jobs = options_.jobs;
+    request.most = 1;
+    const prove::Meaning meaning = prove::compare_meaning(before_, after, *schemas_, request);
+    if (meaning.same()) return std::nullopt;
+    const prove::Difference& first = meaning.differences.front();
+    return fmt::format("the new file would not mean the same: {}: {}", first.pointer, first.what);
   }
 
   const OpenedAsset& before_;
@@ -215,6 +262,8 @@ class ConvertRun {
   std::optional<OpenedAsset> now_;      ///< what the steps before the last make; nothing: the old
   std::optional<change::Change> last_;  ///< of the last step, where it has one
   change::Change change_;               ///< of the old asset, all steps together
+  steps::Freedom freedom_;              ///< of all steps
+  bool laid_out_ = false;               ///< steps before the last changed something
 };
 
 std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderIndex& folders,

@@ -25,8 +25,6 @@ using container::Bytes;
 using model::RootArray;
 using model::Storage;
 
-// Of the widest component that an extension has: what was aligned in its own buffer stays so.
-constexpr std::uint64_t kAlignment = 8;
 constexpr std::uint64_t kMostBytes = UINT32_MAX;
 constexpr const char* kNoFirst = "buffer 0 has no data, and the data of a GLB is that of buffer 0";
 

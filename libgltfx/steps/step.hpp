@@ -24,11 +24,20 @@ struct StepInput {
   std::string file_name;          ///< of the new asset
 };
 
+/// What differs after a step in what the asset means; the rest is proven to be equal.
+struct Freedom {
+  bool vertex_order = false;  ///< of vertices and triangles
+  bool keyframes = false;     ///< the curves stay
+  bool unused = false;        ///< objects without a use may be gone
+  bool texels = false;        ///< of images
+};
+
 /// The result of a step. The change need not be placed. The caller sets the name, `changes` and the
 /// sizes in `row`.
 struct StepOutcome {
   change::Change change = {};
   ConvertStep row = {};
+  Freedom freedom = {};
 };
 
 /// What a step is, for who runs it and for who reads about it. Texts have static storage.
@@ -43,7 +52,8 @@ struct StepDescription {
   Result<StepOutcome> (*run)(const StepInput& input);
 };
 
-/// In the order in which they run.
+/// In the order in which they run. The bytes of all but the last are laid out (`steps/layout.hpp`)
+/// before the last one, which says where they are stored.
 std::vector<StepDescription> steps();
 
 }  // namespace gltfx::steps

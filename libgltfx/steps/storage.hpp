@@ -12,6 +12,9 @@
 
 namespace gltfx::steps {
 
+/// Of what is moved to another buffer: the size of the widest component that an extension has.
+inline constexpr std::uint64_t kAlignment = 8;
+
 /// One GLB with all buffers and images.
 Result<StepOutcome> pack(const StepInput& input);
 

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verbs that change assets.
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "base/text.hpp"
@@ -80,6 +84,28 @@ Result<double> parse_ior(std::string_view, std::string_view word) {
   return Error{"upgrade: --ior is 0 or 1000."};
 }
 
+// "webp", "png:normal".
+Result<std::vector<ImageConversion>> parse_images(std::string_view option, const Words& words) {
+  static const Choices<ImageTarget> kTargets{{"webp", ImageTarget::webp},
+                                             {"png", ImageTarget::png},
+                                             {"jpeg", ImageTarget::jpeg},
+                                             {"legal", ImageTarget::legal}};
+  static const Choices<ImageClass> kClasses{
+      {"color", ImageClass::color}, {"normal", ImageClass::normal}, {"data", ImageClass::data}};
+  std::vector<ImageConversion> conversions;
+  for (const std::string_view word : words) {
+    const std::size_t colon = std::min(word.find(':'), word.size());
+    const auto target = choose(option, word.substr(0, colon), kTargets);
+    if (!target) return target.error();
+    ImageConversion& conversion = conversions.emplace_back(ImageConversion{*target, std::nullopt});
+    if (colon == word.size()) continue;
+    const auto only = choose(option, word.substr(colon + 1), kClasses);
+    if (!only) return only.error();
+    conversion.only = *only;
+  }
+  return conversions;
+}
+
 }  // namespace
 
 void declare_upgrade(Options& options, UpgradeRequest& request) {
@@ -146,8 +172,30 @@ void declare_convert(Options& options, ConvertRequest& request) {
       "--to", "FORM", "Store as glb, gltf (files) or embedded (data URIs)",
       one_of(request.convert.to,
              {{"glb", StoredAs::glb}, {"gltf", StoredAs::gltf}, {"embedded", StoredAs::embedded}}));
-  options.add("--partial", "", "Write even if something was refused",
-              flag(request.convert.partial));
+  ConvertOptions& convert = request.convert;
+  options.add("--compress", "CODEC", "Store geometry as meshopt, draco or none (plain)",
+              one_of(convert.compress, {{"none", Compression::none},
+                                        {"meshopt", Compression::meshopt},
+                                        {"draco", Compression::draco}}));
+  options.add("--images", "FORMAT", "Store images as webp, png, jpeg or legal[:color|normal|data]",
+              parsed_list(convert.images, parse_images, [] {
+                return values::choice({"webp", "png", "jpeg", "legal"});
+              }));
+  options.add("--quality", "N", "Quality of lossy images, 1 to 100 (default: webp, png exact)",
+              number(convert.quality, 1, 100));
+  options.add("--texture-size", "N", "Make no side of an image longer than N texels",
+              number(convert.texture_size, 1, 65536));
+  options.add("--dedup", "", "Store equal data and objects once", flag(convert.dedup));
+  options.add("--prune", "", "Remove unused objects and vertices", flag(convert.prune));
+  options.add("--weld", "", "Merge vertices that are equal in all bits", flag(convert.weld));
+  options.add("--reorder", "", "Order triangles and vertices for a GPU", flag(convert.reorder));
+  options.add("--resample", "", "Remove keyframes that interpolation gives exactly",
+              flag(convert.resample));
+  options.add("--shrink", "", "The five above, and PNG images compressed again",
+              flag(convert.shrink));
+  options.add("--verify", "", "Refuse a result whose rendered picture differs",
+              flag(convert.verify));
+  options.add("--partial", "", "Write even if something was refused", flag(convert.partial));
   declare_destination(options, request, request.convert);
   declare_sources(options, request, request.convert);
 }

@@ -21,10 +21,45 @@ enum class StoredAs : std::uint8_t {
   embedded,  ///< JSON text with data URIs for buffers and images
 };
 
+/// How geometry is stored.
+enum class Compression : std::uint8_t { none, meshopt, draco };
+
+/// What images are used as: the union of their texture slots.
+enum class ImageClass : std::uint8_t { color, normal, data };
+
+/// The format that images get.
+enum class ImageTarget : std::uint8_t {
+  webp,
+  png,
+  jpeg,
+  legal,  ///< PNG, for images that neither glTF nor an extension in use allows
+};
+
+/// A request for images.
+struct ImageConversion {
+  ImageTarget target = ImageTarget::png;
+  std::optional<ImageClass> only;  ///< nothing: all classes
+};
+
 /// What a run is asked for.
 struct ConvertOptions : EditOptions {
   /// Nothing: as the name of the output ends, and as the input is stored where there is none.
   std::optional<StoredAs> to;
+  /// Nothing: compressed geometry stays as its bytes.
+  std::optional<Compression> compress;
+  /// The first that applies to an image decides.
+  std::vector<ImageConversion> images;
+  /// 1 to 100, of lossy images. Nothing: WebP and PNG are exact, others have a default.
+  std::optional<std::uint32_t> quality;
+  std::optional<std::uint32_t> texture_size;  ///< texels that no side exceeds; nothing is enlarged
+  bool dedup = false;     ///< equal accessors, views, images, samplers, textures, materials once
+  bool prune = false;     ///< unused objects and vertices go
+  bool weld = false;      ///< equal vertices of a primitive once
+  bool reorder = false;   ///< triangles and vertices for the caches of a GPU
+  bool resample = false;  ///< keyframes that interpolation gives exactly go
+  /// All that loses nothing: the five above, and PNG images compressed again where that is smaller.
+  bool shrink = false;
+  bool verify = false;  ///< compares pictures and images before and after
   /// Write although something that was asked for was refused.
   bool partial = false;
   /// Other assets have their files in the same folder: names of new images say what is in them.

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "steps/accessor_contents.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "json/writer.hpp"
+#include "model/accessor_data.hpp"
+#include "steps/storage.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+using model::Accessor;
+using model::BufferView;
+
+std::uint64_t aligned(std::uint64_t size) {
+  return (size + kAlignment - 1) / kAlignment * kAlignment;
+}
+
+std::uint64_t stride_of(const BufferView& view, const Accessor& accessor) {
+  return view.byte_stride.value_or(model::packed_stride(accessor.format));
+}
+
+// The least or the greatest value of each component, as a JSON array.
+template <class T, class Better>
+std::string bound_text(std::string_view bytes, unsigned components, const Better& better) {
+  std::string text;
+  json::Writer writer(text);
+  writer.begin_array();
+  const std::size_t stride = sizeof(T) * components;
+  for (unsigned component = 0; component < components; ++component) {
+    T best{};
+    for (std::size_t at = 0; at + stride <= bytes.size(); at += stride) {
+      T value{};
+      std::memcpy(&value, bytes.data() + at + sizeof(T) * component, sizeof(T));
+      if (at == 0 || better(value, best)) best = value;
+    }
+    writer.number(static_cast<double>(best));
+  }
+  writer.end_array();
+  return text;
+}
+
+}  // namespace
+
+AccessorContents::AccessorContents(const model::OpenedAsset& asset, const graph::Graph& graph,
+                                   const model::ResourceData& resources, NewBuffer& buffer,
+                                   change::Additions& additions, json::Editor& editor)
+    : document_(asset.document()),
+      views_(asset.views()),
+      graph_(graph),
+      resources_(resources),
+      buffer_(buffer),
+      additions_(additions),
+      editor_(editor) {
+  for (std::uint32_t i = 0; i < views_.accessors.size(); ++i) {
+    if (views_.accessors[i].buffer_view) accessors_[*views_.accessors[i].buffer_view].push_back(i);
+  }
+}
+
+void AccessorContents::set(std::uint32_t accessor, NewElements elements) {
+  set_[accessor] = std::move(elements);
+}
+
+std::uint64_t AccessorContents::count_of(std::uint32_t accessor) const {
+  const auto found = set_.find(accessor);
+  return found == set_.end() ? views_.accessors[accessor].count.value_or(0) : found->second.count;
+}
+
+std::optional<Error> AccessorContents::store() {
+  std::map<std::uint32_t, std::vector<std::uint32_t>> by_view;
+  for (const auto& [accessor, elements] : set_) {
+    const auto& view = views_.accessors[accessor].buffer_view;
+    if (view) {
+      by_view[*view].push_back(accessor);
+    } else {
+      store_alone(accessor, elements);
+    }
+  }
+  for (const auto& [view, accessors] : by_view) {
+    if (const auto blocks = blocks_of(view)) {
+      if (auto trouble = store_view(view, *blocks)) return trouble;
+      continue;
+    }
+    for (const std::uint32_t accessor : accessors) store_alone(accessor, set_.at(accessor));
+  }
+  return std::nullopt;
+}
+
+// How the accessors of a view lie in it; nothing: it cannot be stored anew as a whole.
+std::optional<std::vector<AccessorContents::Block>> AccessorContents::blocks_of(
+    std::uint32_t index) const {
+  const BufferView& view = views_.buffer_views[index];
+  std::vector<std::uint32_t> accessors = accessors_.at(index);
+  if (graph_.users(view.node).size() != accessors.size()) return std::nullopt;
+  if (document_.find(view.node, "extensions") != json::kNoNode) return std::nullopt;
+  const auto offset = [this](std::uint32_t i) {
+    return views_.accessors[i].byte_offset.value_or(0);
+  };
+  std::stable_sort(accessors.begin(), accessors.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return offset(a) < offset(b); });
+  std::vector<Block> blocks;
+  std::uint64_t end = 0;  // of the last block
+  for (const std::uint32_t i : accessors) {
+    const Accessor& accessor = views_.accessors[i];
+    if (!accessor.format.known() || !accessor.count) return std::nullopt;
+    const bool interleaved =
+        view.byte_stride && !blocks.empty() && offset(i) < blocks.back().begin + *view.byte_stride;
+    const auto size = accessor.span_size(stride_of(view, accessor));
+    if (!size) return std::nullopt;
+    if (!interleaved) {
+      if (offset(i) < end) return std::nullopt;
+      blocks.push_back({offset(i), {}});
+    } else if (count_of(i) != count_of(blocks.back().accessors.front())) {
+      return std::nullopt;
+    }
+    blocks.back().accessors.push_back(i);
+    end = std::max(end, offset(i) + *size);
+  }
+  return blocks;
+}
+
+std::optional<Error> AccessorContents::store_view(std::uint32_t index,
+                                                  const std::vector<Block>& blocks) {
+  const BufferView& view = views_.buffer_views[index];
+  std::string bytes;
+  for (const Block& block : blocks) {
+    const std::uint64_t begin = aligned(bytes.size());
+    const std::uint64_t stride = stride_of(view, views_.accessors[block.accessors.front()]);
+    bytes.resize(begin + stride * count_of(block.accessors.front()));
+    for (const std::uint32_t i : block.accessors) {
+      const Accessor& accessor = views_.accessors[i];
+      const std::uint64_t size = model::element_size(accessor.format);
+      const std::uint64_t offset = accessor.byte_offset.value_or(0) - block.begin;
+      const auto found = set_.find(i);
+      container::Bytes old;
+      std::string_view from;
+      std::uint64_t distance = model::packed_stride(accessor.format);
+      if (found != set_.end()) {
+        from = found->second.bytes;
+      } else {
+        auto part = resources_.part(document_, view, accessor.byte_offset.value_or(0),
+                                    *accessor.span_size(stride));
+        if (!part) return Error{"the bytes of an accessor are missing"};
+        old = *std::move(part);
+        from = old.text();
+        distance = stride;
+      }
+      for (std::uint64_t at = 0; at < count_of(i); ++at) {
+        from.substr(at * distance, size).copy(bytes.data() + begin + offset + at * stride, size);
+      }
+      declare(i, begin + offset);
+    }
+  }
+  set_number(view.node, "byteLength", bytes.size());
+  set_number(view.node, "buffer", buffer_.index());
+  set_number(view.node, "byteOffset", buffer_.add(std::move(bytes)));
+  return std::nullopt;
+}
+
+void AccessorContents::store_alone(std::uint32_t index, const NewElements& elements) {
+  constexpr std::uint64_t kVertexAlignment = 4;
+  const Accessor& accessor = views_.accessors[index];
+  const bool has_view = accessor.buffer_view.has_value();
+  const model::ViewTarget target =
+      has_view ? views_.buffer_views[*accessor.buffer_view].target : elements.target;
+  const std::uint64_t size = model::packed_stride(accessor.format);
+  const bool of_vertices = target == model::ViewTarget::vertices ||
+                           (has_view && views_.buffer_views[*accessor.buffer_view].byte_stride);
+  const std::uint64_t stride =
+      of_vertices ? (size + kVertexAlignment - 1) / kVertexAlignment * kVertexAlignment : size;
+  std::string bytes = elements.bytes;
+  if (stride != size) {
+    bytes.assign(stride * elements.count, '\0');
+    for (std::uint64_t i = 0; i < elements.count; ++i) {
+      elements.bytes.copy(bytes.data() + i * stride, size, i * size);
+    }
+  }
+  std::string json = fmt::format(R"({{"buffer":{},"byteLength":{})", buffer_.index(), bytes.size());
+  json += fmt::format(R"(,"byteOffset":{})", buffer_.add(std::move(bytes)));
+  if (of_vertices) json += fmt::format(R"(,"byteStride":{})", stride);
+  if (target == model::ViewTarget::vertices) json += R"(,"target":34962)";
+  if (target == model::ViewTarget::indices) json += R"(,"target":34963)";
+  const std::uint64_t view = additions_.add_element("bufferViews", json.append(1, '}'));
+  set_number(accessor.node, "bufferView", view);
+  declare(index, 0);
+}
+
+void AccessorContents::declare(std::uint32_t index, std::uint64_t offset) {
+  const Accessor& accessor = views_.accessors[index];
+  if (offset != accessor.byte_offset.value_or(0)) set_number(accessor.node, "byteOffset", offset);
+  const auto found = set_.find(index);
+  if (found == set_.end()) return;
+  if (found->second.count != accessor.count)
+    set_number(accessor.node, "count", found->second.count);
+  if (found->second.other_values) declare_bounds(index, found->second);
+}
+
+void AccessorContents::declare_bounds(std::uint32_t index, const NewElements& elements) {
+  const Accessor& accessor = views_.accessors[index];
+  model::with_component_type(accessor.format.component, [&](auto sample) {
+    using T = decltype(sample);
+    const unsigned components = model::component_count(accessor.format.type);
+    if (accessor.min != json::kNoNode) {
+      editor_.replace(accessor.node, accessor.min,
+                      bound_text<T>(elements.bytes, components, [](T a, T b) { return a < b; }));
+    }
+    if (accessor.max != json::kNoNode) {
+      editor_.replace(accessor.node, accessor.max,
+                      bound_text<T>(elements.bytes, components, [](T a, T b) { return a > b; }));
+    }
+  });
+}
+
+void AccessorContents::set_number(json::NodeId object, std::string_view name, std::uint64_t value) {
+  const json::NodeId old = document_.find(object, name);
+  if (old == json::kNoNode) {
+    editor_.append_member(object, name, std::to_string(value));
+  } else {
+    editor_.replace_scalar(old, std::to_string(value));
+  }
+}
+
+}  // namespace gltfx::steps

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Accessors get other elements, and maybe another number of them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.hpp"
+#include "change/additions.hpp"
+#include "graph/graph.hpp"
+#include "json/edit.hpp"
+#include "model/opened_asset.hpp"
+#include "model/resource_data.hpp"
+#include "steps/new_buffer.hpp"
+
+namespace gltfx::steps {
+
+/// The elements of an accessor.
+struct NewElements {
+  std::string bytes;  ///< `count` elements, each of model::packed_stride()
+  std::uint64_t count = 0;
+  bool other_values = false;  ///< the bounds that the accessor declares are computed again
+  /// Of the view, where the accessor has none yet.
+  model::ViewTarget target = model::ViewTarget::none;
+};
+
+/// Stores new elements. The index of the accessor stays, and that of its buffer view, with its
+/// interleaving, unless the view has other users than accessors or their counts become different:
+/// then the accessor gets a view of its own. All arguments must outlive this; `resources` has all
+/// buffers of `asset`.
+class AccessorContents {
+ public:
+  AccessorContents(const model::OpenedAsset& asset, const graph::Graph& graph,
+                   const model::ResourceData& resources, NewBuffer& buffer,
+                   change::Additions& additions, json::Editor& editor);
+
+  /// Precondition: the accessor is not sparse, and its format is known.
+  void set(std::uint32_t accessor, NewElements elements);
+  bool empty() const { return set_.empty(); }
+
+  /// Adds the bytes to the buffer, and edits of accessors and views to the editor. Call it once. An
+  /// Error, half a sentence, when bytes of another accessor in a view are missing.
+  std::optional<Error> store();
+
+ private:
+  struct Block {
+    std::uint64_t begin = 0;               ///< in the old view
+    std::vector<std::uint32_t> accessors;  ///< interleaved, in the order of their offsets
+  };
+
+  std::uint64_t count_of(std::uint32_t accessor) const;
+  std::optional<std::vector<Block>> blocks_of(std::uint32_t view) const;
+  std::optional<Error> store_view(std::uint32_t view, const std::vector<Block>& blocks);
+  void store_alone(std::uint32_t accessor, const NewElements& elements);
+  void declare(std::uint32_t accessor, std::uint64_t offset);
+  void declare_bounds(std::uint32_t accessor, const NewElements& elements);
+  void set_number(json::NodeId object, std::string_view name, std::uint64_t value);
+
+  const json::Document& document_;
+  const model::Views& views_;
+  const graph::Graph& graph_;
+  const model::ResourceData& resources_;
+  NewBuffer& buffer_;
+  change::Additions& additions_;
+  json::Editor& editor_;
+  std::map<std::uint32_t, NewElements> set_;                       ///< by accessor
+  std::map<std::uint32_t, std::vector<std::uint32_t>> accessors_;  ///< by view
+};
+
+}  // namespace gltfx::steps

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "steps/new_buffer.hpp"
+
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "change/companions.hpp"
+#include "model/asset.hpp"
+#include "steps/storage.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+using container::Bytes;
+
+// No file on a disk is looked for under such a name: the resolver has its bytes.
+constexpr std::string_view kPrefix = "gltfx-new-bytes-";
+
+}  // namespace
+
+NewBuffer::NewBuffer(const model::OpenedAsset& asset)
+    : index_(model::Asset(asset.document()).count(model::RootArray::buffers)) {
+  const std::set<std::string> taken = change::referred_paths(asset.document());
+  for (std::uint64_t number = index_; path_.empty() || taken.contains(path_); ++number) {
+    path_ = fmt::format("{}{}.bin", kPrefix, number);
+  }
+}
+
+std::uint64_t NewBuffer::add(Bytes bytes) {
+  const std::uint64_t begin = (size_ + kAlignment - 1) / kAlignment * kAlignment;
+  if (begin > size_) pieces_.push_back(Bytes::from_string(std::string(begin - size_, '\0')));
+  size_ = begin + bytes.size();
+  pieces_.push_back(std::move(bytes));
+  return begin;
+}
+
+std::uint64_t NewBuffer::add(std::string bytes) {
+  return add(Bytes::from_string(std::move(bytes)));
+}
+
+void NewBuffer::add_to(change::Change& change) {
+  if (empty()) return;
+  change.additions.add_element("buffers",
+                               fmt::format(R"({{"byteLength":{},"uri":"{}"}})", size_, path_));
+  change.files.push_back({path_, std::move(pieces_)});
+  pieces_.clear();
+}
+
+bool NewBuffer::is_own(const std::string& path) { return path.starts_with(kPrefix); }
+
+}  // namespace gltfx::steps
