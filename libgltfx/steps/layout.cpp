@@ -357,7 +357,13 @@ std::uint64_t laid_out_size(const OpenedAsset& before, const OpenedAsset& now,
 std::uint64_t stored_size(const OpenedAsset& asset) {
   const container::Container& container = asset.container();
   std::uint64_t bytes = container.json ? container.json->size() : 0;
-  for (std::size_t i = 1; i < container.chunks.size(); ++i) bytes += container.chunks[i].length;
+  if (container.format == container::Format::glb) {
+    constexpr std::uint64_t kHeader = 12, kChunkHeader = 8, kWord = 4;
+    bytes = kHeader + kChunkHeader + (bytes + kWord - 1) / kWord * kWord;
+    for (std::size_t i = 1; i < container.chunks.size(); ++i) {
+      bytes += kChunkHeader + container.chunks[i].length;
+    }
+  }
   for (const std::string& path : change::referred_paths(asset.document())) {
     std::uint64_t size = 0;
     if (asset.resolver().stat(path, size) == container::ResolveError::none) bytes += size;
