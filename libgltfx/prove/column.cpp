@@ -51,7 +51,7 @@ double distance(Metric metric, const Element& a, const Element& b, unsigned comp
     greatest = std::max(greatest, std::sqrt(square));
   } else if (metric == Metric::direction) {
     greatest = std::max(greatest, angle(a, b));
-    // Of another length alone: no angle, but no equality.
+    // If only the lengths differ, there is no angle, but the vectors are not equal.
     if (greatest == 0) greatest = std::numeric_limits<double>::min();
   }
   return greatest;
@@ -88,7 +88,7 @@ std::optional<Column> Column::open(const Side& side, const model::PrimitiveData&
                                    const model::Attribute& attribute) {
   if (!attribute.accessor) return std::nullopt;
   auto elements = data.open(attribute);
-  // Nothing is stored beside a bitstream, but that does not make zeros of it.
+  // The accessor of an attribute in a bitstream has no stored data, but its elements are not zeros.
   if (!elements && model::read_draco(side.asset(), data.primitive())) return std::nullopt;
   return make(side, *attribute.accessor, std::move(elements));
 }
@@ -105,7 +105,7 @@ Element Column::decode(const std::byte* from) const {
     for (unsigned i = 0; i < count; ++i) {
       T value;
       std::memcpy(&value, from + i * sizeof(T), sizeof(T));
-      // Integers of 32 bits are no floats.
+      // Integers of 32 bits do not fit into floats.
       element[i] = format_.normalized ? static_cast<double>(model::to_float(value, true))
                                       : static_cast<double>(value);
     }

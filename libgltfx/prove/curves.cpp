@@ -17,11 +17,11 @@ using model::AccessorData;
 using model::AnimationPath;
 using model::Curve;
 
-constexpr int kParts = 5;  // between two keyframes
-// What is computed from other keyframes is rounded otherwise.
+constexpr int kParts = 5;  // samples per interval of two keyframes
+// Values that are computed from different keyframes are rounded differently.
 constexpr double kRoundingPart = 1.0 / (1 << 22);
 
-/// The curve of a channel and how it is read.
+/// The curve of a channel and its interpretation.
 struct Motion {
   Curve curve;
   std::uint64_t width = 1;
@@ -100,7 +100,7 @@ Worst farthest_apart(const Motion& ours, const Motion& theirs) {
       const std::vector<float> a = ours.at(moment);
       const std::vector<float> b = theirs.at(moment);
       double distance = farthest(a, b, 1);
-      // Both signs of a quaternion turn alike.
+      // A quaternion and its negative are the same rotation.
       if (ours.path == AnimationPath::rotation) distance = std::min(distance, farthest(a, b, -1));
       if (distance > rounding && distance > worst.distance) worst = {distance, moment};
     }

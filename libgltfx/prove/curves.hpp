@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether channels of animations move alike, whatever their keyframes.
+/// Compares the motion of animation channels, independent of their keyframes.
 #pragma once
 
 #include "prove/differences.hpp"

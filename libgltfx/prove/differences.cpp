@@ -6,7 +6,7 @@
 namespace gltfx::prove {
 
 void Differences::add(std::string pointer, std::string what, double amount) {
-  // An empty list would read as equality.
+  // With an empty list the assets would count as equal.
   if (!meaning_.differences.empty() && meaning_.differences.size() >= most_) {
     ++meaning_.more;
   } else {

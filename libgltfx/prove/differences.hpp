@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Collects what the parts of a comparison find.
+/// Collects the results of the parts of a comparison.
 #pragma once
 
 #include <cstddef>
@@ -12,15 +12,15 @@
 
 namespace gltfx::prove {
 
-/// Keeps as many differences as are to be listed, and counts the others.
+/// Keeps the requested number of differences, and counts the others.
 class Differences {
  public:
   explicit Differences(std::size_t most) : most_(most) {}
 
   void add(std::string pointer, std::string what, double amount = 0);
-  /// Notes how far apart two values of a quantity are; the first of the greatest counts.
+  /// Records the distance of two values of a quantity; of equal greatest ones, the first is kept.
   void measure(std::string_view quantity, double distance, const std::string& pointer);
-  /// Something of `before` could not be read.
+  /// Records that a part of `before` could not be read.
   void leave_out(std::string pointer, std::string_view why);
 
   Meaning take();

@@ -11,7 +11,7 @@
 namespace gltfx::prove {
 namespace {
 
-// Without those that are quieter than a warning.
+// Without findings of a severity below warning.
 FileReport serious_findings(std::vector<Diagnostic> found) {
   FileReport report;
   report.diagnostics = std::move(found);
@@ -20,7 +20,7 @@ FileReport serious_findings(std::vector<Diagnostic> found) {
   return report;
 }
 
-// Validated with default options.
+// Validates with default options.
 FileReport serious_findings(const model::OpenedAsset& opened,
                             const std::shared_ptr<const schema::Set>& schemas) {
   model::OpenedAsset again(opened.name(), opened.container(), opened.resolver());
@@ -36,7 +36,7 @@ FileReport serious_findings(const validate::ValidatedAsset& asset,
 /// Places of findings by code.
 using Places = std::set<std::pair<std::string_view, std::string_view>>;
 
-// The warning to show for a code: one at a new place, if there is any.
+// The warning to show for a code: one at a new place, if possible.
 std::string text_of(const MoreFindings& more, const FileReport& after, const Places& known) {
   const Diagnostic* shown = nullptr;
   for (const Diagnostic& one : after.diagnostics) {

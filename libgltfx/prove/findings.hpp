@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether a draft has findings that the asset had not. What makes an asset worse is the same for
-/// all verbs: of some code there are more findings of a severity, or louder, than before.
+/// Whether a draft has findings that the asset did not have. All verbs have the same criterion for
+/// a worse asset: for some code, there are more findings of a severity or above than before.
 #pragma once
 
 #include <gltfx/report.hpp>
@@ -18,7 +18,7 @@
 
 namespace gltfx::prove {
 
-/// Numbers of findings by code. Codes live as long as the program.
+/// Numbers of findings by code. The codes must have static storage.
 class FindingCounts {
  public:
   FindingCounts() = default;
@@ -27,37 +27,36 @@ class FindingCounts {
  private:
   friend std::vector<struct MoreFindings> more_findings(const FindingCounts& before,
                                                         const FileReport& after, Severity least);
-  /// By severity, those that are so loud or louder.
+  /// By severity: the findings of this severity or above.
   using Counts = std::array<std::uint64_t, 4>;
   std::map<std::string_view, Counts> codes_;
 };
 
-/// A code of which a draft has more findings.
+/// A code with more findings in a draft.
 struct MoreFindings {
   std::string_view code;
-  Severity severity = Severity::error;  ///< the loudest of which, and louder, there are more
-  std::uint64_t count = 0;              ///< how many more
+  Severity severity = Severity::error;  ///< the highest one with more findings of it or above
+  std::uint64_t count = 0;              ///< number of additional findings
 };
 
-/// By code. Those that are quieter than `least` do not count.
+/// By code. Findings of a severity below `least` do not count.
 std::vector<MoreFindings> more_findings(const FindingCounts& before, const FileReport& after,
                                         Severity least = Severity::hint);
 
-/// What an asset has that it had not, or not as often, by codes.
+/// Findings that an asset did not have before, or has more often now, by code.
 struct NewFindings {
-  std::string_view error;             ///< the code of an error; empty: there is none
-  std::vector<std::string> warnings;  ///< one a code: "CODE at /pointer: message"
+  std::string_view error;             ///< the code of an error; empty: no error
+  std::vector<std::string> warnings;  ///< one per code: "CODE at /pointer: message"
 };
 
-/// What `after` has that `before` has not, as default options judge. Where `before` was validated
-/// with other options that is done anew, and not at all where nothing is wrong with `after`.
-/// `schemas` are those that both were validated with.
+/// Findings of `after` that `before` does not have, with default options. If `before` was validated
+/// with other options, it is validated again, but only if `after` has findings. Both assets were
+/// validated with `schemas`.
 NewFindings new_findings(const validate::ValidatedAsset& before,
                          const validate::ValidatedAsset& after,
                          const std::shared_ptr<const schema::Set>& schemas);
 
-/// The same for an asset that is not validated yet, which happens if something is wrong with
-/// `after`.
+/// The same for an asset that is not validated yet. It is validated if `after` has findings.
 NewFindings new_findings(const model::OpenedAsset& before, const validate::ValidatedAsset& after,
                          const std::shared_ptr<const schema::Set>& schemas);
 

@@ -12,12 +12,12 @@ namespace {
 
 using model::SemanticKind;
 
-/// Corners of both primitives side by side: each list is as long as the other one.
+/// Corresponding corners of both primitives. The lists may differ in length.
 struct Sequences {
   std::vector<std::uint32_t> ours, theirs;
 };
 
-// Where only one is a strip, as lists.
+// If only one of them is a strip or fan, both are turned into lists.
 Sequences sequences_of(const PrimitivePair& pair) {
   if (pair.ours.mode == pair.theirs.mode) return {pair.ours.indices, pair.theirs.indices};
   return {pair.ours.assembled(), pair.theirs.assembled()};
@@ -36,7 +36,7 @@ double tolerance_of(const Stream& stream, const Tolerance& tolerance) {
     case SemanticKind::position:
       return tolerance.position;
     case SemanticKind::normal:
-    case SemanticKind::tangent:  // what is added to a unit vector turns it by as much at most
+    case SemanticKind::tangent:  // the length of an added vector limits the angle, in radians
       return stream.of_target ? tolerance.direction * std::numbers::pi / 180 : tolerance.direction;
     case SemanticKind::texcoord:
       return tolerance.texcoord;
@@ -49,7 +49,7 @@ double tolerance_of(const Stream& stream, const Tolerance& tolerance) {
   }
 }
 
-// `apart` takes two vertices. Vertices that cannot be read are the same as such only.
+// `apart` takes two vertices. An unreadable vertex of `after` differs from each readable one.
 template <class Apart>
 Farthest farthest_corner(const PrimitivePair& pair, const Sequences& corners, const Apart& apart) {
   Farthest found;
@@ -67,7 +67,7 @@ Farthest farthest_corner(const PrimitivePair& pair, const Sequences& corners, co
 Farthest compare_stream(const PrimitivePair& pair, const Sequences& corners, bool same_corners,
                         const Stream& stream) {
   const Metric metric = metric_of(stream);
-  // All vertices in a row take less time, and mostly nothing differs.
+  // Comparing all vertices in order is faster, and in most cases there is no difference.
   const bool in_step = same_corners && stream.ours.count() == stream.theirs.count();
   if (in_step && farthest(metric, stream.ours, stream.theirs).distance == 0) return {};
   return farthest_corner(pair, corners, [&](std::uint32_t here, std::uint32_t there) {
@@ -121,7 +121,7 @@ void compare_primitives(const Side& before, const Side& after, json::NodeId ours
 
 void compare_placed(const Side& before, const Side& after, const Placed& ours, const Placed& theirs,
                     json::NodeId node, const MeaningRequest& request, Differences& found) {
-  Differences told(0);  // by compare_primitives()
+  Differences told(0);  // already reported by compare_primitives()
   const auto pair = open_pair(before, after, ours.primitive, theirs.primitive, told);
   if (!pair) return;
   const Sequences corners = sequences_of(*pair);

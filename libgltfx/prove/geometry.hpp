@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether primitives draw the same.
+/// Compares the drawn shapes of primitives.
 #pragma once
 
 #include "model/node.hpp"
@@ -8,18 +8,18 @@
 
 namespace gltfx::prove {
 
-/// Compares all attributes of two primitives as the request says; without `positions` but for
-/// POSITION, which somebody else compares.
+/// Compares all attributes of two primitives according to the request. Without `positions`,
+/// POSITION is left out because the caller compares it separately.
 void compare_primitives(const Side& before, const Side& after, json::NodeId ours,
                         json::NodeId theirs, const MeaningRequest& request, bool positions,
                         Differences& found);
 
-/// A primitive at its place in the scene.
+/// A primitive and its transform to the scene.
 struct Placed {
   json::NodeId primitive = json::kNoNode;
   model::Affine world;
 };
-/// Compares positions, corner by corner, in the space of the scene. `node` is in `before`.
+/// Compares positions of corresponding corners in the space of the scene. `node` is in `before`.
 void compare_placed(const Side& before, const Side& after, const Placed& ours, const Placed& theirs,
                     json::NodeId node, const MeaningRequest& request, Differences& found);
 

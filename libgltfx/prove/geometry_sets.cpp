@@ -18,10 +18,10 @@ bool less(const Hash128& a, const Hash128& b) {
   return std::tie(a.high, a.low) < std::tie(b.high, b.low);
 }
 
-/// A triangle, segment or point by all that its vertices are.
+/// A triangle, segment or point, as a hash of the values of its vertices.
 struct Shown {
   Hash128 hash;
-  std::size_t at = 0;  ///< in its list
+  std::size_t at = 0;  ///< position in its list
 };
 
 /// The vertices of one side as hashes of their values.
@@ -40,7 +40,7 @@ class Vertices {
   }
 
  private:
-  // One of the values that are equal: of both zeros, and of what is no number.
+  // The same representation for equal values: for both zeros, and for all NaNs.
   static double plain(double value) {
     if (std::isnan(value)) return std::numeric_limits<double>::quiet_NaN();
     return value == 0 ? 0 : value;
@@ -51,7 +51,7 @@ class Vertices {
   std::vector<double> values_;
 };
 
-// A triangle may begin at any of its corners, but turns one way; a segment has no direction.
+// A triangle may begin at any of its corners, but its winding counts; a segment has no direction.
 Hash128 hash_of(Hash128* corners, std::size_t arity) {
   std::rotate(corners, std::min_element(corners, corners + arity, less), corners + arity);
   return hash_bytes(
@@ -63,7 +63,7 @@ std::vector<Shown> sorted(const PrimitivePair& pair, const Corners& corners,
   Vertices vertices(pair, column);
   const std::vector<std::uint32_t> list = corners.assembled();
   const std::size_t arity = corners.arity();
-  // Each vertex is hashed once, but for those that nothing shows.
+  // Each vertex is hashed at most once. Unused vertices are not hashed.
   std::vector<Hash128> known(
       std::min<std::size_t>(static_cast<std::size_t>(corners.vertices), list.size()));
   std::vector<bool> is_known(known.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether images show the same.
+/// Compares the contents of images.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,15 @@
 
 namespace gltfx::prove {
 
-/// Where two images differ most.
+/// The greatest difference of two images.
 struct TexelDifference {
   std::uint32_t x = 0, y = 0;
-  double steps = 0;  ///< of 255; of floats the difference
+  double steps = 0;  ///< in steps of 255; for floats the plain difference
 };
 
-/// Of decoded images with pixels. Grey counts as three equal channels, no alpha as opaque; nothing
-/// where all texels are the same. Precondition: of one size, both with floats or neither.
+/// Compares decoded images with pixels. Grey counts as three equal channels, missing alpha as
+/// opaque; nothing if all texels are equal. Precondition: images of the same size, both or neither
+/// with floats.
 std::optional<TexelDifference> compare_texels(const codec::Image& ours, const codec::Image& theirs);
 
 /// `pair`: objects of images. Not for ImageComparison::none.

@@ -20,14 +20,14 @@ bool has_root_object(const model::OpenedAsset& opened) {
   return !document.empty() && document.is_object(document.root());
 }
 
-/// A mesh at a node, before and after.
+/// A mesh at a node, in both assets.
 struct PlacedMesh {
   Pair node;
   const model::Mesh* ours = nullptr;
   const model::Mesh* theirs = nullptr;
 };
 
-// Meshes whose places in the scene their nodes alone tell.
+// Meshes whose places in the scene depend on their nodes only.
 std::vector<PlacedMesh> placed_meshes(const Side& before, const Side& after,
                                       const NodePairs& nodes) {
   std::vector<PlacedMesh> placed;
@@ -74,7 +74,7 @@ Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAss
   Differences found(request.most);
   if (!has_root_object(before)) return {};
   if (!has_root_object(after)) {
-    found.add("", "is no glTF any more");
+    found.add("", "is not glTF any more");
     return found.take();
   }
   const Side ours(before, schemas, request.jobs);
@@ -98,7 +98,7 @@ Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsse
   Differences found(request.most);
   if (!has_root_object(before)) return {};
   if (!has_root_object(after)) {
-    found.add("", "is no glTF any more");
+    found.add("", "is not glTF any more");
     return found.take();
   }
   const Side ours(before, schemas, request.jobs);

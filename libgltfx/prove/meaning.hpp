@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether two assets mean the same, however they are stored.
+/// Whether two assets have the same meaning, independent of how they are stored.
 ///
-/// Objects are compared by what they lead to: references are followed and never compared by number,
-/// so assets that are renumbered, deduplicated or packed differently are equal. What says only how
-/// something is stored is not compared: buffers, buffer views, where accessors and images lie and
-/// in which format, extensions that store geometry or images in another way. The bytes of all that
-/// is referred to are decoded and compared.
+/// Objects are compared by content: references are followed and never compared by number, so assets
+/// that are renumbered, deduplicated or packed differently are equal. Properties of storage are not
+/// compared: buffers, buffer views, the position and format of accessors and images, and extensions
+/// that store geometry or images differently. The data of all references is decoded and compared.
 #pragma once
 
 #include <cstdint>
@@ -18,89 +17,89 @@
 
 namespace gltfx::prove {
 
-/// Which vertices of a primitive are compared with each other.
+/// How vertices of a primitive are matched.
 enum class VertexOrder : std::uint8_t {
-  kept,  ///< corner by corner, as the indices list them
-  free,  ///< triangles, lines and points as sets: each has the same corners, in whatever place
+  kept,  ///< corner by corner, in the order of the indices
+  free,  ///< as sets of triangles, lines and points: both have the same elements, in any order
 };
 
 enum class AnimationComparison : std::uint8_t {
   keys,  ///< the same keyframes
-  /// The same values at all keyframes of `before` and at four moments between two of them, apart
-  /// from rounding (2^-22 of the values at both), and the same first and last moment.
+  /// The same values at all keyframes of `before` and at four times between each two of them,
+  /// except for rounding (2^-22 of the values at both), and the same first and last time.
   curves,
 };
 
 enum class ImageComparison : std::uint8_t {
   none,
-  bytes,  ///< of the files
-  /// Exactly the same, channels and depth expanded. Files with the same bytes are not decoded.
-  /// Where one of two images cannot be decoded, bytes count.
+  bytes,  ///< the same files
+  /// Exactly the same texels, after channels and depth are expanded. Files with the same bytes are
+  /// not decoded. If one of two images cannot be decoded, their bytes are compared.
   texels,
 };
 
-/// Distances that still count as none; all 0: exact.
+/// Distances up to which values count as equal; all 0: exact.
 struct Tolerance {
-  double position = 0;   ///< in the space of the mesh; with `in_world` in that of the scene
-  double direction = 0;  ///< degrees: of NORMAL, and of TANGENT, whose w is exact
+  double position = 0;   ///< in the space of the mesh; with `in_world` in the space of the scene
+  double direction = 0;  ///< in degrees, for NORMAL and TANGENT; the w of TANGENT is exact
   double texcoord = 0;
   double color = 0;
-  double weight = 0;     ///< of WEIGHTS_n
-  double animation = 0;  ///< AnimationComparison::curves: of each component
+  double weight = 0;     ///< for WEIGHTS_n
+  double animation = 0;  ///< AnimationComparison::curves: for each component
 };
 
 struct MeaningRequest {
-  /// Where it is free there is no tolerance: change values and order in two steps, prove each.
+  /// There is no tolerance with `free`: change values and order in two steps, and prove each.
   VertexOrder order = VertexOrder::kept;
   AnimationComparison animations = AnimationComparison::keys;
   ImageComparison images = ImageComparison::texels;
-  /// What nothing refers to need not be in `after`: materials, meshes, textures and their like, and
-  /// extensions in `extensionsUsed`. Scenes, animations and nodes always stay.
+  /// Unused objects may be missing in `after`: materials, meshes, textures and so on, and
+  /// extensions in `extensionsUsed`. Scenes, animations and nodes must not be missing.
   bool unused_may_go = false;
   /// POSITION is compared in the space of the scene, for each node that uses the mesh without a
-  /// skin. The transform of such a node may change where nothing but the mesh tells: it has no
-  /// children, camera or extensions, and no animation moves it. Not with VertexOrder::free.
+  /// skin. The transform of such a node may change if it affects only the mesh: the node has no
+  /// children, camera or extensions, and is not animated. Not with VertexOrder::free.
   bool in_world = false;
   Tolerance tolerance = {};
-  unsigned jobs = 1;       ///< threads that decode
-  std::size_t most = 100;  ///< differences to list
+  unsigned jobs = 1;       ///< threads for decoding
+  std::size_t most = 100;  ///< greatest number of listed differences
 };
 
-/// One place where the assets differ.
+/// One difference of the assets.
 struct Difference {
-  std::string pointer;  ///< JSON pointer in `before`; of what is new there the place that has it
-  std::string what;     ///< no stop: "POSITION of corner 17 is 0.25 away"
-  double amount = 0;    ///< as far as measured, in the unit of its Tolerance; 0: not a number's
+  std::string pointer;  ///< JSON pointer in `before`; for a new value, the place that contains it
+  std::string what;     ///< without a full stop: "POSITION of corner 17 is 0.25 away"
+  double amount = 0;    ///< if measured, in the unit of its Tolerance; 0: not a numeric difference
 };
 
-/// The greatest distance of one quantity over the asset, within its tolerance or not.
+/// The greatest distance of one quantity in the asset, also if it is within its tolerance.
 struct Measured {
   std::string quantity;  ///< "POSITION", "TEXCOORD", "translation"
   double greatest = 0;   ///< in the unit of its Tolerance
-  std::string pointer;   ///< where, in `before`
+  std::string pointer;   ///< place in `before`
 };
 
 struct Meaning {
   std::vector<Difference> differences;
   std::uint64_t more = 0;          ///< differences that are not listed
-  std::vector<Measured> measured;  ///< those above 0
-  /// What `before` has that cannot be read, and so was not compared: sentences with a pointer.
+  std::vector<Measured> measured;  ///< quantities with a distance above 0
+  /// Parts of `before` that cannot be read and were not compared: sentences with a pointer.
   std::vector<std::string> unread;
 
   bool same() const { return differences.empty(); }
 };
 
-/// Compares two assets. They may be broken in any way: what cannot be read in `before` is left out,
-/// what can be read there and not in `after` is a difference. Reads all buffers (mapped), decodes
-/// Draco and meshopt, and images where that is asked for; takes memory for the two texts and one
-/// primitive or image at a time, and for decoded streams. Time grows with the size of the assets, n
-/// log n, and with what primitives refer to, whoever shares it. Without a text there is nothing to
-/// compare: that is a difference if `before` has one.
+/// Compares two assets, which may have any errors: a part of `before` that cannot be read is left
+/// out; if it can be read only in `before`, that is a difference. Reads all buffers (mapped), and
+/// decodes Draco and meshopt, and images if requested. Holds the two texts, decoded streams, and
+/// one primitive or image at a time in memory. Takes time n log n in the size of the assets and of
+/// the data of primitives, counted once per reference. If `before` has no text, nothing is
+/// compared; if only `after` has none, that is a difference.
 Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAsset& after,
                         const schema::Set& schemas, const MeaningRequest& request);
 
-/// Compares primitives alone, meshes with the same number, as the request says of vertices: for
-/// changes of other objects that renumber nothing. All else as above.
+/// Compares only primitives, of meshes with the same number, with the vertex options of the
+/// request: for changes of other objects without renumbering. Otherwise as above.
 Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsset& after,
                        const schema::Set& schemas, const MeaningRequest& request);
 

@@ -10,7 +10,7 @@ namespace {
 
 using model::RootArray;
 
-// Nodes that a list of indices leads to.
+// The nodes in a list of indices.
 std::vector<json::NodeId> listed(const Side& side, json::NodeId owner, std::string_view member) {
   std::vector<json::NodeId> nodes;
   const auto& all = side.asset().elements(RootArray::nodes);
@@ -21,7 +21,7 @@ std::vector<json::NodeId> listed(const Side& side, json::NodeId owner, std::stri
   return nodes;
 }
 
-// Those without a parent.
+// Nodes without a parent.
 std::vector<json::NodeId> roots(const Side& side) {
   const model::SceneGraph graph(side.asset(), side.views().nodes);
   const auto& all = side.asset().elements(RootArray::nodes);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which node of one asset is which of the other: by their places in the scenes, not by number.
+/// Corresponding nodes of two assets: by their places in the scenes, not by number.
 #pragma once
 
 #include <unordered_map>
@@ -10,10 +10,10 @@
 
 namespace gltfx::prove {
 
-/// One to one. Nodes are told apart by where they are: two that are equal are not the same.
+/// A one-to-one relation. Nodes are identified by place: two equal nodes are not the same.
 class NodePairs {
  public:
-  /// Roots of scenes in order, then roots outside of scenes, then what is left, each with its
+  /// Roots of scenes in order, then roots outside of scenes, then the other nodes, each with its
   /// children in order. Iterative; linear.
   NodePairs(const Side& before, const Side& after);
 
@@ -31,9 +31,9 @@ class NodePairs {
   const Side& before_;
   const Side& after_;
   std::vector<std::pair<json::NodeId, json::NodeId>> pairs_;
-  std::size_t done_ = 0;                                   ///< pairs whose children are paired
-  std::unordered_map<json::NodeId, json::NodeId> theirs_;  ///< by ours
-  std::unordered_map<json::NodeId, json::NodeId> ours_;    ///< by theirs
+  std::size_t done_ = 0;                                   ///< number of pairs with paired children
+  std::unordered_map<json::NodeId, json::NodeId> theirs_;  ///< by node of `before`
+  std::unordered_map<json::NodeId, json::NodeId> ours_;    ///< by node of `after`
 };
 
 }  // namespace gltfx::prove

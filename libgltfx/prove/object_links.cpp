@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// References: what they lead to is compared, and not their numbers.
+// References: their targets are compared, not their numbers.
 #include <algorithm>
 #include <map>
 
@@ -66,7 +66,7 @@ void ObjectWalk::follow(const Place& place, const Pair& pair) {
   const bool is_pointed =
       known_.pointed_here.contains(pair.ours) || known_.pointed_there.contains(pair.theirs);
   if (is_pointed && (partner_there != pair.theirs || partner_here != pair.ours)) {
-    return differ(place, "leads to another object, which a JSON pointer tells apart");
+    return differ(place, "leads to another object, and a JSON pointer distinguishes the two");
   }
   if (!known_.contents.join(pair)) return;
   if (type == types_.accessor) {
@@ -108,7 +108,7 @@ void ObjectWalk::compare_views(const Place& place, const Pair& pair) {
   if (!container::same_bytes(*ours, *theirs)) differ(place, "leads to other bytes");
 }
 
-// The picture that a reader of all formats shows.
+// Compares the images that a reader of all formats shows.
 void ObjectWalk::compare_textures(const Pair& pair) {
   const auto ours = shown_image(before_, pair.ours, known_.reached_here);
   const auto theirs = shown_image(after_, pair.theirs, known_.reached_there);
@@ -117,7 +117,7 @@ void ObjectWalk::compare_textures(const Pair& pair) {
   follow({pair.ours}, {*ours, *theirs});
 }
 
-// Names and the like of accessors whose elements are compared with the primitive.
+// Names and other members of accessors whose elements are compared with the primitive.
 void ObjectWalk::compare_accessor_members(const Pair& pair) {
   const auto join = [&](const std::optional<std::uint32_t>& here,
                         const std::optional<std::uint32_t>& there) {
@@ -158,7 +158,7 @@ std::vector<json::NodeId> ObjectWalk::unused(
   return elements;
 }
 
-// In the order of their lists, since nothing else tells which is which.
+// In the order of their lists, because unused objects can only be matched by position.
 void ObjectWalk::compare_unused() {
   std::map<std::string_view, Pair> arrays;
   for (const schema::TargetArray& array : before_.graph().checked().targets) {

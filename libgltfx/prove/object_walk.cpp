@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kExtensions = "extensions";
 
-// What objects of all types have, whatever they store.
+// Members that objects of all types may have.
 bool is_said_of_all(std::string_view name) {
   return name == "name" || name == "extras" || name == kExtensions;
 }
@@ -163,7 +163,7 @@ ObjectWalk::Members ObjectWalk::members(const Side& side, json::NodeId object) c
   return members;
 }
 
-// Whether a member says something that is not said by what is compared in its place.
+// Whether a member is compared as text, because no comparison of its data covers it.
 bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_view name,
                              json::NodeId value) const {
   const schema::TypeId type = side.type(object);
@@ -192,7 +192,7 @@ bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_
   return true;
 }
 
-// A table, or extensions that store: whether it is there says nothing.
+// Tables, and objects with storage extensions only: their presence has no meaning.
 bool ObjectWalk::is_mere_storage(const Side& side, std::string_view name,
                                  json::NodeId value) const {
   const json::Document& document = side.document();
@@ -206,7 +206,7 @@ bool ObjectWalk::is_mere_storage(const Side& side, std::string_view name,
   return any;
 }
 
-// MeaningRequest::in_world: nothing is seen of the transform but where the mesh is.
+// MeaningRequest::in_world: the transform affects only the place of the mesh.
 bool ObjectWalk::may_move(json::NodeId node) const {
   if (!request_.in_world || known_.moved.contains(node)) return false;
   const json::Document& document = before_.document();
@@ -253,7 +253,7 @@ void ObjectWalk::compare_members(const Pair& pair, const Members& ours, const Me
   for (; other != theirs.end(); ++other) is_new(*other);
 }
 
-// Of two lists of names, which order does not matter.
+// Compares two lists of names. Their order has no meaning.
 void ObjectWalk::compare_declared(std::string_view list) {
   const auto read = [&](const Side& side) {
     Names names;

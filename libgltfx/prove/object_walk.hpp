@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Compares the objects of two assets by what they say and what they lead to.
+/// Compares the objects of two assets by their members and the targets of their references.
 #pragma once
 
 #include <cstdint>
@@ -25,12 +25,12 @@ struct Pair {
   json::NodeId theirs = json::kNoNode;
 };
 
-/// Values that are to be equal, as classes: what is in one class need not be compared again, so
-/// that there are no more comparisons than values (J. Hopcroft and R. Karp, A Linear Algorithm for
-/// Testing Equivalence of Finite Automata, 1971).
+/// Classes of values that must be equal: values in one class are not compared again, so there are
+/// no more comparisons than values (J. Hopcroft and R. Karp, A Linear Algorithm for Testing
+/// Equivalence of Finite Automata, 1971).
 class EqualValues {
  public:
-  /// Whether they were in two classes. Now they are in one.
+  /// Merges the classes of two values; false: they were in one class already.
   bool join(const Pair& pair);
 
  private:
@@ -38,14 +38,14 @@ class EqualValues {
   std::unordered_map<std::uint64_t, std::uint64_t> above_;
 };
 
-/// What is left to compare once all objects are.
+/// Data to compare after all objects.
 struct Payloads {
   std::vector<Pair> primitives;
   std::vector<Pair> images;
   std::vector<Pair> channels;  ///< AnimationComparison::curves
 };
 
-/// One walk over both assets. Iterative. Refers to all it is made of.
+/// One walk over both assets. Iterative. Keeps references to all arguments.
 class ObjectWalk {
  public:
   ObjectWalk(const Side& before, const Side& after, const NodePairs& nodes,
@@ -56,7 +56,7 @@ class ObjectWalk {
  private:
   using Names = std::set<std::string, std::less<>>;
   using Members = std::vector<std::pair<std::string_view, json::NodeId>>;
-  /// A reference of `before`.
+  /// A value of `before`: a node, or a number in an array.
   struct Place {
     json::NodeId value = json::kNoNode;
     std::optional<std::uint64_t> element = std::nullopt;
@@ -74,7 +74,7 @@ class ObjectWalk {
   bool is_mere_storage(const Side& side, std::string_view name, json::NodeId value) const;
   bool may_move(json::NodeId node) const;
 
-  /// Precondition: `ours` leads somewhere.
+  /// Precondition: `ours` has a target.
   void compare_links(const Place& place, const Link& ours, const Link* theirs);
   void compare_pointers(const Place& place, const Link& ours, const Link& theirs);
   void follow(const Place& place, const Pair& pair);
@@ -98,14 +98,14 @@ class ObjectWalk {
   const Names storage_;
   std::deque<Pair> open_;
   Payloads payloads_;
-  /// What is known of values so far.
+  /// Results for values so far.
   struct {
     EqualValues contents, accessor_members;
     std::unordered_set<json::NodeId> reached_here, reached_there;
-    /// Values that pointers lead to keep who they are, as nodes do: first partners.
+    /// Values that pointers lead to keep their identity, as nodes do: the first partner counts.
     std::unordered_set<json::NodeId> pointed_here, pointed_there;
     std::unordered_map<json::NodeId, json::NodeId> partners_here, partners_there;
-    std::unordered_set<json::NodeId> moved;  ///< nodes that animations move
+    std::unordered_set<json::NodeId> moved;  ///< animated nodes
   } known_;
 };
 

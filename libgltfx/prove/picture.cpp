@@ -14,8 +14,8 @@ namespace gltfx::prove {
 namespace {
 
 constexpr std::uint32_t kSquare = 8;  // pixels
-// Of 150 pairs of seeds for the legacy fixtures, the greatest difference was 2.1 times that of the
-// first pair. One step is what rounding can do.
+// For 150 pairs of seeds on the legacy fixtures, the greatest difference was 2.1 times that of the
+// first pair. One step is the limit of rounding.
 constexpr double kNoiseFactor = 3;
 constexpr double kStep = 1;
 
@@ -31,7 +31,7 @@ double mean_difference(const preview::Picture& a, const preview::Picture& b, std
   return std::fabs(sum) / (kSquare * kSquare);
 }
 
-// Of each pixel, 0 to 255 (Rec. 709).
+// For each pixel, 0 to 255 (Rec. 709).
 std::vector<float> luma_of(const preview::Picture& picture) {
   std::vector<float> luma;
   luma.reserve(std::size_t{picture.width} * picture.height);
@@ -43,11 +43,11 @@ std::vector<float> luma_of(const preview::Picture& picture) {
   return luma;
 }
 
-// Equation 13 of the paper, in the window around a pixel.
+// Equation 13 of the paper, for the window around a pixel.
 double similarity_around(const std::vector<float>& a, const std::vector<float>& b,
                          std::size_t width, std::size_t height, std::size_t pixel) {
   constexpr std::size_t kReach = 5;
-  constexpr double kDeviation = 1.5;  // this, kC1 and kC2: of the paper
+  constexpr double kDeviation = 1.5;  // this, kC1 and kC2: from the paper
   constexpr double kC1 = 0.01 * 255 * 0.01 * 255;
   constexpr double kC2 = 0.03 * 255 * 0.03 * 255;
   static constinit MadeOnce<std::array<double, kReach + 1>> made;

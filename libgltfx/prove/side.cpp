@@ -29,7 +29,7 @@ std::vector<Link> read_links(const graph::Graph& graph) {
   return links;
 }
 
-// Scenes and animations are lists for people, whoever refers to them.
+// The order of scenes and animations matters to people, even if there are references to them.
 std::unordered_set<json::NodeId> find_tables(const graph::Graph& graph) {
   std::unordered_set<json::NodeId> tables;
   const schema::CheckResult& checked = graph.checked();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One of the two assets that are compared, with all that is asked of it.
+/// One of the two compared assets, with all data that the comparison uses.
 #pragma once
 
 #include <cstdint>
@@ -22,13 +22,13 @@ namespace gltfx::prove {
 /// A number or string that refers to a value, or is a JSON pointer.
 struct Link {
   json::NodeId at = json::kNoNode;
-  std::uint64_t element = 0;                    ///< of a number_array
-  json::NodeId target = json::kNoNode;          ///< kNoNode: leads nowhere
+  std::uint64_t element = 0;                    ///< for a number in a number_array
+  json::NodeId target = json::kNoNode;          ///< kNoNode: no target
   const graph::PointerText* pointer = nullptr;  ///< null: an index
 };
 
-/// Opens what the asset refers to. Neither copied nor moved: its parts refer to each other. Not
-/// thread-safe.
+/// Opens all data that the asset refers to. Neither copied nor moved: its parts refer to each
+/// other. Not thread-safe.
 class Side {
  public:
   /// Precondition: the text has a root object.
@@ -43,18 +43,18 @@ class Side {
   const graph::Graph& graph() const { return graph_; }
   const graph::Tree& tree() const { return graph_.tree(); }
   const model::GeometrySource& source() const { return source_; }
-  /// By node, from its space to that of the scene.
+  /// By node, from its space to the space of the scene.
   const std::vector<model::Affine>& world() const { return pose_.world; }
 
-  /// The reference that stands there, or null.
+  /// The reference at that value, or null.
   const Link* link(json::NodeId value, std::uint64_t element = 0) const;
-  /// What the schemas call an object, wherever it is at home; kNone: they do not describe it.
+  /// The schema type of an object, under its original name; kNone: no schema describes it.
   schema::TypeId type(json::NodeId object) const;
-  /// Whether elements of an array are reached by references to them, so that their order says
-  /// nothing.
+  /// Whether elements of an array are the targets of references, so that their order has no
+  /// meaning.
   bool is_table(json::NodeId array) const { return tables_.count(array) != 0; }
-  /// Whether elements that take no bytes, such as zeros below a sparse accessor, may be read: a few
-  /// million for the asset, however many accessors have them.
+  /// Whether elements without stored bytes, such as zeros of a sparse accessor, may be read: a few
+  /// million per asset, for all accessors together.
   bool affords_implied(std::uint64_t count) const;
   std::string pointer(json::NodeId value) const { return tree().pointer(value); }
   /// The position of an element of a root array.

@@ -6,7 +6,7 @@
 namespace gltfx::prove {
 namespace {
 
-// Whether objects of a shape have a member that is an index into that array of the root.
+// Whether objects of a shape have a member that is an index into that root array.
 bool refers_to(const schema::Set& set, schema::ShapeId shape, std::string_view array) {
   const schema::TypeId type = set.shape(shape).type;
   if (type == schema::kNone) return false;

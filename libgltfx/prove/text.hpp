@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether a text changed in its edits alone.
+/// Checks that edits are the only changes of a text.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace gltfx::prove {
 
-/// The first byte of `before` that stands elsewhere in `after` than the edits leave it, or is not
-/// there; nothing where `after` is `before` with exactly these edits. Takes any edits: those out of
-/// order, or beyond the text, are a change. Linear; copies nothing.
+/// The first byte of `before` that is missing in `after` or not at its place after the edits;
+/// nothing if `after` is `before` with exactly these edits. Accepts any edits: if they are not in
+/// order or exceed the text, that is a change. Linear; copies nothing.
 std::optional<std::size_t> find_unedited_change(std::string_view before, std::string_view after,
                                                 std::span<const json::Edit> edits);
 
