@@ -16,11 +16,11 @@
 namespace gltfx::upgrade {
 namespace {
 
-// Members of the root that no plan reads.
+// Members of the root that are not read by any plan.
 constexpr std::array<std::string_view, 7> kApart{"asset", "cameras", "extras", "nodes",
                                                  "scene", "scenes",  "skins"};
 
-/// What of the document a plan touches.
+/// The parts of a document that a plan affects.
 class Touched {
  public:
   Touched(const json::Document& document, const Plan& plan) : document_(document), plan_(plan) {
@@ -47,15 +47,15 @@ class Touched {
  private:
   struct Place {
     std::string root;      ///< member of the root
-    bool is_root = false;  ///< that member's name itself
-    bool in_host = false;  ///< inside an object that carries what is upgraded
+    bool is_root = false;  ///< at the name of that member
+    bool in_host = false;  ///< inside an object that carries an upgraded extension
   };
 
   Place place_of(Span span) const {
     Place place;
     const json::NodeId root = document_.root();
     if (!document_.is_object(root)) return place;
-    // Those of repeated names, too.
+    // Includes repeated names.
     for (json::NodeId name = root + 1; name < document_.next(root);
          name = document_.next(name + 1)) {
       const Span key = document_.span(name);
@@ -87,7 +87,7 @@ class Touched {
                        });
   }
 
-  // Readers disagree about which of two members of one name counts.
+  // If a name is repeated, readers disagree about the value.
   bool is_doubtful_name(const json::ParseError& error) const {
     const Place place = place_of(error.span);
     const bool apart = std::find(kApart.begin(), kApart.end(), place.root) != kApart.end();
@@ -96,7 +96,7 @@ class Touched {
     return holds_edit(error.span) || holds_edit(error.other);
   }
 
-  // Whether the member with that name holds an edited place.
+  // Whether the value of that member contains an edited place.
   bool holds_edit(Span name) const {
     for (json::NodeId id = 0; id < document_.node_count(); ++id) {
       if (document_.kind(id) != json::Kind::key || document_.span(id).begin != name.begin) continue;

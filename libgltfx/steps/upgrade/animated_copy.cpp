@@ -30,7 +30,7 @@ json::NodeId element_with(const json::Document& document, json::NodeId array, js
   return json::kNoNode;
 }
 
-// The text of a value with others in the place of two scalars inside it.
+// The text of a value with replacements for two scalars inside it.
 std::string with_scalars(const json::Document& document, json::NodeId value,
                          std::vector<std::pair<json::NodeId, std::string>> scalars) {
   const Span whole = document.span(value);
@@ -66,7 +66,7 @@ std::string cut(const model::AccessorData& data, std::uint64_t take, const Rgb& 
   return bytes;
 }
 
-// A new accessor with the cut values; the same for the same question.
+// A new accessor with the cut values; equal requests share one.
 std::uint64_t cut_accessor(Context& context, const Follower& follower, const Rgb& tint) {
   const auto data = context.values.open(follower.output);
   const std::string key =
@@ -85,7 +85,7 @@ std::uint64_t cut_accessor(Context& context, const Follower& follower, const Rgb
   return context.cut_accessors.emplace(key, index).first->second;
 }
 
-// A twin of the follower's sampler with another output. Gives its index.
+// Adds a twin of the follower's sampler with another output. Returns its index.
 std::uint64_t add_sampler(Context& context, const Follower& follower, const Rgb& tint) {
   const json::Document& document = context.document;
   const json::NodeId samplers = document.find(follower.animation, "samplers");

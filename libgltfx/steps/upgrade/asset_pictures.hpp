@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The images of an asset, decoded when a plan asks for them.
+/// The images of an asset, decoded on demand for a plan.
 #pragma once
 
 #include <string>
@@ -11,8 +11,8 @@
 
 namespace gltfx::upgrade {
 
-/// Keeps references to what it is made of. Not thread-safe; `cache` may be shared with others that
-/// run meanwhile.
+/// Keeps references to its arguments. Not thread-safe; `cache` may be shared with others that run
+/// at the same time.
 class AssetPictures : public Pictures {
  public:
   AssetPictures(model::AssetBytes& bytes, ImageCache& cache) : bytes_(bytes), cache_(cache) {}
@@ -21,9 +21,9 @@ class AssetPictures : public Pictures {
   std::shared_ptr<const codec::Image> pixels(std::uint64_t image) override;
   std::uint64_t same_as(std::uint64_t image) override;
 
-  /// Why an image could not be looked at although nothing is known to be wrong with it: no file
-  /// could be read, no decoder be started, or one was ended. What was planned with such pictures
-  /// depends on the moment. Empty: nothing of that kind happened.
+  /// Why an image could not be read although it may be valid: its file could not be read, or a
+  /// decoder could not be started or was stopped. Plans with such images are not reproducible.
+  /// Empty: there was no such failure.
   std::string failure() const { return failure_.empty() ? bytes_.trouble() : failure_; }
 
  private:
@@ -32,7 +32,7 @@ class AssetPictures : public Pictures {
   std::string failure_;
   std::unordered_map<std::uint64_t, Picture> pictures_;
   std::unordered_map<std::uint64_t, std::uint64_t> same_;
-  std::unordered_multimap<std::uint64_t, std::uint64_t> by_hash_;  ///< images that differ
+  std::unordered_multimap<std::uint64_t, std::uint64_t> by_hash_;  ///< distinct images
 };
 
 }  // namespace gltfx::upgrade

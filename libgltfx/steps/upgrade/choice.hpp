@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which legacy extensions a run is about, and what each is to become.
+/// The legacy extensions of a run, and their successors.
 #pragma once
 
 #include <gltfx/upgrade.hpp>
@@ -13,19 +13,19 @@
 namespace gltfx::upgrade {
 
 enum class Selection : std::uint8_t {
-  no,       ///< the run is limited to others
-  offered,  ///< it would be done on request, and nobody asked
+  no,       ///< the run is limited to other extensions
+  offered,  ///< done only on request, and not requested
   yes,
 };
 
 struct Choice {
   Selection selection = Selection::no;
-  std::string to;  ///< the successor; empty: there is none
+  std::string to;  ///< the successor; empty: none
 };
 
-/// `only` and `to` of the options limit a run to what they name; without them it is about all that
-/// need not be asked for. An extension with several successors becomes the first unless `to` names
-/// another.
+/// The options `only` and `to` limit a run to the named extensions; without them, it includes all
+/// that need no request. An extension with several successors becomes the first one unless `to`
+/// names another.
 Choice choose(const UpgradeOptions& options, const schema::Extension& extension);
 
 /// All names that `only` and `to` of UpgradeOptions may hold.

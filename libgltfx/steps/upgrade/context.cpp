@@ -11,7 +11,7 @@
 namespace gltfx::upgrade {
 namespace {
 
-// The text of a value as the edits leave it.
+// The text of a value after the edits.
 std::string edited(const Context& context, json::NodeId value) {
   const Span whole = context.document.span(value);
   std::vector<json::Edit> inside;
@@ -22,7 +22,8 @@ std::string edited(const Context& context, json::NodeId value) {
   return json::apply_edits(context.document.raw(value), inside);
 }
 
-// The object with a member of that value, which need not be there, below those that are.
+// The object with a new value for the member at `path`. The member may be missing, but not its
+// parents.
 std::string with_member(const std::string& text, const std::vector<std::string>& path,
                         const std::string& json) {
   const json::Parsed parsed = json::parse(std::string_view(text));

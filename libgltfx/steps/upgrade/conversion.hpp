@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the steps of a schema cannot say of an upgrade: arithmetic, other structures. Each is named
-/// by the word `convert` of a schema and works on one legacy object.
+/// Parts of an upgrade that the steps of a schema cannot describe: arithmetic, and changes of
+/// structure. The word `convert` of a schema names the conversion, which handles one legacy object.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace gltfx::upgrade {
 
-/// What a conversion works with. Keeps references.
+/// Input of a conversion. Keeps references.
 struct ConversionContext {
   Context& run;
   const Host& host;
@@ -26,9 +26,9 @@ struct ConversionContext {
   json::NodeId member(std::string_view name) const { return run.document.find(host.object, name); }
   /// Whether an animation or graph points to a member of the host's object, or below it.
   bool is_pointed_at(std::string_view path) const;
-  /// As above, to a member of the legacy object.
+  /// The same for a member of the legacy object.
   bool is_own_pointed_at(std::string_view member) const;
-  /// Takes a member out of the legacy object. Only while the changes are made.
+  /// Removes a member of the legacy object. Only allowed in apply().
   void drop(std::string_view name) const;
 };
 
@@ -36,19 +36,19 @@ class Conversion {
  public:
   using Problem = std::optional<std::string>;
   virtual ~Conversion() = default;
-  /// Whether the object becomes part of the successor that stands beside it, which then keeps its
-  /// name: prepare() and apply() put it there, and the object itself goes.
+  /// Whether the object is merged into an existing successor, which then keeps its name: prepare()
+  /// and apply() move the content there, and the object itself is removed.
   virtual bool joins(const ConversionContext&) { return false; }
-  /// Why the object has no effect and can go, if so; or what takes its place elsewhere, where its
-  /// schema knows no successor. Then apply() makes that.
+  /// Why the object has no effect and can be removed, if so; or its replacement elsewhere, if its
+  /// schema has no successor. Then apply() makes the replacement.
   virtual Problem reason_to_go(const ConversionContext&) { return std::nullopt; }
-  /// Why it cannot be done, if so; otherwise fills placements and notes.
+  /// Why it cannot be done, if so; otherwise adds placements and notes.
   virtual Problem prepare(const ConversionContext& context) = 0;
-  /// Makes the changes inside the legacy object, whose name others change.
+  /// Makes the changes inside the legacy object. Its name is changed by the caller.
   virtual void apply(const ConversionContext& context) = 0;
 };
 
-/// Null for an empty name. Precondition: the schema vocabulary knows the name.
+/// Null for an empty name. Precondition: the schema vocabulary defines the name.
 std::unique_ptr<Conversion> make_conversion(std::string_view name);
 
 std::unique_ptr<Conversion> make_root_translation();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A center that all positions are relative to (CESIUM_RTC) becomes the translation of new nodes
 // above the roots of the scenes. Applications that use the extension, those of 3D Tiles, add the
-// center behind the turn from Y up, which glTF has, to Z up: so (x, y, z) becomes (x, z, -y).
+// center after the rotation from Y up, as in glTF, to Z up: so (x, y, z) becomes (x, z, -y).
 #include <cmath>
 #include <limits>
 #include <unordered_map>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kMostRounding = 0.001;  // metres
 
-/// One scene with roots, and the node that comes above them.
+/// One scene with roots, and the node above them.
 struct Scene {
   json::NodeId object = json::kNoNode;
   json::NodeId roots = json::kNoNode;
@@ -57,7 +57,7 @@ class RootTranslation : public Conversion {
   }
 
  private:
-  // Fills the members, or tells why it cannot be done.
+  // Sets the members, or returns why it cannot be done.
   Problem find(const ConversionContext& context) {
     scenes_.clear();
     parents_.clear();
@@ -77,8 +77,8 @@ class RootTranslation : public Conversion {
     return find_scenes(context);
   }
 
-  // Scenes with the same list of roots share the new node; a root that two lists have in another
-  // company would get two parents.
+  // Scenes with the same list of roots share the new node. A root in two different lists would have
+  // two parents.
   Problem find_scenes(const ConversionContext& context) {
     const model::Asset& asset = context.run.asset;
     const json::Document& document = context.run.document;
@@ -106,7 +106,7 @@ class RootTranslation : public Conversion {
     return scenes_.empty() ? Problem("no scene has a node") : std::nullopt;
   }
 
-  // Half the distance between numbers of single precision at the largest coordinate.
+  // Half the distance between adjacent single-precision numbers at the largest coordinate.
   double largest_rounding() const {
     double largest = 0;
     for (const double one : center_) largest = std::max(largest, std::abs(one));
@@ -122,7 +122,7 @@ class RootTranslation : public Conversion {
   std::vector<double> center_;
   std::string translation_;
   std::vector<Scene> scenes_;
-  std::vector<json::NodeId> parents_;  ///< of each new node, a list of roots that go below it
+  std::vector<json::NodeId> parents_;  ///< lists of roots below the new nodes
 };
 
 }  // namespace

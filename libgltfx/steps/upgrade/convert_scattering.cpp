@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// KHR_materials_sss, and KHR_materials_subsurface after it, give the scattering coefficient by a
+// KHR_materials_sss, and KHR_materials_subsurface after it, define the scattering coefficient by a
 // colour and a distance. Their successors split the attenuation of KHR_materials_volume, which
-// stood for absorption alone, by a multi-scatter albedo: so both objects change.
+// represented only absorption, by a multi-scatter albedo: so both objects change.
 #include <algorithm>
 #include <cmath>
 
@@ -42,7 +42,7 @@ bool is_all(const Rgb& color, double value) {
   return std::all_of(color.begin(), color.end(), [value](double c) { return c == value; });
 }
 
-/// A number above 0, or nothing when it is there and something else.
+/// A number above 0; nothing if the member has another value.
 struct Distance {
   bool there = false;
   std::optional<double> metres;
@@ -116,8 +116,8 @@ class Scattering : public Conversion {
         "a channel of {} is 0, which means infinite density; it is replaced by 1e-6", name));
   }
 
-  // That extension scatters in a volume only where there is one and light gets in by transmission;
-  // otherwise it is a thin sheet, which is another picture.
+  // That extension scatters in a volume only if there is one and light enters by transmission;
+  // otherwise the surface is a thin sheet, which looks different.
   static Problem check_thin_mode(const ConversionContext& context, json::NodeId volume) {
     for (const schema::Relation& needed : context.successor.requires_) {
       if (context.run.has_beside(context.host, needed.extension)) continue;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Glossiness is one less roughness, times its factor: a sum, which no factor of metallic-roughness
-// states. So the factor goes into a new image, and the factor of roughness stays 1.
+// Roughness is 1 minus glossiness times its factor: a sum, which a factor of metallic-roughness
+// cannot express. So the factor is multiplied into a new image, and the factor of roughness
+// stays 1.
 #include <utility>
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ constexpr const char* kTexture = "specularGlossinessTexture";
 constexpr const char* kRoughness = "pbrMetallicRoughness/roughnessFactor";
 constexpr const char* kRoughnessTexture = "pbrMetallicRoughness/metallicRoughnessTexture";
 
-// 1 - 0.9 is 0.1, whatever the last bit of a double says.
+// 1 - 0.9 is 0.1, also if the last bits of the double differ.
 std::string complement_json(double share) {
   std::string text = fmt::format("{:.15f}", 1 - share);
   text.erase(text.find_last_not_of('0') + 1);
@@ -51,7 +52,7 @@ class SpecularGlossiness : public Conversion {
   }
 
  private:
-  // The factor, 1 when there is none; nothing when it is no share.
+  // The factor, 1 if it is missing; nothing if it is not between 0 and 1.
   static std::optional<double> factor_of(const ConversionContext& context) {
     const json::Document& document = context.run.document;
     const json::NodeId factor = context.member("glossinessFactor");
@@ -61,8 +62,8 @@ class SpecularGlossiness : public Conversion {
     return value >= 0 && value <= 1 ? std::optional(value) : std::nullopt;
   }
 
-  // Glossiness stands in A. Where it is the same everywhere, `constant` is that times the factor;
-  // otherwise the texture of roughness is one less it, in G, and nowhere metallic.
+  // Glossiness is in A. If it is the same everywhere, `constant` is this value times the factor;
+  // otherwise the texture of roughness has 1 minus it in G, and 0 for metallic.
   Problem check_texture(const ConversionContext& context, double& constant) {
     const json::Document& document = context.run.document;
     const json::NodeId index = document.find(context.member(kTexture), "index");
@@ -100,7 +101,7 @@ class SpecularGlossiness : public Conversion {
     return std::nullopt;
   }
 
-  // That of the old texture with another index.
+  // The old texture info with another index.
   static std::string texture_info(const ConversionContext& context, std::uint64_t texture) {
     const json::Document& document = context.run.document;
     const json::NodeId info = context.member(kTexture);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// KHR_xmp becomes JSON-LD: every packet has a context of its own, arrays say whether their order
-// means something, texts in several languages are lists of values with their language. ISO 16684-1
-// states which properties are ordered arrays (Seq), unordered ones (Bag) or alternatives.
+// KHR_xmp becomes JSON-LD: each packet has a separate context, arrays state whether their order has
+// a meaning, and texts in several languages are lists of values with their language. ISO 16684-1
+// defines which properties are ordered arrays (Seq), unordered ones (Bag) or alternatives.
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -31,7 +31,7 @@ bool has(const std::array<std::string_view, N>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// One packet with what has to be done in it.
+/// One packet and its changes.
 class Packet {
  public:
   Packet(const json::Document& document, json::NodeId node) : document_(document), node_(node) {}
@@ -81,7 +81,7 @@ class Packet {
     json::NodeId value;
   };
 
-  // `name` is the key read last: an array that is an element goes by that of the array around it.
+  // `name` is the last key: an array in an array has the name of the outer one.
   void note_array(const Place& place, std::string_view name, UpgradeAction& action) {
     if (name.starts_with('@')) return;
     arrays_.emplace_back(place, has(kUnordered, name) ? "@set" : "@list");
@@ -93,7 +93,7 @@ class Packet {
     }
   }
 
-  // Members of structures have a prefix; languages have none.
+  // Members of structures have a prefix; languages do not.
   bool is_languages(json::NodeId object) const {
     bool any = false;
     for (const auto member : document_.members(object)) {
@@ -141,8 +141,8 @@ std::uint64_t packet_count(Context& context, const schema::Extension& extension)
   return packets == json::kNoNode ? 0 : context.size_of(packets);
 }
 
-/// The root's object, whose packets go behind those that its successor has already, or an object
-/// that refers to one of them.
+/// The root's object, whose packets are appended to those that its successor already has, or an
+/// object that refers to one of them.
 class Xmp : public Conversion {
  public:
   bool joins(const ConversionContext& context) override {
@@ -193,7 +193,7 @@ class Xmp : public Conversion {
     return there ? std::nullopt : Problem("it does not reference a packet");
   }
 
-  // An object that leads behind the packets of the successor would lead to one that comes there.
+  // An index after the last packet of the successor would refer to one of the appended packets.
   static Problem check_successor(const ConversionContext& context) {
     const json::Document& document = context.run.document;
     const std::string& name = context.successor.name;
@@ -230,7 +230,7 @@ class Xmp : public Conversion {
     }
   }
 
-  // The edits are those of the packets, in their order.
+  // The edits are those of the packets, in order.
   void append_packets(const ConversionContext& context,
                       const std::vector<json::Edit>& edits) const {
     const json::Document& document = context.run.document;
@@ -257,7 +257,7 @@ class Xmp : public Conversion {
     return std::nullopt;
   }
 
-  // The prefix of the namespace that languages are written with: its own, or "rdf".
+  // The prefix of the namespace for languages: the existing one, or "rdf".
   Problem need_rdf(const json::Document& document, json::NodeId context) {
     for (const auto member : document.members(context)) {
       if (document.string(member.value) != kRdf) continue;

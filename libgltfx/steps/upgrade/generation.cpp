@@ -88,7 +88,7 @@ bool fits(const json::Document& document, json::NodeId object,
   return with && present(document, object, generation.without).empty();
 }
 
-// What speaks for the first generation that fits.
+// The reason for the first generation that fits.
 std::string reason(const json::Document& document, const schema::Extension& extension,
                    json::NodeId object, const schema::Generation& chosen) {
   for (const schema::Generation& other : extension.generations) {
@@ -141,7 +141,7 @@ bool is_called(const schema::Generation& generation, std::string_view word) {
 Decision decide_generation(const json::Document& document, const schema::Extension& extension,
                            json::NodeId object, std::string_view wanted) {
   if (extension.generations.empty()) return {};
-  // A name that is another extension's says nothing of this one.
+  // If a name belongs to another extension, it does not apply to this one.
   const bool named = std::any_of(extension.generations.begin(), extension.generations.end(),
                                  [&](const auto& one) { return is_called(one, wanted); });
   if (named) return decide_by_name(document, extension, object, wanted);

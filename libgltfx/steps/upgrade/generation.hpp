@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Objects of a document that carry an extension where it is at home, and as which of the shapes
-/// that went by its name each is read.
+/// Objects of a document that carry an extension at its defined place, and the generation (one of
+/// the drafts with its name) that each is read as.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 namespace gltfx::upgrade {
 
 /// The root, members of the root, and elements of its arrays, in the order of the schema and then
-/// of the document. Homes further below are not looked at.
+/// of the document. Deeper places are not searched.
 std::vector<Host> hosts_of(const json::Document& document, const schema::Set& set,
                            const schema::Extension& extension);
 
@@ -22,15 +22,15 @@ struct Decision {
   const schema::Generation* generation =
       nullptr;  ///< null: the extension has only one, or `problem`
   std::string because;
-  std::string problem;  ///< why the wanted generation cannot be it
+  std::string problem;  ///< why the requested generation does not match
 };
 
-/// `wanted` is one of the names in a generation's ("v2/v3" has two); any other word, such as
-/// "auto", leaves it to the members.
+/// `wanted` is a part of a generation's name ("v2/v3" has two); for any other word, such as "auto",
+/// the members decide.
 Decision decide_generation(const json::Document& document, const schema::Extension& extension,
                            json::NodeId object, std::string_view wanted);
 
-/// Whether a generation's name is, or has among its alternatives, that word.
+/// Whether that word is a generation's name, or one of its alternatives.
 bool is_called(const schema::Generation& generation, std::string_view word);
 
 }  // namespace gltfx::upgrade

@@ -20,7 +20,7 @@
 namespace gltfx::upgrade {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20U;  // of each kind
+constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20U;  // for each kind
 
 template <typename T>
 bool is_alpha_red(const codec::Image& image) {
@@ -97,7 +97,7 @@ std::uint64_t weight(const container::Bytes& bytes, const Decoded& decoded) {
   return bytes.size() + (decoded.pixels ? decoded.pixels->pixels.size() : 0);
 }
 
-// A recipe keeps the pixels that something was made of.
+// A recipe keeps the pixels of its sources.
 std::uint64_t weight(const Recipe& recipe, const std::string& file) {
   std::uint64_t bytes = file.size();
   for (const auto& image : recipe.images) bytes += image ? image->pixels.size() : 0;
@@ -122,7 +122,7 @@ std::shared_ptr<const Decoded> ImageCache::decode(const container::Bytes& bytes,
   const std::uint64_t hash = content_hash(bytes.text());
   if (auto decoded = known(origin, hash, bytes.text())) return decoded;
   auto decoded = std::make_shared<const Decoded>(decode_any(bytes, origin));
-  if (!decoded->pixels) return decoded;  // a worker may do better the next time
+  if (!decoded->pixels) return decoded;  // decoding again may succeed
   const std::lock_guard lock(mutex_);
   image_bytes_ += weight(bytes, *decoded);
   images_.push_back({origin, hash, bytes, decoded});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Decoded images, and files that were made of them: assets of one run often share a map.
+/// Decoded images, and files made from them: assets of one run often share a texture map.
 #pragma once
 
 #include <array>
@@ -16,31 +16,31 @@
 
 namespace gltfx::upgrade {
 
-/// A picture, and its pixels behind `picture.image`.
+/// An image, and the pixels for `picture.image`.
 struct Decoded {
   Picture picture;
   std::shared_ptr<const codec::Image> pixels;  ///< null: `picture.problem`
-  bool may_pass = false;                       ///< the problem need not lie in the image
+  bool may_pass = false;  ///< the cause of the problem may be outside of the image
 };
 
-/// What a file was made of: for each channel the decoded image and what was taken of it.
+/// The sources of a file: for each channel, the decoded image and the used channel.
 struct Recipe {
   std::array<std::shared_ptr<const codec::Image>, 4> images;
   ImageJob job;  ///< its indices of images are all 0
   bool operator==(const Recipe&) const = default;
 };
 
-/// Keeps what was used last, within a fixed number of bytes. Any number of threads may call.
+/// Keeps recently used images, up to a fixed number of bytes. Thread-safe.
 class ImageCache {
  public:
-  /// The image behind these bytes, decoded unless that is known from the same origin. Not the same
-  /// for ever: an image that was forgotten is decoded again.
+  /// The image in these bytes, decoded unless a result from the same origin is cached. The result
+  /// may change: an image that was dropped is decoded again.
   std::shared_ptr<const Decoded> decode(const container::Bytes& bytes, const Origin& origin);
 
   std::shared_ptr<const std::string> find(const Recipe& recipe);
   void keep(const Recipe& recipe, std::shared_ptr<const std::string> file);
 
-  /// The one that this process shares.
+  /// The cache of this process.
   static ImageCache& shared();
 
  private:
@@ -58,8 +58,8 @@ class ImageCache {
                                        std::string_view bytes);
 
   std::mutex mutex_;
-  std::deque<Image> images_;  ///< used last at the back
-  std::deque<File> files_;    ///< made last at the back
+  std::deque<Image> images_;  ///< most recently used last
+  std::deque<File> files_;    ///< most recently made last
   std::uint64_t image_bytes_ = 0;
   std::uint64_t file_bytes_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A legacy object beside its successor, which is what readers use.
+// A legacy object next to its successor, which readers use.
 #include <fmt/format.h>
 
 #include "base/text.hpp"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kShown = 120;  // code points of a value
 
-// The text of a value; of a list only its first numbers, when `take` says how many.
+// The text of a value; for a list, only its first numbers if `take` is not 0.
 std::string text_of(const json::Document& document, json::NodeId value,
                     const schema::UpgradeStep& step) {
   if (step.accept_index && document.is_number(value)) {
@@ -42,7 +42,7 @@ std::string shown(const std::string& json) {
 
 }  // namespace
 
-// The successor, or another extension that the object could have become, when it is there.
+// The successor, or another possible successor, if the host already has it.
 const schema::Extension* ObjectPlan::replacement() {
   if (extension_.upgrade.to.empty() || joins()) return nullptr;
   std::vector<std::string> names{successor_.name, extension_.upgrade.to};
@@ -85,7 +85,7 @@ void ObjectPlan::note_differences(json::NodeId other) {
   }
 }
 
-// Textures of which another channel is read cannot be the same.
+// If another channel is read, the textures differ in any case.
 void ObjectPlan::note_difference(const schema::UpgradeStep& step, json::NodeId other) {
   using Kind = schema::UpgradeStep::Kind;
   if (step.from.empty()) return;

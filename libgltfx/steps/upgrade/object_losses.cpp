@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What a legacy object loses on its way, and what vertex colours and animations have to become for
-/// it to lose nothing.
-// What stands beside a legacy object, and whether the object does anything there.
+/// The losses of a legacy object, and the changes of vertex colours and animations that prevent a
+/// loss.
+// Also the extensions next to a legacy object, and whether the object has an effect there.
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -57,8 +57,8 @@ void ObjectPlan::note_lost_attribute(const schema::UpgradeLoss& loss) {
   if (problem) lose(fmt::format("{} {}: {}", name, *problem, schema::clause(loss.because)));
 }
 
-// Vertex colours multiply the base colour; so does a colour that is a copy of it, when they are the
-// same for all vertices.
+// Vertex colours multiply the base colour. A copy of the base colour is multiplied by them, if they
+// are the same for all vertices.
 ObjectPlan::Problem ObjectPlan::check_tint() {
   const auto& steps = extension_.upgrade.steps;
   const auto copy = std::find_if(steps.begin(), steps.end(), [this](const auto& step) {
@@ -74,7 +74,7 @@ ObjectPlan::Problem ObjectPlan::check_tint() {
   return fold_tint(*copy, tint);
 }
 
-// The first colour stays with the material, copies of it get the others.
+// The material keeps the first colour; copies of it get the others.
 ObjectPlan::Problem ObjectPlan::fold_tint(const schema::UpgradeStep& step, const Tint& tint) {
   if (tint.parts.size() == 1 && tint.parts.front().color == tint_) return std::nullopt;  // white
   auto found = std::find_if(found_.begin(), found_.end(),
@@ -129,7 +129,7 @@ schema::TypeId ObjectPlan::own_type() const {
   return shape == schema::kNone ? schema::kNone : context_.set.shape(shape).type;
 }
 
-// What the object holds that is not its own extension's.
+// The content of the object that does not belong to its extension.
 std::vector<std::string> ObjectPlan::foreign() const {
   return change::foreign_content(document_, context_.set, host_.object, own_type());
 }
@@ -142,7 +142,7 @@ void ObjectPlan::check_removal(const std::string& why) {
   if (!names.empty()) lose(fmt::format("this also removes {}", join_and(names)));
 }
 
-// Objects without effect.
+// Why the object has no effect, if so.
 ObjectPlan::Problem ObjectPlan::reason_to_go() {
   if (Problem why = hidden()) return why;
   if (conversion_ != nullptr) {
@@ -163,11 +163,11 @@ ObjectPlan::Problem ObjectPlan::reason_to_go() {
   return std::nullopt;
 }
 
-// Where two extensions both replace the whole material, no text says which of them counts.
+// If two extensions both replace the whole material, no specification defines which one counts.
 ObjectPlan::Problem ObjectPlan::hidden() {
   for (const schema::Relation& hider : extension_.upgrade.hidden_by) {
     if (!has_beside(hider.extension)) continue;
-    std::string_view because = hider.because;  // a sentence, of which a part of one is made
+    std::string_view because = hider.because;  // a sentence that is turned into a clause
     if (because.ends_with('.')) because.remove_suffix(1);
     const schema::ExtensionId other = context_.set.find_extension(hider.extension);
     const bool is_model = other != schema::kNone && context_.set.extensions()[other].standalone;
@@ -181,7 +181,7 @@ ObjectPlan::Problem ObjectPlan::hidden() {
   return std::nullopt;
 }
 
-// The material that takes over gets the values that it would have got, unless it has its own.
+// The material that is used instead gets the values of this object, unless it has some of them.
 void ObjectPlan::place_what_is_missing() {
   std::vector<const schema::UpgradeStep*> steps;
   for (const schema::UpgradeStep& step : extension_.upgrade.steps) {
@@ -195,7 +195,8 @@ void ObjectPlan::place_what_is_missing() {
   }
 }
 
-// What the successor excludes is in the way. What only the old one excludes was not to be seen.
+// Extensions that the successor excludes are obstacles. Extensions that only the old one excludes
+// become visible.
 ObjectPlan::Problem ObjectPlan::check_neighbours() {
   for (const schema::Relation& excluded : successor_.excludes) {
     if (excluded.extension == extension_.name || !has_beside(excluded.extension)) continue;

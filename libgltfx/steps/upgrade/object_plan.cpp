@@ -109,7 +109,7 @@ ObjectPlan::Problem ObjectPlan::find(const schema::UpgradeStep& step) {
   return find_moved(step);
 }
 
-// A value of the object, or another text, goes to a member of the host; what is there goes.
+// Moves a value of the object, or another text, to a member of the host; the old value is removed.
 ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
   const std::vector<std::string> path = split_path(step.to);
   if (context_.is_pointed_at(host_, path)) {
@@ -123,7 +123,7 @@ ObjectPlan::Problem ObjectPlan::find_placed(const schema::UpgradeStep& step) {
   return placements_.put(step.to, std::string(document_.raw(value)));
 }
 
-// Of an object whose values become part of another.
+// For an object whose values become part of another object.
 void ObjectPlan::note_lost_members() {
   const std::vector<std::string> others =
       change::foreign_members(document_, context_.set, host_.object, own_type());
@@ -196,7 +196,7 @@ ObjectPlan::Problem ObjectPlan::find_copied(const schema::UpgradeStep& step) {
   return std::nullopt;
 }
 
-// The new text of what is copied; none where it is the default.
+// The new text of a copied value; none if it is the default.
 ObjectPlan::Problem ObjectPlan::fill_copy(Found& found, const std::vector<std::string>& path) {
   const schema::UpgradeStep& step = *found.step;
   const schema::TypeId type = context_.set.shape(successor_.attachment_points.front().second).type;
@@ -264,7 +264,7 @@ void ObjectPlan::take_out(json::NodeId value) {
   context_.taken_out.emplace_back(value, host_.object);
 }
 
-// All but what is placed elsewhere.
+// Removes all members except those that are placed elsewhere.
 void ObjectPlan::take_out_members() {
   for (const auto member : document_.members(host_.object)) {
     const bool moved = std::any_of(found_.begin(), found_.end(), [&](const Found& found) {

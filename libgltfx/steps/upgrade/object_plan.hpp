@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The outcome of one legacy object: prepared first, changed only when it is to be done.
+/// The outcome of one legacy object: first prepared, then changed only if the action is done.
 #pragma once
 
 #include <initializer_list>
@@ -19,32 +19,32 @@ namespace gltfx::upgrade {
 
 class ObjectPlan {
  public:
-  /// Keeps references to all of them. `action` says what becomes of the object. Where it becomes
-  /// no other extension, `successor` is its own.
+  /// Keeps references to its arguments. `action` is the result for the object. If the extension has
+  /// no successor, `successor` is the extension itself.
   ObjectPlan(Context& context, const schema::Extension& extension,
              const schema::Extension& successor, const Host& host, UpgradeAction& action);
   ObjectPlan(const ObjectPlan&) = delete;
   ObjectPlan& operator=(const ObjectPlan&) = delete;
 
-  /// Fills the action: what is to become of the object, and why.
+  /// Fills the action: the result for the object, and its reason.
   void prepare();
-  /// Puts the changes into the context's editor. Precondition: prepare() found it possible.
+  /// Adds the changes to the context's editor. Precondition: prepare() found no obstacle.
   void apply();
-  /// Extensions that the host gets beside the successor.
+  /// New extensions of the host in addition to the successor.
   std::vector<std::string> further_extensions() const { return placements_.extensions(); }
 
  private:
-  /// A step with what it finds in the document.
+  /// A step and its value in the document.
   struct Found {
     Found(const schema::UpgradeStep* taken, json::NodeId found) : step(taken), value(found) {}
     const schema::UpgradeStep* step;
     json::NodeId value;
-    std::string json;   ///< new text of the value; empty: it stays
-    bool gone = false;  ///< it is not carried over
-    /// The texture that it shows from now on; nothing: as before.
+    std::string json;   ///< new text of the value; empty: unchanged
+    bool gone = false;  ///< it is removed
+    /// The new texture; nothing: unchanged.
     std::optional<ImageJob> image;
-    std::optional<std::uint64_t> sampler;  ///< of that texture
-    bool shared = false;                   ///< a copy whose original shows that texture, too
+    std::optional<std::uint64_t> sampler;  ///< sampler of that texture
+    bool shared = false;                   ///< a copy whose original also gets that texture
   };
   using Problem = std::optional<std::string>;
 
@@ -111,8 +111,8 @@ class ObjectPlan {
   std::unique_ptr<Conversion> conversion_;
   std::vector<Found> found_;
   std::vector<Follower> followers_;
-  Rgb tint_{1, 1, 1};                  ///< of the copy against its original
-  std::vector<MaterialSplit> splits_;  ///< where it is not the same everywhere
+  Rgb tint_{1, 1, 1};                  ///< factor of the copy relative to its original
+  std::vector<MaterialSplit> splits_;  ///< if it is not the same everywhere
   UpgradeAction& action_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Textures of a legacy object whose channels move.
+// Textures of a legacy object whose data is needed in other channels.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -24,12 +24,12 @@ constexpr std::string_view kTransform = "KHR_texture_transform";
 
 using Numbers = std::vector<double>;
 
-/// What a texture info says about places, with defaults.
+/// The placement members of a texture info, with defaults.
 struct Placement {
   std::uint64_t tex_coord = 0;
   Numbers offset{0, 0}, scale{1, 1};
   double rotation = 0;
-  bool plain = true;  ///< no extension but the transform
+  bool plain = true;  ///< no extensions except the transform
   bool operator==(const Placement&) const = default;
 };
 
@@ -62,7 +62,7 @@ Placement placement_of(const json::Document& document, json::NodeId info) {
   return placement;
 }
 
-/// wrapS, wrapT, minFilter, magFilter; 0 where a renderer may choose.
+/// wrapS, wrapT, minFilter, magFilter; 0 if a renderer may choose.
 std::array<std::uint64_t, 4> settings_of(const model::Asset& asset,
                                          std::optional<std::uint64_t> index) {
   constexpr std::uint64_t kRepeat = 10497;
@@ -77,21 +77,21 @@ std::array<std::uint64_t, 4> settings_of(const model::Asset& asset,
   return settings;
 }
 
-// Two texture infos (or bare indices) are at the same place of the surface: same set of texture
-// coordinates and same transform, defaults filled in, and nothing else that would have a say.
+// Whether two texture infos (or bare indices) have the same placement: same set of texture
+// coordinates and same transform, with defaults, and no other extension.
 bool lie_alike(const json::Document& document, json::NodeId one, json::NodeId other) {
   const Placement placement = placement_of(document, one);
   return placement.plain && placement == placement_of(document, other);
 }
 
-// Two samplers (nothing: the default one) wrap and filter alike.
+// Whether two samplers (nothing: the default one) have the same wrapping and filters.
 bool sample_alike(const model::Asset& asset, std::optional<std::uint64_t> one,
                   std::optional<std::uint64_t> other) {
   return settings_of(asset, one) == settings_of(asset, other);
 }
 
-// Why the colour of one image and a channel of another do not go into one: of another size, or
-// more than 8 bits of colour. Empty when they do.
+// Why the colour of one image and a channel of another cannot be in one image: different sizes, or
+// more than 8 bits of colour. Empty: they can.
 std::string packing_obstacle(const Picture& colour, const Picture& factor) {
   if (colour.image.bits != 8) return "the color has more than 8 bits";
   if (colour.image.width == factor.image.width && colour.image.height == factor.image.height) {
@@ -103,12 +103,12 @@ std::string packing_obstacle(const Picture& colour, const Picture& factor) {
 
 }  // namespace
 
-// The index of the texture that a texture info, or a bare index, names.
+// The index of the texture in a texture info, or a bare index.
 json::NodeId ObjectPlan::texture_index(const Found& found) const {
   return document_.is_number(found.value) ? found.value : document_.find(found.value, "index");
 }
 
-// The member that the texels of a step are multiplied by; empty: none.
+// The member that multiplies the texels of a step; empty: none.
 std::string ObjectPlan::factor_of(const schema::UpgradeStep& step) const {
   const schema::TypeId type = context_.set.shape(extension_.attachment_points.front().second).type;
   const schema::Property* property =
@@ -145,7 +145,8 @@ ObjectPlan::Problem ObjectPlan::find_channel(const schema::UpgradeStep& step, Fo
   return std::nullopt;
 }
 
-// A map whose new channel says something, too, may come from a generation that read it there.
+// If the new channel of a map also has data, the object may be of a generation that reads this
+// channel.
 void ObjectPlan::weigh_evidence(const schema::UpgradeStep& step, const ChannelMove& move) {
   const bool told = context_.options.generation != "auto" || extension_.generations.size() < 2;
   if (told || !move.target_varies || move.kind == ChannelMove::Kind::reuse) return;
@@ -154,7 +155,7 @@ void ObjectPlan::weigh_evidence(const schema::UpgradeStep& step, const ChannelMo
                   step.from, step.swizzle.back()));
 }
 
-// A texture that is the same everywhere is a number: it goes into the factor.
+// A texture that is the same everywhere is multiplied into the factor as a number.
 bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& texture) {
   const std::string factor = factor_of(step);
   const auto factors = std::find_if(found_.begin(), found_.end(), [&](const Found& each) {
@@ -179,7 +180,7 @@ bool ObjectPlan::fold(const schema::UpgradeStep& step, double constant, Found& t
   return true;
 }
 
-// A factor that gets a new image, and a colour that is copied: RGB and A of one image.
+// Packs the new image of a factor and a copied colour into RGB and A of one image.
 void ObjectPlan::pack() {
   const auto factor = std::find_if(found_.begin(), found_.end(), [](const Found& each) {
     return each.image && each.step->kind == schema::UpgradeStep::Kind::move &&

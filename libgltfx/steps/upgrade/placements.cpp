@@ -13,7 +13,7 @@ namespace gltfx::upgrade {
 
 namespace {
 
-// A number may be spelt in several ways. `json` is a value of JSON, or empty.
+// Numbers may have different spellings. `json` is a JSON value, or empty.
 bool is_same(const json::Document& document, json::NodeId old, const std::string& json) {
   if (document.raw(old) == json) return true;
   if (!document.is_number(old)) return false;
@@ -41,7 +41,7 @@ std::optional<std::string> Placements::put(std::string_view path, std::string js
   return std::nullopt;
 }
 
-// The object of a member is there, or what it stands in is the host or one of its objects.
+// Requires that the parent of the member is an object: the host, or one of its members.
 std::optional<std::string> Placements::check(const std::vector<std::string>& path) {
   json::NodeId at = host_.node;
   for (const std::string& name : path) {

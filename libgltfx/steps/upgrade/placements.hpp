@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Members that an upgrade puts into the object that carries the legacy extension.
+/// Members that an upgrade adds to the object that carries the legacy extension.
 #pragma once
 
 #include <map>
@@ -17,17 +17,17 @@ class Placements {
   /// Keeps references to both.
   Placements(Context& context, const Host& host) : context_(context), host_(host) {}
 
-  /// Plans that the member at `path` ("extensions/KHR_x/y") has that JSON text, or, when it is
-  /// empty, that it has its default because it is not there. Says why that cannot be.
+  /// Plans the JSON text of the member at `path` ("extensions/KHR_x/y"). If the text is empty, the
+  /// member is removed so that its default applies. Returns why this is not possible.
   std::optional<std::string> put(std::string_view path, std::string json);
   bool empty() const { return members_.empty(); }
-  /// Names of members of the document that get another value or go.
+  /// Names of existing members that are changed or removed.
   const std::vector<std::string>& overwritten() const { return overwritten_; }
   /// Their values, in the same order.
   const std::vector<json::NodeId>& taken_out() const { return taken_out_; }
-  /// Extensions that the host gets.
+  /// New extensions of the host.
   std::vector<std::string> extensions() const;
-  /// Puts the changes into the context's editor.
+  /// Adds the changes to the context's editor.
   void apply() const;
 
  private:

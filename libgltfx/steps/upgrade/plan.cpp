@@ -42,11 +42,11 @@ class ExtensionPlan {
     context.plan.actions.resize(first_ + hosts_.size());
   }
 
-  // Does what can be done as things stand; whether that was anything. What is done may open the
-  // way for other objects, so this is asked again until nothing more is done anywhere.
+  // Does all actions that are possible now; returns whether there were any. They may make other
+  // actions possible, so this is called until nothing is done in any plan.
   bool attempt() {
     const bool together = extension_.upgrade.together || has_template();
-    std::vector<std::unique_ptr<ObjectPlan>> plans;  // a plan is large: kept only where it must be
+    std::vector<std::unique_ptr<ObjectPlan>> plans;  // a plan is large and kept only if needed
     bool any = false;
     for (std::size_t i = 0; i < hosts_.size(); ++i) {
       std::unique_ptr<ObjectPlan> plan;
@@ -68,15 +68,15 @@ class ExtensionPlan {
     resolve_pointers();
   }
 
-  // The actions by the legacy objects that they are about.
+  // The actions, by their legacy objects.
   void list_actions(std::unordered_map<json::NodeId, UpgradeAction*>& by_object) const {
     for (std::size_t i = 0; i < hosts_.size(); ++i) {
       by_object[hosts_[i].object] = &actions()[i];
     }
   }
 
-  // Adds those about names to the others, whose places in the plan change. Later plans are asked
-  // first.
+  // Adds the actions for names to the others, which changes the positions in the plan. Later plans
+  // are called first.
   void add_dropped() {
     std::vector<UpgradeAction>& all = context_.plan.actions;
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(first_),
@@ -93,7 +93,7 @@ class ExtensionPlan {
            (action.outcome == UpgradeOutcome::unsafe && context_.options.unsafe);
   }
 
-  // Null where nothing can be done.
+  // Null if there is nothing to do.
   std::unique_ptr<ObjectPlan> prepare(std::size_t i) {
     if (auto action = action_without_plan(hosts_[i])) {
       actions()[i] = *std::move(action);
@@ -108,7 +108,7 @@ class ExtensionPlan {
     return plan;
   }
 
-  // What has no successor, or is not done unless somebody asks for it.
+  // For extensions without a successor, or with an upgrade only on request.
   std::optional<UpgradeAction> action_without_plan(const Host& host) const {
     const bool offered = choice_.selection == Selection::offered;
     if (extension_.upgrade.stays.empty() && !offered) return std::nullopt;
@@ -139,7 +139,7 @@ class ExtensionPlan {
     return use.steps.size() > 3 && use.steps[2] == "extensions" && use.steps[3] == extension_.name;
   }
 
-  // A pointer to all objects, which cannot lead to two names.
+  // A pointer to all objects requires that they all get the same name.
   bool has_template() const {
     const auto& all = context_.pointers.all();
     return std::any_of(all.begin(), all.end(), [this](const graph::PointerUse& use) {
@@ -147,7 +147,8 @@ class ExtensionPlan {
     });
   }
 
-  // All objects or none: one that stays, or stands where nobody expects it, keeps the others.
+  // All objects or none: one that cannot be upgraded, or is at an undefined place, prevents the
+  // upgrade of the others.
   void hold_together() {
     const auto doable = static_cast<std::size_t>(
         std::count_if(actions().begin(), actions().end(),
@@ -172,7 +173,7 @@ class ExtensionPlan {
     return true;
   }
 
-  // Objects of the extension, also where they should not be.
+  // Objects of the extension, also at undefined places.
   std::size_t count_occurrences() const {
     const json::KeyId name = document_.key_id(extension_.name);
     const json::KeyId extras = document_.key_id("extras");
@@ -186,8 +187,8 @@ class ExtensionPlan {
     return count;
   }
 
-  // A name in a list that no object goes with. Where the upgrade is only offered, a name may stay
-  // unless it is one of the past.
+  // Removes a name from the lists if there is no object. If the upgrade is only on request, the
+  // name stays unless the extension is legacy or archived.
   void drop_unused_name(change::NameList& used, change::NameList& required) {
     using schema::Status;
     const Status status = extension_.status;
@@ -256,7 +257,7 @@ class ExtensionPlan {
     context_.editor.replace_scalar(use.node, std::move(json));
   }
 
-  // Where a member of the old object, or with no name the object, is now from the host.
+  // The new place of a member of the old object, from the host; without a name, of the object.
   std::vector<std::string> new_place(std::string_view member) const {
     std::vector<std::string> path{"extensions", choice_.to};
     if (member.empty()) return path;
@@ -275,12 +276,12 @@ class ExtensionPlan {
   const schema::Extension& extension_;
   const Choice choice_;
   std::vector<Host> hosts_;
-  std::size_t first_ = 0;               ///< place of the action of the first host in the plan
-  std::vector<UpgradeAction> dropped_;  ///< of names in lists
+  std::size_t first_ = 0;               ///< position of the first host's action in the plan
+  std::vector<UpgradeAction> dropped_;  ///< for names in lists
   std::size_t converted_ = 0;
   std::size_t removed_ = 0;
   std::size_t left_ = 0;
-  std::set<std::string> given_;  ///< names of extensions that the document has now
+  std::set<std::string> given_;  ///< names of new extensions in the document
 };
 
 void resolve_dropped(Context& context) {
@@ -294,7 +295,7 @@ void resolve_dropped(Context& context) {
   }
 }
 
-// Extensions whose last object went with something that was taken out.
+// Removes names of extensions whose last object was inside a removed value.
 void resolve_taken_out(Context& context, const std::deque<ExtensionPlan>& plans,
                        change::NameList& used, change::NameList& required) {
   std::vector<json::NodeId> values;
@@ -313,8 +314,8 @@ void resolve_taken_out(Context& context, const std::deque<ExtensionPlan>& plans,
   }
 }
 
-// Extensions that may stand in the document, those first on whose results others build: what puts
-// values into its host before what copies them from there.
+// Extensions that may be in the document, in the order of their dependencies: those that add values
+// to their host come before those that copy such values.
 std::vector<const schema::Extension*> legacy_of(const json::Document& document,
                                                 const schema::Set& set,
                                                 const change::NameList& used,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What has to change in a document to bring its legacy extensions to their successors. Everything
-/// that is known of these comes from the schema files.
+/// The changes of a document that replace its legacy extensions by their successors. All data about
+/// these extensions comes from the schema files.
 #pragma once
 
 #include <gltfx/upgrade.hpp>
@@ -17,25 +17,25 @@
 
 namespace gltfx::upgrade {
 
-/// Pure data; nothing was changed yet.
+/// Pure data; nothing is changed yet.
 struct Plan {
   std::vector<UpgradeAction> actions;  ///< by extension, then in the order of the document
-  /// Textures that some slot showed and shows no more, also by an index that no schema knows as
-  /// one.
+  /// Textures that a slot used before and does not use now, also if they are used by an index that
+  /// is not in a schema.
   std::vector<std::uint64_t> released;
-  change::Change change;         ///< of the actions that are done; change::place() is to follow
-  std::vector<ImageJob> images;  ///< what is to be made for its new images, by position
+  change::Change change;  ///< changes of the actions that are done; change::place() comes next
+  std::vector<ImageJob> images;  ///< sources of its new images, by position
 };
 
-/// Whether a plan for the document would hold anything, or look for it: it names an extension that
-/// has an upgrade, or is of glTF 1.0.
+/// Whether a plan for the document can have actions: it names an extension with an upgrade, or has
+/// version 1.0.
 bool names_legacy(const json::Document& document, const schema::Set& set);
 
-/// Plans for a document that was read to its end; where it has errors, find_ambiguity() says
-/// whether the plan can be trusted. Time is linear in its size but for the number of extensions.
-/// `generation`, `only`, `to`, `ior`, `unsafe` and `pack` of the options are looked at. `pictures`
-/// are the document's images; without them what needs pixels is left alone. `bytes` are those of
-/// its buffers; without them vertex colours and keyframes cannot be looked at.
+/// Makes a plan for a document that was read to its end; if it has errors, find_ambiguity() checks
+/// whether the plan is reliable. Linear in its size, times the number of extensions. Uses the
+/// options `generation`, `only`, `to`, `ior`, `unsafe` and `pack`. `pictures` are the document's
+/// images; without them, objects that need pixels are not upgraded. `bytes` are the data of its
+/// buffers; without them, vertex colours and keyframes cannot be read.
 Plan make_plan(const json::Document& document, const schema::Set& set,
                const UpgradeOptions& options, Pictures* pictures = nullptr,
                model::AssetBytes* bytes = nullptr);

@@ -17,7 +17,7 @@ constexpr std::size_t kAlpha = 3;
 
 bool is_opaque(const ChannelSource& alpha) { return !alpha.image && alpha.offset >= 1; }
 
-/// One channel of a new image, computed once for each number that the source can hold.
+/// One channel of a new image, computed once for each possible number of the source.
 template <typename T>
 class Channel {
  public:
@@ -39,7 +39,7 @@ class Channel {
     }
   }
 
-  // Puts the values of all texels where they belong: `to` is the first, each `step` further.
+  // Writes the values of all texels, from `to` at intervals of `step`.
   void write(T* to, std::size_t step, std::size_t texels) const {
     if (pixels_ == nullptr) {
       for (std::size_t i = 0; i < texels; ++i) to[i * step] = table_[0];

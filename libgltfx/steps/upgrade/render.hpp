@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// New images, made of the pixels of old ones.
+/// New images from the pixels of old ones.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,18 @@
 
 namespace gltfx::upgrade {
 
-/// Texels in memory that is their own.
+/// Texels with their memory.
 struct Texels {
   codec::Raster raster;
   std::vector<std::byte> bytes;
 };
 
-/// What a recipe says, texel for texel. Precondition: at least one channel is of an image, and all
-/// images have the same size.
+/// Applies a recipe to all texels. Precondition: at least one channel has an image as its source,
+/// and all images have the same size.
 Texels mix(const Recipe& recipe);
 
-/// The file of a new image: a PNG, the same for the same job and images. An Error when an image
-/// cannot be read, sizes differ or the encoder fails. `origin` is that of the images.
+/// The file of a new image: a PNG, always the same for the same job and images. An Error if an
+/// image cannot be read, sizes differ or the encoder fails. `origin` is that of the images.
 Result<std::shared_ptr<const std::string>> render(const ImageJob& job, Pictures& pictures,
                                                   ImageCache& cache, const Origin& origin);
 

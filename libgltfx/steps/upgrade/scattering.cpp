@@ -10,7 +10,7 @@ namespace {
 // Fit of Kulla and Conty: s = kA + kB m - sqrt(kC + kD m + kE m^2), albedo = 1 - s^2.
 constexpr double kA = 4.09712, kB = 4.20863, kC = 9.59217, kD = 41.6808, kE = 17.7126;
 
-// Below it a channel counts as this bright: black would take an infinite coefficient.
+// Channels below this value count as this value: black would need an infinite coefficient.
 constexpr double kDarkest = 1e-6;
 
 }  // namespace
@@ -18,7 +18,7 @@ constexpr double kDarkest = 1e-6;
 Rgb coefficient(const Rgb& color, double distance) {
   Rgb result{};
   for (std::size_t i = 0; i < color.size(); ++i) {
-    // What is white gives 0, not -0.
+    // White results in 0, not in -0.
     const double log = std::log(std::max(color[i], kDarkest));
     result[i] = log == 0 ? 0 : -log / distance;
   }
@@ -27,8 +27,8 @@ Rgb coefficient(const Rgb& color, double distance) {
 
 double multi_scatter_albedo(double single_scatter) {
   if (single_scatter >= 1) return 1;
-  // (kA - s + kB m)^2 = kC + kD m + kE m^2 is a quadratic in m with a tiny first coefficient: the
-  // root near that of the linear equation, in the form that does not cancel.
+  // (kA - s + kB m)^2 = kC + kD m + kE m^2 is a quadratic in m with a tiny first coefficient: this
+  // is the root near that of the linear equation, in a form without cancellation.
   const double t = kA - std::sqrt(1 - single_scatter);
   const double first = kB * kB - kE;
   const double second = kD - 2 * kB * t;

@@ -28,7 +28,7 @@ constexpr std::string_view kLetters = "rgba";
 
 std::uint8_t channel_of(char letter) { return static_cast<std::uint8_t>(kLetters.find(letter)); }
 
-// Whether two channels are equal in every texel, as far as that is known.
+// Whether two channels are known to be equal in all texels.
 bool are_equal(const Picture& picture, std::uint8_t one, std::uint8_t other) {
   if (one == 0 && kLetters[other] == 'a' && picture.alpha_is_red) return true;
   const codec::ChannelStatistics a = picture.statistics(one);

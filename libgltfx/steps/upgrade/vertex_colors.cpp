@@ -12,7 +12,7 @@ namespace {
 
 constexpr Rgb kWhite{1, 1, 1};
 
-// What one accessor holds: one colour, or why it is none.
+// The content of one accessor: one colour, or why there is none.
 struct Reading {
   std::string problem;
   std::optional<Rgb> color;
@@ -62,7 +62,7 @@ Reading read_color(const model::AccessorData& data) {
   return reading;
 }
 
-// Geometry that an extension of the primitive brings instead of the accessors'.
+// Whether an extension of the primitive has geometry that replaces the accessors.
 bool is_encoded(const json::Document& document, json::NodeId primitive) {
   const json::NodeId extensions = document.find(primitive, "extensions");
   if (extensions == json::kNoNode || !document.is_object(extensions)) return false;
@@ -105,7 +105,7 @@ void AccessorValues::read_all() {
   }
 }
 
-// Extensions of buffer views and accessors tell how else to read them.
+// Extensions of buffer views and accessors may define another encoding.
 bool AccessorValues::is_plain(const model::Accessor& accessor) const {
   const json::Document& document = asset_.document();
   const model::BufferView* view = views_->view_of(accessor);
@@ -121,7 +121,7 @@ std::optional<model::AccessorData> AccessorValues::open(std::uint64_t accessor) 
   if (described.node == json::kNoNode || !is_plain(described)) return std::nullopt;
   auto data =
       model::AccessorData::open(asset_, *views_, resources_, described, model::Malformed::unusable);
-  // Zeros that take no bytes may be any number.
+  // Elements without stored bytes may be any number of zeros.
   return data && data->implied() ? std::nullopt : data;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Who uses a material, and what COLOR_0 of these primitives makes of its base colour (glTF 2.0
-/// section 3.9.2: it is multiplied with it).
+/// The users of a material, and the effect of their COLOR_0 on its base colour (glTF 2.0
+/// section 3.9.2: the two are multiplied).
 #pragma once
 
 #include <array>
@@ -15,15 +15,15 @@
 
 namespace gltfx::upgrade {
 
-/// Keeps references to what it is made of. Not thread-safe.
+/// Keeps references to its arguments. Not thread-safe.
 class AccessorValues {
  public:
   /// Null bytes: nothing can be read.
   AccessorValues(const model::Asset& asset, model::AssetBytes* bytes)
       : asset_(asset), bytes_(bytes) {}
 
-  /// The elements as they lie in a buffer; nothing where they do not all lie there, or an extension
-  /// says that they are to be decoded first.
+  /// The elements as stored in a buffer; nothing if some are not in a buffer, or an extension
+  /// requires decoding.
   std::optional<model::AccessorData> open(std::uint64_t accessor);
 
  private:
@@ -32,12 +32,12 @@ class AccessorValues {
 
   const model::Asset& asset_;
   model::AssetBytes* bytes_;
-  std::optional<model::Views> views_;  ///< nothing until somebody asked
+  std::optional<model::Views> views_;  ///< nothing before the first call
   model::ResourceData resources_;
 };
 
-/// A place in the document that gives a primitive a material: its own, or one of those that
-/// extensions name.
+/// A place in the document that gives a primitive a material: its member `material`, or one in an
+/// extension.
 struct MaterialUse {
   json::NodeId primitive;
   json::NodeId index;  ///< number
@@ -52,13 +52,13 @@ using Rgb = std::array<double, 3>;
 struct Tint {
   struct Part {
     Rgb color;
-    std::vector<json::NodeId> users;  ///< MaterialUse::index of the primitives that have it
+    std::vector<json::NodeId> users;  ///< MaterialUse::index of the primitives with this colour
   };
-  std::string problem;      ///< why they are not known, or no numbers; else empty
-  std::vector<Part> parts;  ///< each color once; white for primitives without COLOR_0
+  std::string problem;      ///< why they are unknown or not numbers; otherwise empty
+  std::vector<Part> parts;  ///< each colour once; white for primitives without COLOR_0
 };
 
-/// `uses` are those of one material.
+/// `uses` are the uses of one material.
 Tint find_tint(const model::Asset& asset, AccessorValues& values,
                const std::vector<MaterialUse>& uses);
 
