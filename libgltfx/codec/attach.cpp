@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the parts of a result lie in the memory that a worker has filled.
+// The layout of a result in the memory that a worker has filled.
 #include <algorithm>
 
 #include "base/checked.hpp"
@@ -26,7 +26,8 @@ unsigned component_size(Component component) {
 }
 
 std::optional<std::uint64_t> result_size(const DracoMesh& mesh) {
-  // 32 bits times 12, and 32 bits times 255 times 4 for each of a thousand: 64 bits hold the sum.
+  // 32 bits times 12, and 32 bits times 255 times 4 for each of a thousand: the sum fits into 64
+  // bits.
   std::uint64_t end = (std::uint64_t{mesh.faces} * 12 + 7) / 8 * 8;
   if (mesh.attributes.size() > kMostAttributes) return std::nullopt;
   for_each_values(mesh, [&](std::uint64_t offset, std::uint64_t size) { end = offset + size; });

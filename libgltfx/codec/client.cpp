@@ -17,19 +17,19 @@
 namespace gltfx::codec {
 namespace {
 
-constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 28U;  // that are returned
-// As kSecondsPerByte.
+constexpr std::uint64_t kMostTexels = std::uint64_t{1} << 28U;  // limit of returned texels
+// Like kSecondsPerByte.
 constexpr double kSecondsPerTexel = 1e-7;
 
 std::chrono::milliseconds standstill_of(const Settings& settings) {
   return std::chrono::milliseconds(static_cast<std::int64_t>(settings.standstill_seconds * 1000));
 }
 
-// An encoder holds the texels, its output, and tables.
+// An encoder needs memory for the texels, its output, and tables.
 constexpr std::uint64_t kEncoderMemoryPerByte = 8;
 
-// As kSecondsPerByte, for each texel that is filtered, and for each that is encoded with all effort
-// and decoded again.
+// Like kSecondsPerByte, for each filtered texel, and for each texel that is encoded with the
+// greatest effort and decoded again.
 constexpr double kSecondsPerFilteredTexel = 2e-6;
 constexpr double kSecondsPerEncodedTexel = 6e-5;
 
@@ -51,7 +51,7 @@ Job image_job(const Settings& settings, const ImageRequest& request) {
   return job;
 }
 
-// The texels, half of them as floats, and what becomes of those.
+// The texels, half of them as floats, and the filtered floats.
 constexpr std::uint64_t kFilterMemoryPerTexel = 64;
 
 void add_resize(Job& job, const Resize& resize, std::uint64_t texels) {
@@ -84,12 +84,12 @@ DecodeError no_thread_here() {
 
 DecodeError no_avif() {
   return {ErrorKind::unavailable,
-          "This installation has no decoder of AVIF images: gltfx was built without libavif."};
+          "This installation has no decoder for AVIF images: gltfx was built without libavif."};
 }
 
 DecodeError no_openimageio() {
   return {ErrorKind::unavailable,
-          "This installation has no decoder of such images: install the package "
+          "This installation has no decoder for such images: install the package "
           "gltfx-openimageio, or build gltfx where OpenImageIO is found."};
 }
 
@@ -101,7 +101,7 @@ Raster raster_of(const Image& image) {
   return {image.width, image.height, image.channels, image.bits};
 }
 
-// What `work` gives. That memory is missing here is no error of a payload.
+// The result of `work`. Missing memory here is not an error of the payload.
 template <typename Work>
 auto guarded(Work&& work) -> decltype(work()) {
   try {
@@ -192,12 +192,12 @@ ImageResult Client::decode_image(const ImageRequest& request) {
   if (resized && !in_image_worker(request.format)) return resize_elsewhere(request);
   Job job = image_job(state_->settings, request);
   if (resized) add_resize(job, request.resize, request.max_pixels);
-  if (!is_consistent(job)) return DecodeError{ErrorKind::malformed, "There is no such cutoff."};
+  if (!is_consistent(job)) return DecodeError{ErrorKind::malformed, "The alpha cutoff is invalid."};
   return result_of<Image>(state_->decoders_of(request.format), job, request.bytes, request.origin,
                           request.pixels);
 }
 
-// Of an image whose own worker does not resize.
+// For an image whose own worker does not resize.
 ImageResult Client::resize_elsewhere(const ImageRequest& request) {
   ImageRequest whole = request;
   whole.resize = {};
@@ -250,7 +250,7 @@ EncodeResult Client::transcode_image(const TranscodeRequest& request) {
   job.options = request.options;
   add_encoding(job, texels);
   if (!is_consistent(job)) {
-    return DecodeError{ErrorKind::malformed, "The format has no such quality."};
+    return DecodeError{ErrorKind::malformed, "The format does not support this quality."};
   }
   return result_of<EncodedImage>(state_->images, job, payload, image.origin, true);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Decodes Draco meshes and images in worker processes, and encodes images there: a hostile payload
-/// can break only a process without files or network and with little memory. Nothing is started
-/// before the first call.
+/// Decodes Draco meshes and images in worker processes, and encodes images there: a malicious
+/// payload can affect only a process without files or network and with little memory. No process is
+/// started before the first call.
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ enum class ErrorKind : std::uint8_t {
 /// Why there is no result.
 struct DecodeError {
   ErrorKind kind = ErrorKind::malformed;
-  std::string message;  ///< one sentence; text of a decoder in it is not escaped
+  std::string message;  ///< one sentence; a decoder's text in it is not escaped
 };
 /// Whether the error cost a time or memory limit, or a process: callers with many payloads should
 /// not repeat it many times.
@@ -52,11 +52,11 @@ enum class Component : std::uint8_t {
   other,  ///< 64 bits or booleans; no values are returned
 };
 
-/// What the values of an attribute are, which decides how Draco predicts them.
+/// The meaning of attribute values, which selects the prediction of Draco.
 enum class DracoUse : std::uint8_t { position, normal, color, tex_coord, generic };
 
 struct DracoAttribute {
-  std::uint32_t id = 0;  ///< unique in the mesh; what glTF refers to
+  std::uint32_t id = 0;  ///< unique in the mesh; glTF refers to it
   Component component = Component::float32;
   std::uint32_t components = 0;  ///< of each value, 1 to 255
   bool normalized = false;
@@ -78,18 +78,18 @@ struct DracoMesh {
 };
 using DracoResult = std::variant<DracoMesh, DecodeError>;
 
-/// A bitstream, and the mesh that decoders get of it. Points and triangles have another order than
-/// in the mesh that was encoded; points that are equal in all values may be one, and a point may be
-/// several where triangles that touch in it have no edge in common.
+/// A bitstream, and the mesh that decoders return for it. The order of points and triangles differs
+/// from the encoded mesh; points with all values equal may be merged, and a point may be split if
+/// the triangles at it have no common edge.
 struct EncodedDraco {
   std::span<const std::byte> bytes;
   DracoMesh mesh;
-  std::shared_ptr<const void> owner;  ///< of `bytes`
+  std::shared_ptr<const void> owner;  ///< owner of `bytes`
 };
 using DracoEncodeResult = std::variant<EncodedDraco, DecodeError>;
 
-/// `radiance` and `openexr` hold floats; so may `tiff`, `psd`, `dds` and `pnm`.
-/// `avif`, and the formats from `bmp` on, need optional decoders.
+/// `radiance` and `openexr` contain floats; `tiff`, `psd`, `dds` and `pnm` may. `avif` and the
+/// formats from `bmp` on need optional decoders.
 enum class ImageFormat : std::uint8_t {
   png,
   jpeg,
@@ -107,7 +107,7 @@ enum class ImageFormat : std::uint8_t {
   jpeg2000,
   pnm,
 };
-/// Whether OpenImageIO decodes it.
+/// Whether the decoder is OpenImageIO.
 constexpr bool is_foreign(ImageFormat format) { return format >= ImageFormat::bmp; }
 constexpr bool holds_floats(ImageFormat format) {
   return format == ImageFormat::radiance || format == ImageFormat::openexr;
@@ -119,14 +119,14 @@ struct ImageRequest {
   ImageFormat format = ImageFormat::png;
   std::uint32_t level = 0;  ///< KTX2: number of the mipmap, the largest first
   std::uint64_t max_pixels = std::uint64_t{1} << 28U;
-  /// How often both sides may be halved, up to three times, if that is faster: JPEG.
+  /// Greatest number of times that both sides may be halved, up to three, if that is faster: JPEG.
   std::uint32_t halvings = 0;
   bool pixels = false;   ///< return the pixels
   bool normals = false;  ///< check the first three channels as a normal map
   Origin origin = {};
-  /// Formats that may hold floats are refused as `malformed` when they do, but for this.
+  /// Whether floats are accepted in formats that may contain them; otherwise they are `malformed`.
   bool floats = false;
-  Resize resize = {};  ///< of the pixels; statistics are of the image that is handed over
+  Resize resize = {};  ///< size of the pixels; statistics are those of the resized image
 };
 
 /// One channel over all texels. Values are 0 to 255, or 0 to 65535 if `Image::bits` is 16.
@@ -156,23 +156,23 @@ struct Image {
   std::uint32_t height = 0;
   std::uint32_t channels = 0;                     ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA
   std::uint32_t bits = 8;                         ///< per channel: 8 or 16; 32 are floats
-  std::array<ChannelStatistics, 4> statistics{};  ///< of the first `channels`; not of floats
+  std::array<ChannelStatistics, 4> statistics{};  ///< for the first `channels`; not for floats
   bool grey = true;                               ///< the colour channels are equal in all texels
   /// Problem that the decoder reported but continued after, such as an early end; else empty. One
   /// line, the decoder's own text.
   std::string doubt;
   NormalStatistics normals;  ///< if requested, with at least three channels
-  /// Rows from the top, packed, `channels` numbers a texel in the machine's byte order; empty
+  /// Rows from the top, packed, `channels` numbers per texel in the machine's byte order; empty
   /// unless requested.
   std::span<const std::byte> pixels;
-  std::shared_ptr<const void> owner;  ///< of `pixels`
+  std::shared_ptr<const void> owner;  ///< owner of `pixels`
 
   std::uint64_t texels() const { return std::uint64_t{width} * height; }
   std::uint32_t full() const { return bits == 16 ? 65535 : 255; }
   bool has_alpha() const { return channels == 2 || channels == 4; }
   /// Statistics of alpha. Precondition: has_alpha().
   const ChannelStatistics& alpha() const { return statistics[channels - 1]; }
-  /// Whether all values of a channel are 0 or full, which is the same in every colour space.
+  /// Whether all values of a channel are 0 or full. This does not depend on the colour space.
   bool binary(std::size_t channel) const {
     return statistics[channel].zeros + statistics[channel].fulls == texels();
   }
@@ -183,26 +183,26 @@ using ImageResult = std::variant<Image, DecodeError>;
 struct Raster {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
-  std::uint32_t channels = 4;  ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; alpha not multiplied in
+  std::uint32_t channels = 4;  ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; straight alpha
   std::uint32_t bits = 8;      ///< per channel: 8 or 16; 32 are floats
   bool operator==(const Raster&) const = default;
 };
 
-/// An image to encode. PNG holds 8 and 16 bits; JPEG 8 bits of 1 or 3 channels; WebP 8 bits, where
-/// grey becomes RGB; EXR floats.
+/// An image to encode. PNG supports 8 and 16 bits; JPEG 8 bits with 1 or 3 channels; WebP 8 bits,
+/// with grey as RGB; EXR floats.
 struct EncodeRequest {
   EncodedFormat format = EncodedFormat::png;
   Raster raster;
-  /// JPEG: 1 to 100. WebP: the same, and 0 for lossless. Others lose nothing.
+  /// JPEG: 1 to 100. WebP: the same, and 0 for lossless. The other formats are lossless.
   std::uint32_t quality = 90;
-  std::span<const std::byte> pixels;  ///< exactly as many as `raster` says
-  Origin origin = {};                 ///< of the asset that the image is for
+  std::span<const std::byte> pixels;  ///< exactly the size of `raster`
+  Origin origin = {};                 ///< origin of the asset with the image
   EncodeOptions options = {};
 };
 
-/// An image file to decode, resize and encode again: its pixels stay with the worker.
+/// An image file to decode, resize and encode again: its pixels stay in the worker.
 struct TranscodeRequest {
-  ImageRequest image;  ///< `pixels`, `normals`, `level` and `halvings` are not looked at
+  ImageRequest image;  ///< `pixels`, `normals`, `level` and `halvings` are ignored
   EncodedFormat format = EncodedFormat::png;
   std::uint32_t quality = 0;  ///< as in EncodeRequest
   EncodeOptions options = {};
@@ -212,35 +212,36 @@ struct TranscodeRequest {
 /// Independent of the client.
 struct EncodedImage {
   std::uint64_t size = 0;
-  std::span<const std::byte> bytes;  ///< `size` of them
+  std::span<const std::byte> bytes;  ///< `size` bytes
   std::shared_ptr<const void> owner;
-  Raster source = {};  ///< as it was decoded or given
-  Raster raster = {};  ///< as it is in the file
+  Raster source = {};  ///< after decoding, or as given
+  Raster raster = {};  ///< in the file
 };
 using EncodeResult = std::variant<EncodedImage, DecodeError>;
 
 struct Settings {
-  /// Folder of the worker programs; empty: that of GLTFX_CODEC_WORKERS in the environment, or else
-  /// that of the running program, or else the one they are installed in.
+  /// Folder of the worker programs; empty: the folder in the environment variable
+  /// GLTFX_CODEC_WORKERS, or else the folder of the running program, or else the installation
+  /// folder.
   std::string folder;
-  /// Maximum number of processes of each kind; 0: as many as there are processors.
+  /// Maximum number of processes of each kind; 0: the number of processors.
   unsigned workers = 0;
-  /// Least memory limit of a request; it grows with the size of the payload. The libraries that
-  /// decode images take a hundred megabytes in addition.
+  /// Least memory limit of a request; it grows with the size of the payload. The libraries for
+  /// decoding images take a hundred megabytes in addition.
   std::uint64_t mesh_memory_bytes = std::uint64_t{192} << 20U;
   std::uint64_t image_memory_bytes = std::uint64_t{96} << 20U;
   /// Least limit of processor time of the worker, not of wall-clock time; it grows with bytes and
   /// pixels.
   double seconds = 1;
-  /// A worker that uses no processor time for so long, and does not answer, is ended.
+  /// A worker is stopped if it uses no processor time and does not answer for this time.
   double standstill_seconds = 30;
 };
 
-/// Keeps workers until it is destroyed; none is given bytes of two origins. One whose system calls
-/// are not filtered is refused, unless <gltfx/decoders.hpp> permits it. Any number of threads
+/// Keeps workers until it is destroyed; no worker gets bytes of two origins. A worker without a
+/// filter of system calls is refused, unless <gltfx/decoders.hpp> permits it. Any number of threads
 /// may call; each call is one request to one worker, and waits while all are busy. A worker that
-/// dies, runs out of time or breaks the protocol is ended, and another one is started by the next
-/// call. Throws only std::bad_alloc, when this process has no memory left.
+/// dies, runs out of time or breaks the protocol is stopped, and the next call starts another one.
+/// Throws only std::bad_alloc, if this process has no memory left.
 class Client {
  public:
   explicit Client(Settings settings = {});
@@ -248,24 +249,23 @@ class Client {
   Client(const Client&) = delete;
   Client& operator=(const Client&) = delete;
 
-  /// Decodes a Draco bitstream (version 2.2) that holds a triangle mesh.
+  /// Decodes a Draco bitstream (version 2.2) with a triangle mesh.
   DracoResult decode_draco(std::span<const std::byte> bytes, const Origin& origin = {});
-  /// Encodes triangles (edgebreaker, bitstream version 2.2) such that every value comes back bit
-  /// for bit: it is decoded once more and compared. Attributes keep id, type and `normalized`;
-  /// `quantization_step` is not looked at. A DecodeError of kind `malformed` when the mesh is
-  /// inconsistent: no triangles, an index out of range, a triangle with a vertex twice, which Draco
-  /// leaves out, values of another size than it says, ids that repeat, not exactly one position.
+  /// Encodes triangles (edgebreaker, bitstream version 2.2) without loss: the result is decoded
+  /// again and compared bit for bit. Attributes keep id, type and `normalized`; `quantization_step`
+  /// is ignored. A DecodeError of kind `malformed` if the mesh is inconsistent: no triangles, an
+  /// index out of range, a triangle that repeats a vertex, which Draco omits, values with a wrong
+  /// size, repeated ids, or not exactly one position.
   DracoEncodeResult encode_draco(const DracoMesh& mesh, const Origin& origin = {});
   ImageResult decode_image(const ImageRequest& request);
-  /// A DecodeError of kind `malformed` when the format cannot hold such an image.
+  /// A DecodeError of kind `malformed` if the format does not support such an image.
   EncodeResult encode_image(const EncodeRequest& request);
-  /// Gives the same bytes for the same request. What PNG, EXR and lossless WebP hold is decoded
-  /// once more and compared. `malformed` when the format cannot hold the image: JPEG an alpha other
-  /// than 1, WebP without loss 16 bits, and others floats. With `quality` or less than lossless, 16
-  /// bits become 8.
+  /// Returns the same bytes for the same request. PNG, EXR and lossless WebP are decoded again and
+  /// compared. `malformed` if the format does not support the image: JPEG an alpha other than 1,
+  /// lossless WebP 16 bits, and others floats. With a lossy `quality`, 16 bits become 8.
   EncodeResult transcode_image(const TranscodeRequest& request);
-  /// Begins to load the decoders of images, without waiting for it: that takes longer than to
-  /// decode most images.
+  /// Starts to load the decoders of images without waiting, because that takes longer than decoding
+  /// most images.
   void prepare_images();
 
   /// The shared client of this process. Its workers end with the process.
@@ -278,9 +278,9 @@ class Client {
   std::unique_ptr<State> state_;
 };
 
-/// How often, since this process began, a worker had no result for a reason other than the bytes
-/// alone: missing memory or time, a crash, no worker. Results made meanwhile may differ on another
-/// machine. Thread-safe.
+/// Number of times since the start of this process that a worker had no result for a reason other
+/// than the bytes alone: missing memory or time, a crash, no worker. Results from that time may
+/// differ on another machine. Thread-safe.
 std::uint64_t transient_errors();
 
 }  // namespace gltfx::codec

@@ -13,7 +13,7 @@
 namespace gltfx::codec {
 namespace {
 
-// A payload: bytes of the description, the description as an answer has it, indices and values.
+// A payload: size of the description, the description as in an answer, indices and values.
 constexpr std::size_t kAlignment = 8;
 
 std::size_t aligned(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
@@ -34,7 +34,7 @@ std::string flaw_of_indices(const DracoMesh& mesh) {
     const std::uint32_t a = mesh.indices[i];
     const std::uint32_t b = mesh.indices[i + 1];
     const std::uint32_t c = mesh.indices[i + 2];
-    if (std::max({a, b, c}) >= mesh.points) return "An index leads to no vertex.";
+    if (std::max({a, b, c}) >= mesh.points) return "An index refers to a missing vertex.";
     if (a == b || b == c || c == a) return "A triangle has a vertex twice.";
   }
   return {};
@@ -91,7 +91,8 @@ class Points {
   std::vector<std::uint32_t> slots_;
 };
 
-// The place of the attribute with the same id, or nothing when there is none of that type.
+// The position of the attribute with the same id, or nothing if it does not exist or has another
+// type.
 std::optional<std::size_t> find_twin(const DracoAttribute& attribute, const DracoMesh& mesh) {
   for (std::size_t i = 0; i < mesh.attributes.size(); ++i) {
     const DracoAttribute& other = mesh.attributes[i];
@@ -127,11 +128,11 @@ std::string find_flaw(const DracoMesh& mesh) {
   std::size_t positions = 0;
   for (const DracoAttribute& attribute : mesh.attributes) {
     const std::size_t size = value_size(attribute);
-    if (size == 0 || attribute.components > 127) return "An attribute has no type that Draco has.";
+    if (size == 0 || attribute.components > 127) return "An attribute has an unsupported type.";
     if (attribute.values.size() != size * mesh.points) return "The values are incomplete.";
     if (attribute.use == DracoUse::position) ++positions;
   }
-  if (positions != 1) return "The mesh has no position, or several.";
+  if (positions != 1) return "The mesh does not have exactly one position attribute.";
   if (ids_repeat(mesh)) return "Two attributes have the same id.";
   return flaw_of_indices(mesh);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Numbers and texts one after the other in a frame.
+/// A sequence of numbers and texts in a frame.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ class FieldWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Gives zeros after a field that was missing or out of range; check `sound()`.
+/// Returns zeros after a field that was missing or out of range; check `sound()`.
 class FieldReader {
  public:
   explicit FieldReader(std::span<const std::byte> bytes) : bytes_(bytes) {}

@@ -1,33 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How images are resized and encoded.
+/// Options for resizing and encoding images.
 #pragma once
 
 #include <cstdint>
 
 namespace gltfx::codec {
 
-/// What the texels of an image are, which decides how they are averaged.
+/// The meaning of texels, which selects how they are averaged.
 enum class TexelKind : std::uint8_t {
   color,   ///< sRGB: averaged as linear light. Floats are linear already
-  normal,  ///< RGB hold the vector 2c - 1: averaged, then made a unit vector again
-  data,    ///< numbers, each channel by itself
+  normal,  ///< RGB are the vector 2c - 1: averaged, then normalized
+  data,    ///< numbers; each channel is averaged separately
 };
 
-/// What lies beyond a border, as a sampler has it.
+/// Texels outside of the image, as in a sampler.
 enum class Wrap : std::uint8_t { repeat, clamp, mirror };
 
-/// Makes an image smaller, never larger; the aspect stays. Values are clamped to the least and
-/// greatest of the input around them, so that nothing rings.
+/// Makes an image smaller, never larger; the aspect ratio stays. Values are clamped to the range of
+/// the input around them, which prevents ringing.
 struct Resize {
-  std::uint32_t max_side = 0;  ///< texels; 0: the image stays as it is
+  std::uint32_t max_side = 0;  ///< texels; 0: unchanged
   TexelKind kind = TexelKind::data;
-  /// Colours count by their alpha, and texels that become transparent take the colours of their
+  /// Colours are weighted by alpha, and texels that become transparent get the colours of their
   /// neighbours.
   bool weigh_alpha = false;
-  /// Above 0: as large a part of the texels as before has at least this alpha, of 0 to 1.
+  /// Above 0: the share of texels with at least this alpha (0 to 1) stays the same.
   float alpha_cutoff = 0;
-  Wrap wrap_u = Wrap::repeat;  ///< across
-  Wrap wrap_v = Wrap::repeat;  ///< down
+  Wrap wrap_u = Wrap::repeat;  ///< horizontal
+  Wrap wrap_v = Wrap::repeat;  ///< vertical
 
   bool needed(std::uint32_t width, std::uint32_t height) const {
     return max_side != 0 && (width > max_side || height > max_side);
@@ -38,12 +38,12 @@ struct Resize {
 enum class EncodedFormat : std::uint8_t { png, jpeg, webp, exr };
 
 struct EncodeOptions {
-  /// Lossless WebP: 100 keeps every bit; less lets values differ a little, so that they pack
-  /// better: by 2 of 255 at most with 60.
+  /// Lossless WebP: 100 keeps all bits; lower numbers allow small changes of values for better
+  /// compression: by at most 2 of 255 with 60.
   std::uint32_t near_lossless = 100;
-  /// JPEG: colour at half the resolution (4:2:0). What is no colour is spoilt by it.
+  /// JPEG: colour at half the resolution (4:2:0). Not suitable for data other than colours.
   bool subsampled = true;
-  /// PNG: the greatest effort, several filters tried. JPEG: tables of its own.
+  /// PNG: the greatest effort, with several filters. JPEG: optimized tables.
   bool smallest = false;
   bool operator==(const EncodeOptions&) const = default;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The client in WebAssembly, where a process is a sandbox itself and cannot start others. A payload
-// that breaks the decoder, or takes all memory, ends the instance, which its owner replaces.
+// that crashes the decoder, or takes all memory, ends the instance, which its owner replaces.
 #include <gltfx/decoders.hpp>
 
 #include <utility>

@@ -11,10 +11,10 @@
 namespace gltfx::codec {
 
 // Decoders need some hundred bytes for each byte of a well-compressed mesh or image. The least
-// limit of any request covers those that are compressed better.
+// limit of any request covers even better compression.
 inline constexpr std::uint64_t kMemoryPerByte = 128;
-// Ten times what decoders and encoders take, so that slow processors and load from other processes
-// do not change results.
+// Ten times the usual need of decoders and encoders, so that slow processors and load from other
+// processes do not change results.
 inline constexpr double kSecondsPerByte = 5e-6;
 
 inline Job limited_job(const Settings& settings, Task task, std::size_t bytes) {

@@ -27,10 +27,10 @@ void permit_unsandboxed_decoders(bool permitted) { unfiltered_permitted = permit
 namespace codec {
 namespace {
 
-// Loading libraries takes a second at most: a program that takes much longer does not stop.
+// Loading libraries takes a second at most: a program that takes much longer will not finish.
 constexpr std::chrono::minutes kStartTime{2};
 
-// An asset may have a hundred thousand images, and each would start a program in vain.
+// An asset may have a hundred thousand images, and each would start a failing program.
 constexpr int kMostFailures = 3;
 
 constexpr const char* kWrongGreeting = "it has a different protocol version";
@@ -94,7 +94,7 @@ Launcher::Trouble Launcher::greet(Worker& worker) {
   return hello->filtered || unfiltered_permitted ? Trouble() : Trouble(kUnfiltered);
 }
 
-// The answer to a message. Nothing when the launcher has ended or breaks the protocol: it is then
+// The answer to a message. Nothing if the launcher has ended or breaks the protocol: it is then
 // removed.
 std::optional<Control> Launcher::ask(const Control& control, std::span<const int> descriptors) {
   std::unique_ptr<Process> process = std::move(process_);
@@ -114,7 +114,7 @@ std::variant<std::unique_ptr<Worker>, DecodeError> Launcher::start(std::uint64_t
   const std::array<int, 2> descriptors{ends.worker_socket.get(), ends.worker_lifeline.get()};
   std::unique_lock lock(mutex_);
   std::optional<Control> started;
-  // A launcher that has died meanwhile is replaced.
+  // A launcher that has died in the meantime is replaced.
   for (int attempt = 0; attempt < 2 && !started; ++attempt) {
     if (const Trouble trouble = launch()) return not_started(*trouble);
     started = ask({Control::Kind::start, memory_bytes}, descriptors);
@@ -145,9 +145,10 @@ int Launcher::finish(pid_t worker) {
 namespace gltfx::codec {
 namespace {
 
-// Least memory limit of a worker for any job, so that a worker of small jobs can serve a large one.
+// Least memory limit of a worker for any job, so that a worker with small jobs can also do a large
+// one.
 constexpr std::uint64_t kWorkerMemory = std::uint64_t{4} << 30U;
-// A worker ends itself when its time is over. If it does not, it is ended a little later.
+// A worker stops itself at its time limit. If it does not, it is stopped a little later.
 constexpr std::chrono::milliseconds kGrace{1000};
 
 Reply error(ErrorKind kind, std::string message) {
@@ -161,7 +162,7 @@ Reply overrun(const Job& job) {
                   encodes(job.task) ? "Encoding" : "Decoding", job.milliseconds, job.input_bytes));
 }
 
-// The reply for a worker without an answer.
+// The reply for a worker that did not answer.
 Reply epitaph(Worker& worker, const Job& job) {
   const int signal = worker.end();
   if (signal == SIGPROF || signal == SIGXCPU) return overrun(job);
@@ -179,7 +180,7 @@ bool is_wanted(const Answer& answer, const Job& job) {
   return image != nullptr && image->texels() <= job.max_pixels;
 }
 
-// Points a result into the memory that the worker has filled. False when the memory is missing.
+// Points a result into the memory that the worker has filled. False if memory is missing.
 template <typename T>
 bool attach_memory(T& result, Taken& to, const Job& job, int memory) {
   const auto size = result_size(result);
@@ -244,7 +245,7 @@ struct Pool::Lease {
   }
 
   Pool& pool;
-  Kept worker;     ///< null: no idle worker fits
+  Kept worker;     ///< null: no suitable idle worker
   Kept displaced;  ///< removed to make room for another
 };
 
@@ -263,7 +264,7 @@ Reply Pool::ask(Kept& worker, const Job& job, std::span<const std::byte> bytes,
   }
   const int descriptors[] = {payload.get(), result.get()};
   const Frame frame = write_job(job);
-  // A worker that has died meanwhile is replaced.
+  // A worker that has died in the meantime is replaced.
   if (worker && !send_packet(worker->socket(), frame, descriptors)) worker.reset();
   if (!worker) {
     auto started = launcher_.start(std::max(kWorkerMemory, std::bit_ceil(job.memory_bytes)));

@@ -56,7 +56,7 @@ class Launcher {
   const std::string program_;
   const std::chrono::milliseconds standstill_;
   std::mutex mutex_;
-  std::unique_ptr<Process> process_;      ///< null: not started, or it has failed
+  std::unique_ptr<Process> process_;      ///< null: not started, or failed
   bool ready_ = false;                    ///< the process has greeted
   int failures_ = 0;                      ///< failed starts in a row
   Trouble final_;                         ///< why it is not started again
@@ -98,11 +98,11 @@ struct Reply {
   Taken memory;
 };
 
-/// Thread-safe. Starts a worker when needed, up to `most` (0: as many as there are processors). A
-/// worker is given bytes of one origin only. May throw std::bad_alloc.
+/// Thread-safe. Starts workers on demand, up to `most` (0: the number of processors). A worker gets
+/// bytes of one origin only. May throw std::bad_alloc.
 class Pool {
  public:
-  /// A worker that neither works nor answers for as long as `standstill` is ended.
+  /// A worker that neither works nor answers for the time `standstill` is stopped.
   Pool(std::string program, unsigned most, std::chrono::milliseconds standstill);
   Reply ask(const Job& job, std::span<const std::byte> bytes, const Origin& origin);
   /// Prepares to start workers, without waiting.
@@ -119,7 +119,7 @@ class Pool {
   Launcher launcher_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<Kept> idle_;  ///< the last used at the back
+  std::vector<Kept> idle_;  ///< the most recently used last
   unsigned leased_ = 0;
 };
 

@@ -21,7 +21,7 @@
 namespace gltfx::codec {
 namespace {
 
-// Moves a descriptor above all that a worker is given, so that giving it one does not close
+// Moves a descriptor above all descriptors of a worker, so that assigning one does not close
 // another.
 int moved_up(int fd) {
   const UniqueFd low(fd);
@@ -36,7 +36,7 @@ class Preparation {
     ::posix_spawnattr_init(&attributes_);
     if (::access("/dev/null", R_OK | W_OK) == 0) {
       ::posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDWR, 0);
-    } else {  // a minimal system has none; a pipe that cannot be written to serves as well
+    } else {  // a minimal system has none; an unwritable pipe is a replacement
       ::posix_spawn_file_actions_adddup2(&actions_, ends.worker_lifeline.get(), 0);
     }
     ::posix_spawn_file_actions_adddup2(&actions_, 0, 1);
@@ -57,7 +57,7 @@ class Preparation {
     ::posix_spawnattr_destroy(&attributes_);
   }
 
-  // Gives 0, or the number of the error.
+  // Returns 0, or the number of the error.
   int spawn(const std::string& program, pid_t& id) const {
     std::array<char*, 2> arguments{const_cast<char*>(program.c_str()), nullptr};
     char* const environment[] = {nullptr};

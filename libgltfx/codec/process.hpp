@@ -13,7 +13,7 @@
 
 namespace gltfx::codec {
 
-/// Processor time that a process and its threads have used. Nothing when there is no such process.
+/// Processor time that a process and its threads have used. Nothing if the process does not exist.
 std::optional<std::chrono::nanoseconds> processor_time(pid_t process);
 
 /// Time limits of a process.
@@ -39,8 +39,8 @@ inline constexpr int kLifelineDescriptor = 4;
 
 /// The ends of a worker or launcher: its socket and lifeline, and the client's.
 struct Ends {
-  OwnDescriptor socket, lifeline;                // the client's
-  OwnDescriptor worker_socket, worker_lifeline;  // the worker's
+  OwnDescriptor socket, lifeline;                // for the client
+  OwnDescriptor worker_socket, worker_lifeline;  // for the worker
   static Ends create();
   bool complete() const { return socket && lifeline && worker_socket && worker_lifeline; }
 };
@@ -59,7 +59,7 @@ class Process {
   /// Why it was not started. Precondition: !started().
   std::string start_error() const;
   /// Whether it was not started because the system had no process, memory or descriptor left, which
-  /// may change.
+  /// may be temporary.
   bool lacked_resources() const;
   pid_t id() const { return id_; }
   int socket() const { return socket_.get(); }

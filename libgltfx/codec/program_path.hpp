@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where the worker programs are.
+/// The paths of the worker programs.
 #pragma once
 
 #include <string>
 
 namespace gltfx::codec {
 
-/// The path of the worker program `name`: in `folder` or, when that is empty, in the folder that
-/// GLTFX_CODEC_WORKERS or set_codec_folder() names, beside the running program, from there in the
-/// folder for such programs (so that an installed tree can be moved), in the package that the
-/// program was built against, or in the folder that gltfx was configured to be installed to. If
-/// there is none, the path of a missing file.
+/// The path of the worker program `name`: in `folder` or, if that is empty, in the first folder
+/// that has it: the one in GLTFX_CODEC_WORKERS or of set_codec_folder(), the folder of the running
+/// program, the folder for worker programs relative to it (so that an installed tree can be moved),
+/// the package that the program was built against, or the configured installation folder. If none
+/// has it, the path of a missing file.
 std::string program_path(const std::string& folder, const std::string& name);
 
 /// Whether the path is an executable file.

@@ -21,7 +21,7 @@ FieldWriter begin(Kind kind) {
   return out;
 }
 
-// The kind of a frame whose beginning has been read.
+// The kind of a frame, from its first bytes.
 std::optional<Kind> read_kind(FieldReader& in) {
   const bool ours = in.number<std::uint32_t>() == kMagic;
   const Kind kind = in.name(Kind::error);

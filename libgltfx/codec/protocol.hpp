@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The messages between client and worker: one frame per packet, numbers in the machine's own order
-/// (both run on one machine). Payloads and results are not in frames but in shared memory, whose
-/// descriptors are sent along.
+/// The messages between client and worker: one frame per packet, numbers in the machine's byte
+/// order (both run on one machine). Payloads and results are not in frames but in shared memory,
+/// whose descriptors are sent with the frame.
 ///
-/// A worker, started as packet.hpp says, greets with a Hello. The client sends a Job with two
-/// descriptors, the payload and the empty result; the worker fills the result and sends an Answer.
-/// Neither side trusts a frame: the functions that read one check that it is complete, in range and
-/// without trailing bytes.
+/// A worker, started as described in packet.hpp, sends a Hello. The client sends a Job with two
+/// descriptors, for the payload and the empty result; the worker fills the result and sends an
+/// Answer. Neither side trusts a frame: the functions that read one check that it is complete, in
+/// range and without trailing bytes.
 #pragma once
 
 #include <cstddef>
@@ -26,9 +26,9 @@ inline constexpr std::size_t kMostMessageBytes = 500;
 
 using Frame = std::vector<std::byte>;
 
-/// How a worker is sandboxed.
+/// The sandbox of a worker.
 struct Hello {
-  bool filtered = false;  ///< a filter of system calls is in force
+  bool filtered = false;  ///< the filter of system calls is active
   bool operator==(const Hello&) const = default;
 };
 
@@ -44,19 +44,19 @@ struct Job {
   std::uint32_t level = 0;
   bool pixels = false;
   bool normals = false;
-  std::uint8_t halvings = 0;  ///< of the sides of an image, up to 3
+  std::uint8_t halvings = 0;  ///< for the sides of an image, up to 3
   bool floats = false;
   Resize resize;
-  /// Of the payload: it is texels, and no file. Always with Task::encode; with Task::image and
-  /// Task::transcode where another worker has decoded the file.
+  /// Set if the payload is texels and not a file. Always with Task::encode; with Task::image and
+  /// Task::transcode if another worker has decoded the file.
   Raster raster;
   EncodedFormat encoded = EncodedFormat::png;
   std::uint32_t quality = 0;
   EncodeOptions options;
   std::uint64_t input_bytes = 0;
   std::uint64_t max_pixels = 0;
-  std::uint64_t memory_bytes = 0;  ///< limit, beyond what the worker used before any job
-  std::uint64_t milliseconds = 0;  ///< of processor time
+  std::uint64_t memory_bytes = 0;  ///< limit, in addition to the use before the first job
+  std::uint64_t milliseconds = 0;  ///< limit of processor time
   bool operator==(const Job&) const = default;
 };
 
@@ -68,22 +68,22 @@ Frame write_job(const Job& job);
 /// A message is cut to kMostMessageBytes, attributes to kMostAttributes.
 Frame write_answer(const Answer& answer);
 
-// Nothing for any other frame.
+// Nothing if the frame is of another kind.
 std::optional<Hello> read_hello(std::span<const std::byte> frame);
 std::optional<Job> read_job(std::span<const std::byte> frame);
 std::optional<Answer> read_answer(std::span<const std::byte> frame);
 
 /// Whether a job is possible: the payload of an encoder has the size of its raster, and the format
-/// can hold such a raster.
+/// supports such a raster.
 bool is_consistent(const Job& job);
-/// Whether the format that a job asks for can hold a raster.
+/// Whether the requested format of a job supports a raster.
 bool format_holds(const Job& job, const Raster& raster);
 
 /// Bytes of one component, 0 for `other`.
 unsigned component_size(Component component);
 
 /// Bytes of a result: the indices, then the values of each attribute, each at a multiple of eight.
-/// Nothing when that is beyond 64 bits.
+/// Nothing if the size exceeds 64 bits.
 std::optional<std::uint64_t> result_size(const DracoMesh& mesh);
 /// Size of the pixels.
 std::optional<std::uint64_t> result_size(const Image& image);
@@ -101,7 +101,7 @@ void for_each_values(const DracoMesh& mesh, Use&& use) {
   }
 }
 
-/// Points the spans into `memory`. False when it is too short or an index is out of range.
+/// Points the spans into `memory`. False if it is too short or an index is out of range.
 bool attach(DracoMesh& mesh, std::span<const std::byte> memory);
 bool attach(Image& image, std::span<const std::byte> memory);
 bool attach(EncodedImage& image, std::span<const std::byte> memory);

@@ -41,7 +41,7 @@ constexpr std::uint32_t kArchitecture = AUDIT_ARCH_AARCH64;
 #endif
 
 // No open, no stat, no exec, no socket, no fork, no signal to others. Threads that libraries
-// started before may still be starting.
+// started earlier may still be starting.
 constexpr std::uint32_t kAllowed[] = {
     SYS_recvmsg,
     SYS_sendmsg,
@@ -131,7 +131,7 @@ Program filter_program(std::uint32_t self) {
     check_argument(program, number, 2, BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, PROT_EXEC, 1, 0));
   }
   // Allowed are signals to its own threads, which abort() uses, and changes of its own limits
-  // (process 0), which hard limits bound.
+  // (process 0), which stay below the hard limits.
   check_argument(program, SYS_tgkill, 0, BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, self, 0, 1));
   check_argument(program, SYS_prlimit64, 0, BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, 0, 0, 1));
   answer(program, kForbid);
@@ -140,9 +140,9 @@ Program filter_program(std::uint32_t self) {
 
 }  // namespace
 
-// Lets all threads of the process make only the calls that memory, one socket and the end of the
-// process need; others fail with EPERM. Precondition: no_new_privs. False when the system has no
-// such filters or the processor is not supported.
+// Limits all threads of the process to the calls for memory, one socket and the end of the process;
+// others fail with EPERM. Precondition: no_new_privs. False if the system has no such filters or
+// the processor is not supported.
 bool filter_syscalls() {
   Program program = filter_program(static_cast<std::uint32_t>(::getpid()));
   sock_fprog filter{static_cast<unsigned short>(program.size()), program.data()};
@@ -158,7 +158,7 @@ constexpr bool kLimitsMemory = false;
 constexpr bool kLimitsMemory = true;
 #endif
 
-// Sets a limit, never above the inherited one; `for_good`: it cannot be raised again.
+// Sets a limit, never above the inherited one; `for_good`: it cannot be raised later.
 void set_limit(__rlimit_resource_t resource, std::uint64_t value, bool for_good) {
   rlimit limit{};
   if (::getrlimit(resource, &limit) != 0) return;
@@ -167,7 +167,7 @@ void set_limit(__rlimit_resource_t resource, std::uint64_t value, bool for_good)
   ::setrlimit(resource, &limit);
 }
 
-// Makes the present limits hard limits. The memory limit changes with each job and is set
+// Turns the current limits into hard limits. The memory limit changes with each job and is set
 // separately.
 void keep_limits() {
   for (int i = 0; i < static_cast<int>(RLIM_NLIMITS); ++i) {

@@ -40,7 +40,7 @@ void keep_memory() {
 }
 // NOLINTEND(concurrency-mt-unsafe)
 
-// False when the client has closed or breaks the protocol.
+// False if the client has closed or breaks the protocol.
 bool serve_one(const Decode& decode, const JobLimits& limits) {
   const auto packet = receive_packet(kSocketDescriptor);
   if (!packet || packet->descriptors.size() != 2) return false;
@@ -74,7 +74,7 @@ pid_t fork_worker(const Decode& decode, const Packet& packet, std::uint64_t most
       ::dup2(packet.descriptors[1].get(), kLifelineDescriptor) >= 0) {
     code = work(decode, most_memory_bytes);
   }
-  ::_exit(code);  // this process has none of the threads that exit() would wait for
+  ::_exit(code);  // exit() would wait for threads that this process does not have
 }
 
 // Ends a worker. The signal has no effect on a worker that is ending. Returns the signal that ended
@@ -89,7 +89,7 @@ int finish_worker(pid_t id) {
   return done == id && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 
-// False when the client has closed or breaks the protocol.
+// False if the client has closed or breaks the protocol.
 bool launch_one(const Decode& decode) {
   const auto packet = receive_packet(kSocketDescriptor);
   const auto asked = packet ? read_control(packet->bytes) : std::nullopt;
@@ -112,7 +112,7 @@ bool launch_one(const Decode& decode) {
 int serve(const std::function<void()>& prepare, const Decode& decode) {
   close_descriptors_from(kLifelineDescriptor + 1);
   end_with(kLifelineDescriptor);
-  std::signal(SIGINT, SIG_IGN);  // goes to all programs of a terminal; the client decides
+  std::signal(SIGINT, SIG_IGN);  // a terminal sends it to all programs; the client decides
   keep_memory();
   prepare();
   if (!send_packet(kSocketDescriptor, write_control({}), {})) return 1;

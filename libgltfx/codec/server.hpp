@@ -8,9 +8,9 @@
 
 namespace gltfx::codec {
 
-/// Runs `prepare`, which loads and touches everything that decoding needs; then forks a worker for
+/// Runs `prepare`, which loads and touches all code and data for decoding; then forks a worker for
 /// each request of the client, until the client closes its socket. A worker enters its sandbox,
-/// greets, and serves jobs. Returns the exit code.
+/// sends a Hello, and does jobs. Returns the exit code.
 int serve(const std::function<void()>& prepare, const Decode& decode);
 
 }  // namespace gltfx::codec

@@ -31,7 +31,7 @@ bool has_bytes(int fd, std::uint64_t size) {
   return end >= 0 && static_cast<std::uint64_t>(end) >= size;
 }
 
-// Afterwards the memory can neither shrink nor change. The kernel refuses while a writable mapping
+// After this, the memory can neither shrink nor change. The kernel refuses while a writable mapping
 // exists.
 bool seal(int fd) {
   return ::fcntl(fd, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL) == 0;

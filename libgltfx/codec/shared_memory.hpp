@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Memory that two processes share, and how to take it over so that the other process cannot change
-/// it.
+/// Memory shared by two processes, and a way to take it over so that the other process cannot
+/// change it.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace gltfx::codec {
 
-/// Empty shared memory: a memfd or, where the system refuses those, a file without a name in the
-/// folder for temporary files. Without either, no descriptor.
+/// Empty shared memory: a memfd or, if the system refuses that, a file without a name in the folder
+/// for temporary files. If both fail, no descriptor.
 UniqueFd create_memory();
 
 /// A mapping with one owner.
@@ -23,8 +23,8 @@ class Mapping {
   enum class Access : std::uint8_t { read, write };
 
   Mapping() = default;
-  /// Maps the first `size` bytes; empty when that cannot be done, or they are 0. With write access,
-  /// the memory of the descriptor becomes that long.
+  /// Maps the first `size` bytes; empty if that fails, or if `size` is 0. With write access, the
+  /// memory of the descriptor gets this length.
   Mapping(int fd, std::uint64_t size, Access access);
   Mapping(Mapping&& other) noexcept;
   Mapping& operator=(Mapping&& other) noexcept;
@@ -38,7 +38,7 @@ class Mapping {
   std::span<std::byte> bytes_;
 };
 
-/// Writes `bytes` into empty shared memory. False when memory is missing.
+/// Writes `bytes` into empty shared memory. False if memory is missing.
 bool fill_memory(int fd, std::span<const std::byte> bytes);
 
 /// The first bytes of memory that another process has filled.
@@ -46,8 +46,8 @@ struct Taken {
   std::span<const std::byte> bytes;
   std::shared_ptr<const void> owner;
 };
-/// Takes over `size` bytes so that they cannot change or be truncated any more: sealed and mapped
-/// or, where sealing fails, copied. Nothing when there are fewer bytes.
+/// Takes over `size` bytes so that they can no longer change or be truncated: sealed and mapped or,
+/// if sealing fails, copied. Nothing if there are fewer bytes.
 std::optional<Taken> take_memory(int fd, std::uint64_t size);
 
 }  // namespace gltfx::codec

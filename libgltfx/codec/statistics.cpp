@@ -34,9 +34,8 @@ void Statistics::note(std::size_t channel, std::uint32_t least, std::uint32_t gr
   channel_[channel].greatest = std::max(channel_[channel].greatest, greatest);
 }
 
-// Adjacent lanes become vector instructions as long as there is no branch and no reference
-// (std::min) among them; counters are as wide as the values, so they are emptied before they
-// overflow.
+// Adjacent lanes become vector instructions if there is no branch and no reference (std::min) in
+// the loop; counters are as wide as the values, so they are read before they overflow.
 template <typename T>
 void Statistics::add_texels(const T* values, std::size_t count) {
   constexpr T kFull = std::numeric_limits<T>::max();
@@ -80,8 +79,8 @@ void Statistics::add_rest(const T* values, std::size_t count) {
   }
 }
 
-// Block by block: first the vectors are extracted from the texels, then they are measured with
-// vector instructions, which need adjacent numbers of one kind.
+// In blocks: first the vectors are extracted from the texels, then they are measured with vector
+// instructions, which need adjacent numbers of the same type.
 template <typename T>
 void Statistics::add_normals(const T* values, std::size_t count) {
   const float scale = 2.0F / static_cast<float>(std::numeric_limits<T>::max());

@@ -18,7 +18,7 @@ class Statistics {
   /// channels.
   Statistics(const Image& image, bool normals);
 
-  /// Adds whole texels, in any order: packed, 8 or 16 bits a channel in the machine's byte order.
+  /// Adds whole texels, in any order: packed, 8 or 16 bits per channel in the machine's byte order.
   void add(std::span<const std::byte> texels);
 
   /// Writes statistics, `grey` and `normals`. Precondition: all texels have been added.

@@ -195,9 +195,9 @@ TEST(DracoEncode, WhatDracoCannotHoldIsRefused) {
   EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("no triangles"));
   changed = grid;
   changed.indices[4] = 9;
-  EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("leads to no vertex"));
+  EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("refers to a missing vertex"));
   changed.indices[4] = 0xffffffff;
-  EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("leads to no vertex"));
+  EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("refers to a missing vertex"));
   changed = grid;
   changed.indices[1] = changed.indices[0];
   EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("a vertex twice"));
@@ -209,10 +209,10 @@ TEST(DracoEncode, WhatDracoCannotHoldIsRefused) {
   EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("values are incomplete"));
   changed = grid;
   changed.attributes[0].use = DracoUse::generic;
-  EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("no position"));
+  EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("exactly one position"));
   changed = grid;
   changed.attributes[0].component = Component::other;
-  EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("no type"));
+  EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("unsupported type"));
   changed = grid;
   changed.add(DracoUse::generic, Component::float32, 3, std::vector<float>(27));
   changed.attributes[1].id = changed.attributes[0].id;
