@@ -94,7 +94,7 @@ TEST(Radiance, RunsBeyondARowAreRefused) {
   EXPECT_THAT(message_of(picture("-Y 1 +X 3", "\x01\x01\x01\x01"s)), HasSubstr("too long"));
   EXPECT_THAT(message_of(picture("-Y 1 +X 8", "\x02\x02\0\x08\xFF\x01"s)), HasSubstr("too long"));
   EXPECT_THAT(message_of(picture("-Y 1 +X 8", "\x02\x02\0\x08\0"s)), HasSubstr("too long"));
-  EXPECT_THAT(message_of(picture("-Y 1 +X 8", "\x02\x02\0\x09"s)), HasSubstr("another width"));
+  EXPECT_THAT(message_of(picture("-Y 1 +X 8", "\x02\x02\0\x09"s)), HasSubstr("wrong width"));
 }
 
 TEST(Radiance, EveryCutIsRefused) {

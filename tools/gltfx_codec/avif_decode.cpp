@@ -13,7 +13,7 @@
 namespace gltfx::codec {
 namespace {
 
-// Planes of 16 bits, the planes of the decoder, and the texels.
+// For 16-bit planes, the planes of the decoder, and the texels.
 constexpr std::uint64_t kBytesPerTexel = 32;
 
 using Decoder = std::unique_ptr<avifDecoder, decltype(&avifDecoderDestroy)>;

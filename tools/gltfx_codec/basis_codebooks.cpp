@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::uint32_t kColorMask = 31, kModifiersMask = 7;
 
-// The codes of colour differences: one each for dark, middle and bright previous values.
+// The codes of colour differences: one for dark, one for middle and one for bright previous values.
 struct ColorDeltas {
   std::array<HuffmanTable, 3> tables;
 

@@ -14,7 +14,7 @@
 
 namespace gltfx::codec {
 
-/// The colour of a block and the distance of its texels from that.
+/// The colour of a block and the distances of its texels from it.
 struct Etc1sEndpoint {
   std::array<std::uint8_t, 3> color{};  ///< R, G and B, 5 bits each
   std::uint8_t modifiers = 0;           ///< number of a table, 0 to 7
@@ -30,10 +30,10 @@ struct Etc1sCodebooks {
 
 struct Etc1sSliceCodes {
   HuffmanTable endpoint_prediction, endpoint_delta, selector, selector_run;
-  std::uint32_t history_size = 0;  ///< of selectors
+  std::uint32_t history_size = 0;  ///< number of selectors in it
 };
 
-// Nothing for invalid bytes. Memory is 4 bytes per entry.
+// Nothing if the bytes are invalid. Needs 4 bytes of memory per entry.
 
 std::optional<std::vector<Etc1sEndpoint>> read_endpoints(std::span<const std::byte> bytes,
                                                          std::uint16_t count);

@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<std::array<int, 2>, 8> kModifiers{
     {{2, 8}, {5, 17}, {9, 29}, {13, 42}, {18, 60}, {24, 80}, {33, 106}, {47, 183}}};
 
-// One channel of a block by the value of a selector, from the darkest on.
+// One channel of a block by the value of a selector, from dark to bright.
 using Steps = std::array<std::uint8_t, 4>;
 Steps steps_of(const Etc1sEndpoint& endpoint, std::size_t channel) {
   const int base = endpoint.color[channel] << 3 | endpoint.color[channel] >> 2;

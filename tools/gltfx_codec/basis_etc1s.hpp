@@ -7,11 +7,11 @@
 
 namespace gltfx::codec {
 
-/// Writes R, G and B of a block and leaves A.
+/// Writes R, G and B of a block; A does not change.
 void write_etc1s_colors(const Etc1sEndpoint& endpoint, const Etc1sSelector& selector,
                         const BlockTexels& to);
 
-/// Writes one channel of a block, whose colour is grey, and leaves the others.
+/// Writes one channel of a block with a grey colour; the other channels do not change.
 void write_etc1s_channel(const Etc1sEndpoint& endpoint, const Etc1sSelector& selector,
                          std::size_t channel, const BlockTexels& to);
 

@@ -10,7 +10,7 @@ HuffmanTable::HuffmanTable(std::span<const std::uint8_t> lengths) {
   for (const std::uint8_t length : lengths) ++counts_[length];
   counts_[0] = 0;
   std::array<std::size_t, kLongest + 2> first{};  // position of the first symbol of each length
-  std::uint32_t room = 1;                         // codes of this length that are free
+  std::uint32_t room = 1;                         // free codes of this length
   for (unsigned length = 1; length <= kLongest; ++length) {
     room *= 2;
     sound_ = sound_ && counts_[length] <= room;
@@ -29,10 +29,10 @@ HuffmanTable::HuffmanTable(std::span<const std::uint8_t> lengths) {
   }
 }
 
-// The code that `bits` begin with, its first bit lowest.
+// The code at the begin of `bits`, whose first bit is the lowest one.
 HuffmanTable::Code HuffmanTable::find(std::uint32_t bits, unsigned longest) const {
   std::uint32_t code = 0, first = 0;  // bits so far; the first code of this length
-  std::size_t before = 0;             // shorter codes
+  std::size_t before = 0;             // number of shorter codes
   for (unsigned length = 1; length <= longest; ++length) {
     code = code << 1U | (bits & 1U);
     bits >>= 1U;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Canonical Huffman codes, as BasisLZ stores them (KTX 2.0, "Compressed Huffman Tables").
+/// Canonical Huffman codes in the form of BasisLZ (KTX 2.0, "Compressed Huffman Tables").
 #pragma once
 
 #include <array>
@@ -16,12 +16,12 @@ class HuffmanTable {
  public:
   /// A table without codes.
   HuffmanTable() = default;
-  /// From the length of the code of each symbol in bits, 0 to 16; 0: the symbol has none.
+  /// From the code length of each symbol in bits, 0 to 16; 0: the symbol has no code.
   explicit HuffmanTable(std::span<const std::uint8_t> lengths);
 
-  /// Whether no two symbols share a code.
+  /// Whether the codes of all symbols are different.
   bool is_sound() const { return sound_; }
-  /// The next symbol. Bits that are not a code fail the reader and give 0.
+  /// The next symbol. If the bits are not a code, sets the reader to failed and returns 0.
   std::uint32_t decode(BitReader& bits) const;
 
  private:
@@ -33,14 +33,14 @@ class HuffmanTable {
   };
   Code find(std::uint32_t bits, unsigned longest) const;
 
-  std::array<std::uint16_t, kLongest + 1> counts_{};  ///< codes of each length
+  std::array<std::uint16_t, kLongest + 1> counts_{};  ///< number of codes of each length
   std::vector<std::uint16_t> symbols_;                ///< in the order of their codes
   std::vector<Code> fast_;                            ///< by the next kFast bits
   bool sound_ = true;
 };
 
 /// Reads the lengths of codes, which are coded themselves. A table without symbols is empty:
-/// encoders write those for unused models. Invalid ones fail the reader.
+/// encoders write such tables for unused models. Invalid tables set the reader to failed.
 HuffmanTable read_huffman_table(BitReader& bits);
 
 }  // namespace gltfx::codec

@@ -15,8 +15,8 @@ constexpr std::uint64_t kLeastPredictionRepeats = 3;
 constexpr std::uint32_t kLongSelectorRun = 63;
 constexpr std::uint64_t kLeastSelectorRun = 3;
 
-// A number in chunks of so many bits, each with one more bit that says whether another one follows
-// ("ETC1S VLC Decoding Procedure").
+// A number in chunks of `chunk` bits, each followed by one bit that states whether another chunk
+// follows ("ETC1S VLC Decoding Procedure").
 std::uint64_t take_chunks(BitReader& bits, unsigned chunk) {
   std::uint64_t value = 0;
   for (unsigned at = 0; at < 32; at += chunk) {
@@ -65,7 +65,7 @@ bool Etc1sSlice::next_row(std::span<Etc1sBlock> row) {
   return bits_.ok();
 }
 
-// Predictions of two by two blocks, two bits each.
+// Predictions of blocks in a 2 by 2 square, two bits each.
 std::uint32_t Etc1sSlice::next_predictions() {
   if (prediction_repeats_ > 0) {
     --prediction_repeats_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The blocks of one BasisLZ slice (KTX 2.0, "ETC1S Slice Decoding"). Only still images: blocks
-/// that an animation takes from the previous frame are not supported.
+/// that an animation copies from the previous frame are not supported.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@ struct Etc1sBlock {
   std::uint16_t endpoint = 0, selector = 0;
 };
 
-/// The selectors used last, ordered roughly by use ("ETC1S Approximate Move to Front Routines").
+/// The last used selectors, ordered roughly by use ("ETC1S Approximate Move to Front Routines").
 class SelectorHistory {
  public:
   explicit SelectorHistory(std::size_t size) : values_(size), next_(size / 2) {}
 
   std::size_t size() const { return values_.size(); }
   void add(std::uint16_t selector);
-  /// The selector at `index`, which it moves halfway to the front. Precondition: `index` is below
-  /// size().
+  /// Returns the selector at `index` and moves it halfway to the front. Precondition: `index` is
+  /// below size().
   std::uint16_t use(std::size_t index);
 
  private:
@@ -39,7 +39,7 @@ class Etc1sSlice {
   Etc1sSlice(const Etc1sSliceCodes& codes, const Etc1sCodebooks& codebooks,
              std::span<const std::byte> bytes, std::size_t blocks_across);
 
-  /// Decodes the next row, from the top. Permanently false when the bytes are corrupt or end.
+  /// Decodes the next row, from the top. Permanently false if the bytes are corrupt or truncated.
   bool next_row(std::span<Etc1sBlock> row);
 
  private:
@@ -55,10 +55,10 @@ class Etc1sSlice {
   std::vector<Etc1sBlock> above_;           ///< the previous row; empty before the first
   std::vector<std::uint8_t> for_odd_rows_;  ///< predictions of two blocks each
   bool odd_row_ = false;
-  std::uint32_t predictions_ = 0;  ///< of four blocks, as read last
+  std::uint32_t predictions_ = 0;  ///< last read predictions, for four blocks
   std::uint64_t prediction_repeats_ = 0;
-  std::uint16_t endpoint_before_ = 0;   ///< in the order of blocks
-  std::uint64_t selector_repeats_ = 0;  ///< of the first of the history
+  std::uint16_t endpoint_before_ = 0;   ///< of the previous block
+  std::uint64_t selector_repeats_ = 0;  ///< for the first entry of the history
   SelectorHistory history_;
 };
 

@@ -8,7 +8,8 @@
 
 namespace gltfx::codec {
 
-/// Gives zeros past the end; ok() is permanently false once any was taken, or after fail().
+/// Returns zeros after the end; ok() is permanently false after such a bit was taken, or after
+/// fail().
 class BitReader {
  public:
   explicit BitReader(std::span<const std::byte> bytes)
@@ -17,7 +18,7 @@ class BitReader {
   bool ok() const { return ok_; }
   void fail() { ok_ = false; }
 
-  /// The next `count` bits, at most 32, the first one lowest; does not move.
+  /// Returns the next `count` bits, at most 32, the first one lowest, without taking them.
   std::uint32_t peek(unsigned count) {
     if (held_ < count) refill();
     return static_cast<std::uint32_t>(bits_ & ((std::uint64_t{1} << count) - 1));
@@ -47,7 +48,7 @@ class BitReader {
 
   std::span<const std::byte> bytes_;
   std::size_t next_ = 0;
-  std::uint64_t left_;  ///< bits that have not been taken
+  std::uint64_t left_;  ///< remaining bits
   std::uint64_t bits_ = 0;
   unsigned held_ = 0;  ///< bits in `bits_`
   bool ok_ = true;

@@ -56,8 +56,8 @@ DracoUse use_of(draco::GeometryAttribute::Type type) {
   }
 }
 
-// Distance of the values of an attribute, from the integers that it was decoded from; 0 when it
-// was not quantised.
+// Distance of the values of an attribute, from the integers that it was decoded from; 0 if it was
+// not quantised.
 double quantization_step(const PointAttribute* portable) {
   const auto* transform = portable == nullptr ? nullptr : portable->GetAttributeTransformData();
   if (transform == nullptr) return 0;
@@ -86,7 +86,7 @@ DracoAttribute describe(const PointAttribute& attribute, const PointAttribute* p
   return description;
 }
 
-// Writes the value of each point. False when the decoder's tables contradict each other.
+// Writes the value of each point. False if the decoder's tables are inconsistent.
 bool write_values(const PointAttribute& attribute, std::size_t size, std::uint32_t points,
                   std::span<std::byte> to) {
   if (to.empty()) return true;
@@ -101,7 +101,8 @@ bool write_values(const PointAttribute& attribute, std::size_t size, std::uint32
   return true;
 }
 
-// Draco's own entry point hides the decoder, which is the only source of the quantisation.
+// Draco's entry point does not give access to the decoder, which is the only source of the
+// quantisation.
 std::unique_ptr<draco::MeshDecoder> decoder_for(const draco::DracoHeader& header) {
   if (header.encoder_method == draco::MESH_SEQUENTIAL_ENCODING) {
     return std::make_unique<draco::MeshSequentialDecoder>();
@@ -113,7 +114,7 @@ std::unique_ptr<draco::MeshDecoder> decoder_for(const draco::DracoHeader& header
 }
 
 // The least memory for the sizes at the start of a bitstream. The decoder allocates it before it
-// checks whether the stream can have so much data.
+// checks whether the stream can have this amount of data.
 std::uint64_t promised_bytes(draco::DecoderBuffer& buffer, const draco::DracoHeader& header) {
   constexpr int kVersion = 2;  // earlier versions stored sizes differently
   if (header.version_major < kVersion || (header.flags & METADATA_FLAG_MASK) != 0) return 0;

@@ -9,7 +9,7 @@
 
 namespace gltfx::codec {
 
-/// Decodes a Draco bitstream (version 2.2) that holds a triangle mesh.
+/// Decodes a Draco bitstream (version 2.2) with a triangle mesh.
 Answer decode_draco(const Job& job, std::span<const std::byte> bytes, const Output& output);
 
 }  // namespace gltfx::codec

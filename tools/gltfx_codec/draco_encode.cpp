@@ -35,14 +35,14 @@ draco::GeometryAttribute::Type kind_of(DracoUse use) {
   return kKinds[static_cast<std::size_t>(use)];
 }
 
-/// Distinct values of an attribute, and which of them each point has.
+/// Distinct values of an attribute, and the value of each point.
 struct Values {
   std::vector<std::uint32_t> of_points;
-  std::vector<std::uint32_t> firsts;  ///< the point that each value is of
+  std::vector<std::uint32_t> firsts;  ///< the first point with each value
 };
 
-// Draco's own search compares floats as numbers: -0 would become 0. Points that are `alone` share
-// their value with no other.
+// Draco's own search compares floats as numbers: -0 would become 0. Points that are `alone` get a
+// separate value.
 Values distinct_values(const DracoAttribute& attribute, std::uint32_t points,
                        const std::vector<bool>& alone) {
   const std::size_t size = attribute.values.size() / points;
@@ -61,8 +61,8 @@ Values distinct_values(const DracoAttribute& attribute, std::uint32_t points,
   return values;
 }
 
-// Points of triangles whose corners share a position. Draco tells corners apart by that, and leaves
-// such triangles out.
+// Points of triangles with two corners at the same position. Draco distinguishes corners by
+// position, and omits such triangles.
 std::vector<bool> find_collapsed(const DracoMesh& mesh, const Values& positions) {
   std::vector<bool> collapsed(mesh.points);
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -9,8 +9,8 @@
 
 namespace gltfx::codec {
 
-/// Encodes the mesh in a payload of codec/draco_source.hpp without quantisation. Edgebreaker with
-/// the speeds 0 and 5: the shorter of the two, for each is on some meshes.
+/// Encodes the mesh in a payload of codec/draco_source.hpp without quantisation. Tries edgebreaker
+/// with the speeds 0 and 5 and returns the shorter result, because it depends on the mesh.
 Answer encode_draco(std::span<const std::byte> payload, const Output& output);
 
 }  // namespace gltfx::codec

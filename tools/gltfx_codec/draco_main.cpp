@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx-codec-draco: decodes and encodes Draco meshes for gltfx, which starts it and talks to it
+// gltfx-codec-draco: decodes and encodes Draco meshes for gltfx, which starts it and communicates
 // over a socket.
 #include "codec/server.hpp"
 #include "draco_decode.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// EXR, without threads: workers are forked.
+// EXR, without threads because workers are forked.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -65,7 +65,7 @@ class Memory : public Imf::OStream {
   std::size_t at_ = 0;
 };
 
-// Colours come before alpha, and both before all others, such as depth; channels of layers come
+// Colours come before alpha, and both before other channels, such as depth; channels of layers come
 // last.
 int rank_of(std::string_view name) {
   constexpr std::array<std::string_view, 5> kOrder{"R", "G", "B", "Y", "A"};
@@ -75,7 +75,7 @@ int rank_of(std::string_view name) {
   return static_cast<int>(at - kOrder.begin()) + (layered ? 100 : 0);
 }
 
-// The names of the first four channels in that order.
+// The names of the first four channels in the order of rank_of().
 std::vector<std::string> chosen_channels(const Imf::ChannelList& channels) {
   std::vector<std::string> names;
   for (auto each = channels.begin(); each != channels.end(); ++each) {

@@ -13,17 +13,18 @@
 
 namespace gltfx::codec {
 
-/// The error for more texels than requested.
+/// The error for an image with too many texels.
 DecodeError too_many_texels();
 
-/// Whether so many texels take more memory than the job has.
+/// Whether this number of texels takes more memory than the job has.
 bool exceeds_memory(const Job& job, std::uint64_t texels, std::uint64_t bytes_per_texel);
 DecodeError no_memory();
 
-/// Memory for the pixels of `image` if requested, else none. Throws std::bad_alloc.
+/// Memory for the pixels of `image` if requested, otherwise none. Throws std::bad_alloc.
 std::span<std::byte> create_pixels(const Image& image, const Job& job, const Output& output);
 
-/// Takes the rows of an image from the top, band by band: no image is held for its statistics.
+/// Takes the rows of an image from the top, in bands, so that statistics do not need the whole
+/// image.
 class Rows {
  public:
   /// The rows go to `pixels`, unless it is empty.
@@ -41,13 +42,13 @@ class Rows {
   Statistics statistics_;
   std::size_t row_;
   std::size_t rows_in_band_;
-  std::vector<std::byte> own_;  ///< one band, without pixels
+  std::vector<std::byte> own_;  ///< one band, if there are no pixels
   std::span<std::byte> pixels_;
   std::byte* band_;
-  std::size_t filled_ = 0;  ///< rows of the band
+  std::size_t filled_ = 0;  ///< number of rows in the band
 };
 
-// Each decodes one format. May throw std::exception, which becomes an error.
+// Each function decodes one format. May throw std::exception, which becomes an error.
 
 Answer decode_png(const Job& job, std::span<const std::byte> bytes, const Output& output);
 Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, const Output& output);

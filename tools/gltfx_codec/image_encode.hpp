@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Code shared by the encoders of images. The same texels give the same bytes: no times, no names.
+/// Code shared by the encoders of images. The same texels result in the same bytes: no times, no
+/// names.
 #pragma once
 
 #include <cstddef>
@@ -12,16 +13,16 @@ namespace gltfx::codec {
 /// Writes a finished file to the output. Throws std::bad_alloc.
 Answer hand_over(std::span<const std::byte> file, const Output& output);
 
-// Each encodes the texels that `job.raster` describes; formats and forms have been checked.
+// Each function encodes the texels that `job.raster` describes; the format is already checked.
 
-// With `job.options.smallest` they take longer for fewer bytes.
+// With `job.options.smallest`, encoding takes longer and results in fewer bytes.
 
-/// PNG of every depth and number of channels.
+/// PNG with any depth and number of channels.
 Answer encode_png(const Job& job, std::span<const std::byte> texels, const Output& output);
 /// WebP, lossless with quality 0; colours of transparent texels are kept, grey becomes RGB.
 Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Output& output);
 Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, const Output& output);
-/// EXR of floats, compressed without loss.
+/// EXR with floats, losslessly compressed.
 Answer encode_exr(const Job& job, std::span<const std::byte> texels, const Output& output);
 
 }  // namespace gltfx::codec

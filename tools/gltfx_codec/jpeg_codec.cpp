@@ -31,13 +31,13 @@ void note(j_common_ptr jpeg) {
   if (messages.first[0] == '\0') messages.manager.format_message(jpeg, messages.first);
 }
 
-// libjpeg reports a failure by a jump, across frames without destructors.
+// libjpeg reports a failure by a jump over frames without destructors.
 [[noreturn]] void fail(j_common_ptr jpeg) {
   note(jpeg);
   std::longjmp(messages_of(jpeg).failed, 1);
 }
 
-// libjpeg keeps this pointer, and has no const in its interface.
+// libjpeg stores this pointer, and its interface does not use const.
 unsigned char* data_of(std::span<const std::byte> bytes) {
   return reinterpret_cast<unsigned char*>(const_cast<std::byte*>(bytes.data()));
 }
@@ -51,7 +51,8 @@ void convert_inks(const unsigned char* inks, std::size_t count, unsigned char* r
   }
 }
 
-// Each scan of a JPEG visits the whole image, but takes only a dozen bytes. Encoders write ten.
+// Each scan of a JPEG processes the whole image, but takes only a dozen bytes. Encoders write ten
+// scans.
 constexpr std::size_t kMostScans = 500;
 
 // In compressed data a byte 0xFF is followed by 0 or by a marker without a segment.
@@ -82,7 +83,7 @@ class JpegDecoder {
   JpegDecoder(const JpegDecoder&) = delete;
   JpegDecoder& operator=(const JpegDecoder&) = delete;
 
-  // Each is false when libjpeg fails.
+  // Each of these is false if libjpeg fails.
   bool read_header(std::span<const std::byte> bytes, unsigned halvings, Image& image) {
     if (setjmp(messages_.failed) != 0) return false;
     header(bytes, halvings, image);
@@ -105,7 +106,7 @@ class JpegDecoder {
  private:
   bool inks() const { return jpeg_.out_color_space == JCS_CMYK; }
 
-  // Reduced images use the lowest frequencies only.
+  // Reduced images use only the lowest frequencies.
   void header(std::span<const std::byte> bytes, unsigned halvings, Image& image) {
     jpeg_create_decompress(&jpeg_);
     jpeg_mem_src(&jpeg_, data_of(bytes), bytes.size());
@@ -169,7 +170,7 @@ class JpegEncoder {
     jpeg_start_compress(&jpeg_, TRUE);
     const std::size_t size = std::size_t{raster.width} * raster.channels;
     for (std::size_t at = 0; at < texels.size(); at += size) {
-      // libjpeg has no const in its interface.
+      // the interface of libjpeg does not use const
       auto* row = reinterpret_cast<JSAMPROW>(const_cast<std::byte*>(texels.data() + at));
       jpeg_write_scanlines(&jpeg_, &row, 1);
     }
@@ -206,7 +207,7 @@ Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, const Outpu
 
 Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, const Output& output) {
   if (job.raster.width > JPEG_MAX_DIMENSION || job.raster.height > JPEG_MAX_DIMENSION) {
-    return DecodeError{ErrorKind::malformed, "JPEG holds no more than 65500 texels a side."};
+    return DecodeError{ErrorKind::malformed, "JPEG is limited to 65500 texels per side."};
   }
   JpegEncoder encoder;
   if (!encoder.encode(job, texels)) throw std::bad_alloc();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// KTX2 images of BasisLZ/ETC1S and of UASTC, with or without Zstandard: the first image of a level.
-// A request without pixels checks whether the bytes are valid, so it decodes all levels.
+// KTX2 images with BasisLZ/ETC1S or UASTC, with or without Zstandard: the first image of a level. A
+// request without pixels checks whether the bytes are valid, so it decodes all levels.
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,7 +34,7 @@ struct Extent {
   std::size_t blocks() const { return blocks_across() * blocks_along(height); }
 };
 
-// Writes the next row of blocks. False when the bytes are corrupt.
+// Writes the next row of blocks. False if the bytes are corrupt.
 using NextRow = std::function<bool(std::span<Texel> texels)>;
 
 // --- BasisLZ ---
@@ -44,7 +44,7 @@ struct Basis {
   Etc1sSliceCodes codes;
 };
 
-// A level as its slices, the second one in a separate channel.
+// A level from its slices, the second one as a separate channel.
 class BasisRows {
  public:
   BasisRows(const Basis& basis, std::span<const std::byte> first, std::span<const std::byte> second,
@@ -94,7 +94,7 @@ class Decoder {
     return file_.model == Ktx2Model::etc1s ? read_codebooks() : std::nullopt;
   }
 
-  // The first `channels` of a level's texels go to `rows`, or nowhere.
+  // Writes the first `channels` of a level's texels to `rows`; null: they are discarded.
   std::optional<DecodeError> decode(std::size_t level, std::uint32_t channels, Rows* rows) {
     const Extent extent = extent_of(level);
     if (file_.model == Ktx2Model::etc1s) return decode_basis(level, extent, channels, rows);
@@ -150,7 +150,7 @@ class Decoder {
       }
       blocks = {own.get(), size};
     }
-    if (blocks.size() / kUastcBlockBytes < extent.blocks()) {  // the header promised them
+    if (blocks.size() / kUastcBlockBytes < extent.blocks()) {  // the header guaranteed them
       return corrupt(level_name(level) + " is truncated.");
     }
     return copy(level, extent, channels, rows, [this, &blocks, &extent](std::span<Texel> texels) {
@@ -159,7 +159,7 @@ class Decoder {
     });
   }
 
-  // Takes a row of blocks from the front.
+  // Takes a row of blocks from the begin of `blocks`.
   void write_uastc_row(std::span<const std::byte>& blocks, const Extent& extent,
                        std::span<Texel> texels) {
     const std::size_t across = extent.blocks_across();
@@ -171,7 +171,7 @@ class Decoder {
     }
   }
 
-  // All rows of blocks, clipped to the level; discarded without `rows`.
+  // Copies all rows of blocks, clipped to the level; discards them without `rows`.
   std::optional<DecodeError> copy(std::size_t level, const Extent& extent, std::uint32_t channels,
                                   Rows* rows, const NextRow& next) const {
     const std::size_t stride = extent.blocks_across() * kBlockExtent;

@@ -23,11 +23,11 @@
 namespace gltfx::codec {
 namespace {
 
-// The image, what a plugin holds of it, and the texels.
+// For the image, the copy in a plugin, and the texels.
 constexpr std::uint64_t kBytesPerTexel = 48;
 
-// Of all plugins those that read memory and that are of use. What has none of that is left out:
-// ICO, SGI, Softimage, RLA, Cineon and HEIF.
+// The useful plugins that can read from memory. The other formats are left out: ICO, SGI,
+// Softimage, RLA, Cineon and HEIF.
 const char* plugin_of(ImageFormat format) {
   switch (format) {
     case ImageFormat::bmp:
@@ -51,7 +51,7 @@ const char* plugin_of(ImageFormat format) {
 
 using Input = std::unique_ptr<OIIO::ImageInput>;
 
-// An error that nobody asks for is printed.
+// Fetches the error, because OpenImageIO prints errors that are not fetched.
 std::string message_of(const Input& input) {
   std::string message = input ? input->geterror() : OIIO::geterror();
   std::replace(message.begin(), message.end(), '\n', ' ');
@@ -60,13 +60,13 @@ std::string message_of(const Input& input) {
 DecodeError refusal(const Input& input) { return {ErrorKind::malformed, message_of(input)}; }
 DecodeError unusual(const char* message) { return {ErrorKind::malformed, message}; }
 
-/// Which channels of a file are handed over.
+/// The channels that are copied from a file.
 struct Selection {
-  int from = 1;          ///< the first so many of the file
-  std::uint32_t to = 1;  ///< those of the image
+  int from = 1;          ///< number of first channels of the file
+  std::uint32_t to = 1;  ///< number of channels of the image
 };
 
-// Two channels that are not grey and alpha become red, green and no blue.
+// Two channels that are not grey and alpha become red and green, with blue 0.
 Selection select(const OIIO::ImageSpec& spec) {
   const bool alpha = spec.alpha_channel == spec.nchannels - 1 || spec.alpha_channel == 3;
   if (spec.nchannels == 1) return {1, 1};
@@ -76,7 +76,7 @@ Selection select(const OIIO::ImageSpec& spec) {
 
 bool is_float(OIIO::TypeDesc type) { return type.is_floating_point(); }
 
-// Widens rows of two channels to three, from the end, so that nothing is written over too early.
+// Widens rows of two channels to three, from the end, so that no unread values are overwritten.
 void widen(std::span<std::byte> pixels, std::size_t texels, std::size_t size) {
   for (std::size_t i = texels; i-- > 0;) {
     std::memmove(pixels.data() + i * 3 * size, pixels.data() + i * 2 * size, 2 * size);
@@ -84,7 +84,7 @@ void widen(std::span<std::byte> pixels, std::size_t texels, std::size_t size) {
   }
 }
 
-// Divides colours by the alpha behind them, rounded and clamped.
+// Divides colours by alpha, which follows them, rounded and clamped.
 template <typename T>
 void divide(std::span<std::byte> pixels, double full) {
   constexpr std::size_t kChannels = 4;
@@ -102,8 +102,8 @@ void divide(std::span<std::byte> pixels, double full) {
   }
 }
 
-// What `oiio:UnassociatedAlpha` asks for keeps colours that a file does not multiply; those of a
-// TIFF may be multiplied in the file.
+// With `oiio:UnassociatedAlpha`, colours are returned as stored; a TIFF may store them
+// premultiplied.
 bool is_multiplied(const OIIO::ImageSpec& spec, const Job& job, const Image& image) {
   return job.format == ImageFormat::tiff && image.channels == 4 &&
          spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
@@ -157,9 +157,9 @@ Answer read(const Input& input, const OIIO::ImageSpec& spec, const Job& job, con
   return image;
 }
 
-// A fork has no thread of another, but keeps its locks. OpenVDB, which is of no use here,
-// brings log4cplus, which starts four when it is loaded. This ends them; its header is in a package
-// that OpenImageIO does not need.
+// A fork does not have the threads of its parent, but keeps their locks. OpenVDB, which is not used
+// here, loads log4cplus, which starts four threads. This function ends them; its header is in a
+// package that OpenImageIO does not need.
 void end_threads() {
   using Function = void (*)();
   void* const found = ::dlsym(RTLD_DEFAULT, "_ZN9log4cplus18shutdownThreadPoolEv");
@@ -173,7 +173,7 @@ int count_threads() {
   return count;
 }
 
-// OpenImageIO starts a thread even when it is to have none, and ends it at once.
+// OpenImageIO starts a thread even if its number of threads is 0, and ends it immediately.
 void wait_for_threads() {
   constexpr int kMostMilliseconds = 1000;
   for (int i = 0; i < kMostMilliseconds && count_threads() > 1; ++i) {
@@ -185,7 +185,7 @@ void wait_for_threads() {
 
 void prepare_openimageio() {
   end_threads();
-  OIIO::attribute("threads", 1);  // a worker can start none
+  OIIO::attribute("threads", 1);  // a worker cannot start threads
   OIIO::attribute("exr_threads", -1);
   OIIO::attribute("plugin_searchpath", "");
   for (auto format = ImageFormat::bmp; format <= ImageFormat::pnm;
@@ -196,7 +196,7 @@ void prepare_openimageio() {
 }
 
 Answer decode_openimageio(const Job& job, std::span<const std::byte> bytes, const Output& output) {
-  if (!is_foreign(job.format)) return unusual("It is another decoder's.");
+  if (!is_foreign(job.format)) return unusual("Its format has another decoder.");
   OIIO::Filesystem::IOMemReader reader(const_cast<std::byte*>(bytes.data()), bytes.size());
   const Input input = OIIO::ImageInput::create(plugin_of(job.format));
   if (!input) return refusal(input);
@@ -204,7 +204,7 @@ Answer decode_openimageio(const Job& job, std::span<const std::byte> bytes, cons
   wishes["oiio:UnassociatedAlpha"] = 1;
   if (!input->set_ioproxy(&reader)) return refusal(input);
   OIIO::ImageSpec spec;
-  // A name without a meaning: whoever opened it would get nothing.
+  // A file with this name does not exist, so opening it as a file fails.
   if (!input->open(std::string("image.") + plugin_of(job.format), spec, wishes)) {
     return refusal(input);
   }

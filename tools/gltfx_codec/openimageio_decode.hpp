@@ -8,12 +8,13 @@
 
 namespace gltfx::codec {
 
-/// Loads what decoding needs, before there is a sandbox: it starts no thread.
+/// Loads all code for decoding before the sandbox is entered. After this, there are no other
+/// threads.
 void prepare_openimageio();
 
-/// Decodes the format that the job names, of an animation the first frame and of layers what they
-/// show together. Alpha is not multiplied into colours; no rotation for display. Other channels
-/// than colours and alpha are left out.
+/// Decodes the format of the job: of an animation the first frame, of layers the composite. Alpha
+/// is not premultiplied; rotation for display is not applied. Channels other than colours and alpha
+/// are left out.
 Answer decode_openimageio(const Job& job, std::span<const std::byte> bytes, const Output& output);
 
 }  // namespace gltfx::codec

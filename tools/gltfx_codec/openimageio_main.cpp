@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx-codec-openimageio: decodes images that glTF does not have for gltfx, which starts it and
-// talks to it over a socket. A program of its own: OpenImageIO brings some 260 libraries.
+// gltfx-codec-openimageio: decodes formats that are not part of glTF for gltfx, which starts it and
+// communicates over a socket. It is a separate program because OpenImageIO loads some 260
+// libraries.
 #include "codec/server.hpp"
 #include "openimageio_decode.hpp"
 

@@ -17,7 +17,7 @@
 namespace gltfx::codec {
 namespace {
 
-// An interlaced image is held as a whole.
+// An interlaced image is kept as a whole.
 constexpr std::uint64_t kBytesPerTexel = 8;
 
 /// The input of libpng, and its error message.
@@ -26,9 +26,9 @@ struct Source {
   char message[160] = {};
 };
 
-// libpng reports a failure by a jump, across frames without destructors.
+// libpng reports a failure by a jump over frames without destructors.
 [[noreturn]] void fail(png_structp png, png_const_charp message) {
-  auto* source = static_cast<Source*>(png_get_error_ptr(png));  // null when a file is written
+  auto* source = static_cast<Source*>(png_get_error_ptr(png));  // null while a file is written
   if (source != nullptr) std::strncpy(source->message, message, sizeof source->message - 1);
   png_longjmp(png, 1);
 }
@@ -55,7 +55,7 @@ class PngDecoder {
   PngDecoder(const PngDecoder&) = delete;
   PngDecoder& operator=(const PngDecoder&) = delete;
 
-  // Each is false when libpng fails.
+  // Each of these is false if libpng fails.
   bool read_header(Image& image) {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     header(image);
@@ -84,7 +84,7 @@ class PngDecoder {
  private:
   static png_bytep byte(std::byte* at) { return reinterpret_cast<png_bytep>(at); }
 
-  // Palettes and transparent colours are resolved, and fewer than 8 bits become 8. Gamma and colour
+  // Palettes and transparent colours are resolved, and less than 8 bits become 8. Gamma and colour
   // profiles are ignored.
   void header(Image& image) {
     png_set_read_fn(png_, &source_, read);
@@ -137,16 +137,16 @@ void append(png_structp png, png_bytep bytes, std::size_t size) {
   if (!fits) png_error(png, "");
 }
 
-/// How libpng packs: which filters it tries on each row, and what zlib makes of the result. The
-/// latter two are libpng's own choice.
+/// How libpng compresses: the filters that it tries on each row, and the level and strategy of
+/// zlib. The defaults of the latter two are libpng's.
 struct Packing {
   int level = 0;
   int filters = PNG_ALL_FILTERS;
   int strategy = Z_FILTERED;
 };
-// Files are 2 % larger than at zlib's usual level 6, in less than half of the time.
+// Files are 2 % larger than with zlib's usual level 6, in less than half of the time.
 constexpr Packing kQuick{4};
-// None of them is always the best one. Another strategy with filters is never better by much.
+// None of them is always the best. Another strategy with filters is never much better.
 constexpr std::array kSmallest{kQuick, Packing{9}, Packing{9, PNG_FILTER_NONE, Z_DEFAULT_STRATEGY}};
 
 class PngEncoder {

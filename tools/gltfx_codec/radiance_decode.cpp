@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Radiance pictures (.hdr): a header of lines, then rows of mantissas with a common exponent, plain
+// Radiance images (.hdr): a header of lines, then rows of mantissas with a common exponent, plain
 // or with runs in the old or the new form.
 #include <array>
 #include <charconv>
@@ -16,7 +16,7 @@ namespace {
 
 using Texel = std::array<std::uint8_t, 4>;
 
-constexpr std::size_t kLeastNew = 8;  // widths that rows in the new form may have
+constexpr std::size_t kLeastNew = 8;  // widths that the new form of rows supports
 constexpr std::size_t kMostNew = 0x7FFF;
 
 [[noreturn]] void refuse(const char* why) { throw std::runtime_error(why); }
@@ -28,13 +28,13 @@ class Bytes {
 
   std::string_view line() {
     const std::size_t end = rest_.find('\n');
-    if (end == std::string_view::npos) refuse("Its header does not end.");
+    if (end == std::string_view::npos) refuse("Its header is truncated.");
     const std::string_view text = rest_.substr(0, end);
     rest_.remove_prefix(end + 1);
     return text;
   }
   std::uint8_t byte() {
-    if (rest_.empty()) refuse("It ends before its data does.");
+    if (rest_.empty()) refuse("Its data is truncated.");
     const auto value = static_cast<std::uint8_t>(rest_.front());
     rest_.remove_prefix(1);
     return value;
@@ -54,7 +54,7 @@ std::uint32_t number(std::string_view& line, std::string_view before) {
   if (!line.starts_with(before)) refuse("Its rows are not in the order -Y +X.");
   line.remove_prefix(before.size());
   const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), value);
-  if (error != std::errc() || value == 0) refuse("Its size is not a size.");
+  if (error != std::errc() || value == 0) refuse("Its size is invalid.");
   line.remove_prefix(static_cast<std::size_t>(end - line.data()));
   return value;
 }
@@ -75,7 +75,7 @@ Image read_header(Bytes& bytes) {
   return image;
 }
 
-// Each component separately: more than 128 is the length of a run, less that of a literal.
+// Each component separately: a count above 128 is the length of a run, a lower one of a literal.
 void read_new_row(Bytes& bytes, std::vector<Texel>& row) {
   for (std::size_t c = 0; c < 4; ++c) {
     for (std::size_t x = 0; x < row.size();) {
@@ -116,7 +116,7 @@ void read_row(Bytes& bytes, std::vector<Texel>& row) {
   if (!fits || first[0] != 2 || first[1] != 2 || (first[2] & 0x80U) != 0) {
     return read_old_row(bytes, row, first);
   }
-  if ((std::size_t{first[2]} << 8U | first[3]) != row.size()) refuse("A row has another width.");
+  if ((std::size_t{first[2]} << 8U | first[3]) != row.size()) refuse("A row has the wrong width.");
   read_new_row(bytes, row);
 }
 

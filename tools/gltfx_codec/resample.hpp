@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Averages texels of floats to fewer ones.
+/// Averages float texels to fewer ones.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@
 
 namespace gltfx::codec {
 
-/// Texels along one side, before and after, and what lies beyond its ends.
+/// Texels along one side, before and after, and the wrapping at its ends.
 struct Side {
   std::uint32_t from = 0;
   std::uint32_t to = 0;  ///< at most `from`
   Wrap wrap = Wrap::repeat;
 };
 
-/// The texel of 0 to `count` - 1 that `index` stands for.
+/// The texel, 0 to `count` - 1, for `index`.
 std::uint32_t wrapped(std::int64_t index, std::uint32_t count, Wrap wrap);
 
-/// Fills a row of the input with `channels` floats a texel. Rows are asked for once, from the top.
+/// Fills a row of the input with `channels` floats per texel. Called once per row, from the top.
 using LoadRow = std::function<void(std::uint32_t row, std::span<float> to)>;
 
 /// The filter of Mitchell and Netravali ("Reconstruction filters in computer graphics", 1988; B and
-/// C are 1/3), along rows and then along columns, each result clamped to the least and greatest of
-/// the texels that count positively. `channels`: 1 to 4. Throws std::bad_alloc.
+/// C are 1/3), along rows and then along columns. Each result is clamped to the range of the texels
+/// with positive weights. `channels`: 1 to 4. Throws std::bad_alloc.
 std::vector<float> resample(const Side& across, const Side& down, unsigned channels,
                             const LoadRow& load);
 

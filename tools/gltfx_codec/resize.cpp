@@ -20,9 +20,9 @@ float srgb_of(float linear) {
   return linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
 }
 
-// Below that an alpha says nothing of its colour.
+// Below this alpha, the colour is unknown.
 constexpr float kLeastAlpha = 1e-6F;
-// Below that a mean of vectors has no direction.
+// Below this length, a mean of vectors has no direction.
 constexpr float kLeastLength = 1e-3F;
 
 class Resizer {
@@ -66,7 +66,7 @@ class Resizer {
   bool weighs() const { return how_.weigh_alpha && has_alpha(); }
   std::size_t full_value() const { return from_.bits == 16 ? 65535 : 255; }
 
-  // The numbers of 0 to 1 of a row, colours as linear light.
+  // The numbers of a row, from 0 to 1, with colours as linear light.
   template <typename T>
   void load_integers(const std::byte* row, std::span<float> to) const {
     std::array<const float*, 4> tables{};
@@ -105,7 +105,7 @@ class Resizer {
     }
   }
 
-  // What sits exactly at the cutoff shows, whatever its float is.
+  // A value exactly at the cutoff is visible, also after rounding to float.
   Cutoff cutoff() const {
     if (from_.bits == 32) {
       return {how_.alpha_cutoff, std::nextafter(how_.alpha_cutoff, 0.0F), how_.alpha_cutoff};
@@ -174,8 +174,8 @@ class Resizer {
   std::span<const std::byte> texels_;
   Resize how_;
   Raster to_;
-  std::vector<float> plain_, light_;  ///< of each integer: its number, and that of its light
-  std::uint64_t shown_ = 0;           ///< texels of the input that are not below the cutoff
+  std::vector<float> plain_, light_;  ///< by integer: its number, and the number as linear light
+  std::uint64_t shown_ = 0;           ///< texels of the input at or above the cutoff
 };
 
 }  // namespace

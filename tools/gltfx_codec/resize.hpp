@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Makes images smaller by what their texels are.
+/// Makes images smaller, depending on the meaning of their texels.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace gltfx::codec {
 
-/// Texels that own their bytes.
+/// Texels with their memory.
 struct Texels {
   Raster raster;
   std::vector<std::byte> bytes;
 };
 
-/// Texels of the same bits and channels, in a size that `how` allows, with as much of the aspect as
-/// whole texels have. Precondition: how.needed(). Throws std::bad_alloc.
+/// Texels with the same bits and channels, in a size within the limit of `how`, with the aspect
+/// ratio rounded to whole texels. Precondition: how.needed(). Throws std::bad_alloc.
 Texels resize(const Raster& raster, std::span<const std::byte> texels, const Resize& how);
 
 }  // namespace gltfx::codec

@@ -16,7 +16,7 @@ constexpr std::size_t blocks_along(std::size_t texels) {
   return (texels + kBlockExtent - 1) / kBlockExtent;
 }
 
-/// A block of an image in memory: its upper left texel, and texels from a row to the next.
+/// A block of an image in memory: its upper left texel, and the number of texels per row.
 struct BlockTexels {
   Texel* first;
   std::size_t stride;

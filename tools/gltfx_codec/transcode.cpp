@@ -58,14 +58,14 @@ Answer encode(const Job& job, std::span<const std::byte> texels, const Output& o
 
 DecodeError refused(const char* message) { return {ErrorKind::malformed, message}; }
 
-/// An image that has been decoded, and its texels.
+/// A decoded image and its texels.
 struct Decoded {
   Image image;
   Texels texels;
 };
 using DecodedResult = std::variant<Decoded, DecodeError>;
 
-// All texels of a file, or those that another worker has decoded.
+// All texels of a file, or texels that another worker has decoded.
 DecodedResult texels_of(const Job& job, std::span<const std::byte> bytes) {
   Decoded decoded;
   if (job.raster.width != 0) {
@@ -107,20 +107,20 @@ Answer hand_over_pixels(Decoded decoded, const Job& job, const Output& output) {
   return image;
 }
 
-// What an encoder makes of texels: WebP has no grey.
+// The form of texels in an encoded file: WebP has no grey.
 Raster raster_in_file(const Job& job, Raster raster) {
   if (job.encoded == EncodedFormat::webp && raster.channels < 3) raster.channels += 2;
   return raster;
 }
 
-// Whether the file holds every bit of what it was made of.
+// Whether the encoding must be lossless.
 bool keeps_all(const Job& job) {
   return job.encoded == EncodedFormat::png || job.encoded == EncodedFormat::exr ||
          (job.encoded == EncodedFormat::webp && job.quality == 0 &&
           job.options.near_lossless == 100);
 }
 
-// Drops an alpha that is 1 throughout. False when it is not.
+// Drops an alpha that is 1 everywhere. False if it is not.
 bool drop_alpha(Texels& texels) {
   const std::size_t channels = texels.raster.channels;
   const std::size_t count = texels.bytes.size() / channels;
@@ -145,7 +145,7 @@ void halve_bits(Texels& texels) {
   texels.raster.bits = 8;
 }
 
-// Gives texels the form that a format holds, where that loses no more than is asked for.
+// Converts texels to a form that the format supports, if the request permits the loss.
 std::optional<DecodeError> fit(Texels& texels, const Job& job) {
   if (texels.raster.bits == 16 && !format_holds(job, texels.raster) && !keeps_all(job)) {
     halve_bits(texels);
@@ -153,16 +153,16 @@ std::optional<DecodeError> fit(Texels& texels, const Job& job) {
   const bool alpha = texels.raster.channels % 2 == 0;
   if (job.encoded == EncodedFormat::jpeg && texels.raster.bits == 8 && alpha &&
       !drop_alpha(texels)) {
-    return refused("JPEG holds no alpha.");
+    return refused("JPEG does not support alpha.");
   }
   if (!format_holds(job, texels.raster)) {
-    return refused("The format does not hold such images.");
+    return refused("The format does not support such images.");
   }
   return std::nullopt;
 }
 
-// Whether the first texels are the others, as grey or RGB, with alpha or, where all is opaque,
-// without.
+// Whether the texels are equal if the second ones may be RGB instead of grey, or lack an alpha that
+// is opaque everywhere.
 bool same_texels(const Texels& a, const Texels& b) {
   const std::size_t count = std::size_t{a.raster.width} * a.raster.height;
   const std::size_t size = a.raster.bits / 8;

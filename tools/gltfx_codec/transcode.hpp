@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What becomes of an image in the worker: decoded, made smaller, encoded, as a job asks for it.
+/// The work on an image in the worker: decoding, resizing and encoding according to a job.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace gltfx::codec {
 
-/// Answers jobs of the tasks image, encode and transcode. May throw std::exception.
+/// Answers jobs with the tasks image, encode and transcode. May throw std::exception.
 Answer serve_image(const Job& job, std::span<const std::byte> bytes, const Output& output);
 
 }  // namespace gltfx::codec

@@ -11,8 +11,8 @@
 namespace gltfx::codec {
 namespace {
 
-// Numbers of 0 to 1 that are far from those of texels nearby: the sequence R2 of M. Roberts ("The
-// unreasonable effectiveness of quasirandom sequences", 2018) over both coordinates.
+// Numbers from 0 to 1 that differ much between neighbouring texels: the sequence R2 of M. Roberts
+// ("The unreasonable effectiveness of quasirandom sequences", 2018) over both coordinates.
 double spread(std::size_t x, std::size_t y) {
   const double sum =
       static_cast<double>(x) * 0.7548776662466927 + static_cast<double>(y) * 0.5698402909980532;
@@ -35,7 +35,7 @@ std::array<std::size_t, 8> neighbors(const AlphaTexels& texels, std::size_t texe
   return found;
 }
 
-// Takes the mean colour of neighbours that are known.
+// Takes the mean colour of known neighbours.
 void take_color(const AlphaTexels& texels, std::size_t texel, const std::vector<bool>& unknown,
                 const Resize& how) {
   std::array<float, 3> sum{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What becomes of alpha when an image is made smaller.
+/// Handling of alpha when an image is made smaller.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace gltfx::codec {
 
-/// Floats of an image, `channels` a texel, the last of them alpha of 0 to 1.
+/// Floats of an image, `channels` per texel; the last one is alpha from 0 to 1.
 struct AlphaTexels {
   std::span<float> values;
   std::uint32_t width = 0;
@@ -22,19 +22,19 @@ struct AlphaTexels {
   float& alpha(std::size_t texel) const { return values[texel * channels + channels - 1]; }
 };
 
-/// The alphas between which a cutoff divides, in an image whose alphas are multiples of a step.
+/// The alphas on both sides of a cutoff, in an image whose alphas are multiples of a step.
 struct Cutoff {
-  float value = 0;  ///< that of the material
+  float value = 0;  ///< cutoff of the material
   float fails = 0;  ///< the greatest alpha below it
-  float shows = 0;  ///< the least alpha that is not
+  float shows = 0;  ///< the least alpha at or above it
 };
 
-/// Scales alphas so that `share` of the texels, of 0 to 1, show. Of equal alphas some show and some
-/// do not, spread evenly.
+/// Scales alphas so that the share `share` (0 to 1) of the texels is visible. If many alphas are
+/// equal, some of these texels are visible, evenly spread.
 void keep_coverage(const AlphaTexels& texels, double share, const Cutoff& cutoff);
 
-/// Gives colours to the texels in `unknown` from their neighbours, the nearest first. Without any
-/// texel that is known nothing changes.
+/// Fills the colours of texels in `unknown` from their neighbours, the nearest first. If no texel
+/// is known, nothing changes.
 void fill_colors(const AlphaTexels& texels, std::vector<bool> unknown, const Resize& how);
 
 }  // namespace gltfx::codec

@@ -30,14 +30,14 @@ std::uint8_t unquantized_weight(std::uint32_t value, unsigned bits) {
 // Weights of both planes; equal if there is one.
 using Weights = std::array<std::array<std::uint8_t, 2>, kTexels>;
 
-// The first texel of each subset has a highest bit of 0, which is left out ("anchor indices").
+// The highest bit of the first texel of each subset is 0 and is not stored ("anchor indices").
 Weights read_weights(BitReader& bits, const UastcMode& mode, UastcPattern pattern) {
   std::array<std::uint8_t, 64> values{};
   for (std::uint32_t i = 0; i < 1U << mode.weight_bits; ++i) {
     values[i] = unquantized_weight(i, mode.weight_bits);
   }
   Weights weights{};
-  std::uint32_t met = 0;  // subsets, a bit each
+  std::uint32_t met = 0;  // one bit per subset
   for (std::size_t texel = 0; texel < kTexels; ++texel) {
     const std::uint32_t subset = 1U << subset_of(pattern, texel);
     const unsigned count = mode.weight_bits - ((met & subset) == 0 ? 1U : 0U);

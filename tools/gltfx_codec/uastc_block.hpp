@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Texels of UASTC blocks (Khronos Data Format 1.3, "Universal ASTC", "Decoding process").
 ///
-/// Endpoints are expanded to 16 bits as for linear images, for any transfer function, as all
-/// transcoders to RGBA do: the method of processors that convert sRGB while sampling gives values
-/// that differ by 1 of 255 at most.
+/// Endpoints are expanded to 16 bits as for linear images, for any transfer function, as in all
+/// transcoders to RGBA: hardware that converts sRGB while sampling has another method, whose values
+/// differ by at most 1 of 255.
 #pragma once
 
 #include <cstddef>

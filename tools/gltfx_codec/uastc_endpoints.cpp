@@ -8,7 +8,7 @@ namespace {
 
 using DigitsOfValues = std::array<std::uint8_t, kMostEndpointValues>;
 
-// Digits come in groups that are packed as one number ("Unpacking Trits", "Unpacking Quints").
+// Groups of digits are packed as one number ("Unpacking Trits", "Unpacking Quints").
 DigitsOfValues read_digits(BitReader& bits, Digits digits, std::size_t count) {
   constexpr std::array<unsigned, 6> kTritBits{0, 2, 4, 5, 7, 8};
   constexpr std::array<unsigned, 4> kQuintBits{0, 3, 5, 7};
@@ -27,8 +27,8 @@ DigitsOfValues read_digits(BitReader& bits, Digits digits, std::size_t count) {
   return values;
 }
 
-// The factor C of a digit, and the bits above the lowest spread over nine ("ASTC Endpoint
-// Unquantization"), for the depths in use.
+// The factor C of a digit, and the bits above the lowest one, spread over nine bits ("ASTC Endpoint
+// Unquantization"), for the used depths.
 struct Spread {
   std::uint32_t factor, bits;
 };

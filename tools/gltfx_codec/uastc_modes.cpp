@@ -25,7 +25,7 @@ constexpr std::array<UastcModeCode, 128> code_table() {
 }
 constexpr std::array<UastcModeCode, 128> kModeOfBits = code_table();
 
-// Hints: all for BC1 and ETC1; those for ETC2 as well; without some of BC1 and ETC1.
+// Hints: all for BC1 and ETC1; also those for ETC2; without some for BC1 and ETC1.
 constexpr std::uint8_t kHints = 15, kAlphaHints = 23, kFewHints = 17;
 
 // "Configuration", "Endpoint bits" and "Weights".

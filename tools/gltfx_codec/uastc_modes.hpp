@@ -23,7 +23,7 @@ struct UastcMode {
   std::uint8_t endpoint_bits = 0;
   Digits digits = Digits::none;
   std::uint8_t pattern_bits = 0;
-  std::uint8_t selector_bits = 0;  ///< of the channel with separate weights; 0: alpha
+  std::uint8_t selector_bits = 0;  ///< for the channel with separate weights; 0: alpha
 
   std::size_t endpoint_values() const { return std::size_t{2} * channels * subsets; }
 };
@@ -39,7 +39,7 @@ struct UastcModeCode {
 /// The mode of a block by its first seven bits, the first one lowest ("Mode Index").
 UastcModeCode uastc_mode_code(std::uint32_t bits);
 
-/// Precondition: a mode with weights, that is neither kUastcSolidColor nor reserved.
+/// Precondition: a mode with weights, so neither kUastcSolidColor nor reserved.
 const UastcMode& uastc_mode(std::size_t index);
 
 /// The subset of each texel, two bits each, the upper left one lowest; 0 for one subset.

@@ -15,9 +15,9 @@
 namespace gltfx::codec {
 namespace {
 
-// The planes of the decoder, and the texels.
+// For the planes of the decoder, and the texels.
 constexpr std::uint64_t kBytesPerTexel = 8;
-// The canvas of an animation, the previous one, and the frame.
+// For the canvas of an animation, the previous canvas, and the frame.
 constexpr std::uint64_t kBytesPerAnimatedTexel = 16;
 
 const std::uint8_t* data_of(std::span<const std::byte> bytes) {
@@ -86,9 +86,9 @@ Answer decode_still(Image image, const Job& job, std::span<const std::byte> byte
   return look_at(std::move(image), job, pixels);
 }
 
-// As cwebp has them by default; one thread, so that the bytes do not depend on the machine.
-// `transparent`: some alpha is 0. Colours there are kept (`exact`), which takes from libwebp most
-// of what it gains by being nearly lossless.
+// Settings as the defaults of cwebp; one thread, so that the bytes do not depend on the machine.
+// `transparent`: some alpha is 0. Colours there are kept (`exact`), which removes most of the gain
+// of near-lossless encoding.
 bool configure(WebPConfig& config, const Job& job, bool transparent) {
   if (WebPConfigInit(&config) == 0) return false;
   const bool near = job.quality == 0 && job.options.near_lossless < 100;
@@ -109,7 +109,7 @@ bool has_transparent(const Raster& raster, std::span<const std::byte> texels) {
   return false;
 }
 
-// Grey as RGB, with alpha where there was alpha: WebP has no grey.
+// Expands grey to RGB, with alpha if there is alpha: WebP has no grey.
 std::vector<std::byte> expand_grey(const Raster& raster, std::span<const std::byte> texels) {
   std::vector<std::byte> expanded;
   expanded.reserve(texels.size() / raster.channels * (raster.channels + 2));
@@ -153,7 +153,7 @@ Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Outp
   if (!configure(config, job, has_transparent(raster, texels)) || WebPPictureInit(&picture) == 0)
     throw std::bad_alloc();
   if (raster.width > WEBP_MAX_DIMENSION || raster.height > WEBP_MAX_DIMENSION) {
-    return DecodeError{ErrorKind::malformed, "WebP holds no more than 16383 texels a side."};
+    return DecodeError{ErrorKind::malformed, "WebP is limited to 16383 texels per side."};
   }
   picture.use_argb = job.quality == 0 ? 1 : 0;
   picture.width = static_cast<int>(raster.width);
