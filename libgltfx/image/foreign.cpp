@@ -37,7 +37,7 @@ unsigned word_at(std::string_view bytes, std::size_t at) {
 
 bool is_bmp(std::string_view bytes) {
   if (bytes.size() < 26 || !bytes.starts_with("BM")) return false;
-  // The size of the second header tells which version it is.
+  // The size of the second header defines its version.
   for (const unsigned size : {12U, 16U, 40U, 52U, 56U, 64U, 108U, 124U}) {
     if (word_at(bytes, 14) == size && word_at(bytes, 16) == 0) return true;
   }
@@ -61,7 +61,7 @@ bool is_tga(std::string_view bytes) {
   if (bytes.size() <= kHeader) return false;
   const unsigned map = byte_at(bytes, 1);
   const unsigned type = byte_at(bytes, 2);
-  const unsigned kind = type & 7U;  // 8 more: packed
+  const unsigned kind = type & 7U;  // the value is 8 greater if packed
   if (map > 1 || !is_one_of(type, {1, 2, 3, 9, 10, 11})) return false;
   const unsigned colors = word_at(bytes, 5);
   const unsigned color_bits = byte_at(bytes, 7);

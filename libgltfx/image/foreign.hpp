@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images that glTF does not have, though assets contain them. They are told by their first bytes;
-/// what is in their headers, a decoder says.
+/// Image formats that are not part of glTF but occur in assets. They are detected by their first
+/// bytes; headers are read by a decoder.
 ///
 /// Sources: BITMAPINFOHEADER (Microsoft), Truevision TGA 2.0, GIF89a, TIFF 6.0, Photoshop file
 /// formats (Adobe, 2019), DDS (Microsoft), JPEG 2000 (ITU-T T.800), Netpbm.
@@ -17,12 +17,12 @@ namespace gltfx::image {
 /// `pnm`: PBM, PGM, PPM and PFM.
 enum class ForeignFormat : std::uint8_t { bmp, tga, gif, tiff, psd, dds, jpeg2000, pnm };
 
-/// "BMP" and so on, for people.
+/// "BMP" and so on, for messages.
 std::string_view foreign_name(ForeignFormat format);
 
-/// Nothing for images of glTF, for unknown bytes, and for those that are too short to tell. TGA has
-/// no mark at its beginning: it is taken for one where its header has no value that TGA lacks, and
-/// there are as many texels as it says.
+/// Nothing for image formats of glTF, for unknown bytes, and for too few bytes. TGA has no mark at
+/// its beginning: it is detected if its header has only values of TGA, and there are enough bytes
+/// for its texels.
 std::optional<ForeignFormat> sniff_foreign(std::span<const std::byte> bytes);
 
 }  // namespace gltfx::image

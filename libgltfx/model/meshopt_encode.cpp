@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little);
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// The library keeps them for the whole process; what they are at first depends on its own version.
+// The library has one setting per process; the initial one depends on its version.
 std::once_flag versions_set;
 void set_versions() {
   std::call_once(versions_set, [] {
