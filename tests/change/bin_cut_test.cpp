@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Of a BIN chunk only whole words go that no other buffer view needs.
+// Only whole words that no other buffer view uses are cut from a BIN chunk.
 #include <gmock/gmock.h>
 
 #include "change/deletion.hpp"
@@ -34,7 +34,7 @@ CutView without_first_view(const std::string& text, std::uint64_t bin_size,
   return result;
 }
 
-// `views` are those of the document.
+// `views` are the buffer views of the document.
 CutView cut(const std::string& views, std::uint64_t bin_size, std::uint64_t buffer) {
   return without_first_view(R"({"buffers":[{"byteLength":)" + std::to_string(buffer) +
                                 R"(},{"byteLength":9}],"bufferViews":[)" + views + "]}",

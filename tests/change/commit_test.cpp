@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drafts are written whole, files before the assets that refer to them, or nothing is.
+// Drafts are written completely, files before the assets that refer to them, or not at all.
 #include "change/commit.hpp"
 
 #include <fstream>
@@ -56,7 +56,7 @@ EditOptions in_place(bool backup) {
   return options;
 }
 
-// Another text, other bytes in a.bin, and a new file.
+// New text, new bytes for a.bin, and a new file.
 Change change_of(const TempFolder& folder) {
   Change change;
   change.edits = {{{2, 9}, "images"}};

@@ -60,7 +60,7 @@ TEST(Diff, AMarkStandsBeforeEveryLine) {
             "# --- a/a\n# +++ b/a\n# @@ -1,1 +1,1 @@\n# -1\n# +2\n");
 }
 
-// Applies a diff whose lines all have ends.
+// Applies a diff in which all lines have line breaks.
 std::string patched(const std::string& text, const std::string& diff) {
   std::istringstream old_lines(text);
   std::istringstream lines(diff);

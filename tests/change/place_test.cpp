@@ -137,7 +137,7 @@ TEST(Place, ARootArrayOfSomethingElseIsAnError) {
   EXPECT_EQ(tried(R"({"samplers":[1,2]})", add).error, "a root array has the wrong type");
 }
 
-// Two of these files have hashes that begin alike.
+// Two of these files have hashes with the same beginning.
 TEST(Place, FilesWhoseShortNamesAreEqualGetLongOnes) {
   std::unordered_map<std::uint64_t, int> known;
   std::vector<std::string> files;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One content of a file for all its users.
+// One file content for all its users.
 #include "change/shared_bytes.hpp"
 
 #include <cstdint>
@@ -43,7 +43,7 @@ TEST(SharedBytes, DifferencesAreTheBytesThatDiffer) {
   EXPECT_EQ(bytes_of(differences("abc", "aXcde")), (ByteSet{1, 3, 4}));
 }
 
-// Against every byte of every element, written out.
+// Compares with a simple check of every byte of every element.
 TEST(SharedBytes, ARangeIsReadWhereAnElementHasAByteOfIt) {
   std::mt19937 random(7);
   const auto below = [&](unsigned limit) { return std::uint64_t{random() % limit}; };

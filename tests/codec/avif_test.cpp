@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// AVIF images through their worker. Tests need it: tools/test installs libavif.
+/// AVIF images through their worker. The tests need libavif, which tools/test installs.
 #include <array>
 #include <cstring>
 #include <fstream>
@@ -50,7 +50,7 @@ Image avif_image(const std::string& name) {
   return std::get<Image>(std::move(result));
 }
 
-// Of the eight texels that all files show.
+// For the eight texels of all files.
 constexpr std::array<std::array<std::uint8_t, 4>, 8> kTexels{{{200, 100, 50, 128},
                                                               {1, 2, 3, 4},
                                                               {255, 255, 255, 255},

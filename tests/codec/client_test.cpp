@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What becomes of a worker that misbehaves, and of the next request.
+/// Workers that misbehave, and the requests after them.
 #include "codec/client.hpp"
 
 #include <gltfx/decoders.hpp>
@@ -38,7 +38,7 @@ using testing::HasSubstr;
 Settings test_settings() {
   Settings settings;
   settings.folder = GLTFX_TEST_WORKERS;
-  settings.seconds = 60;  // no test comes near it but one that means to
+  settings.seconds = 60;  // only one test needs this much time, on purpose
   return settings;
 }
 
@@ -67,7 +67,7 @@ ProcessState state_of(pid_t process) {
   return found;
 }
 
-// However long it takes.
+// Without a time limit.
 template <typename Condition>
 void wait_until(Condition condition) {
   while (!condition()) std::this_thread::sleep_for(std::chrono::milliseconds(2));
@@ -81,7 +81,7 @@ void wait_for_end(pid_t process) {
   });
 }
 
-// Kills `victim` once `process` is amid work: it has used more time than a short answer takes.
+// Kills `victim` when `process` is working: it has used more time than a short answer takes.
 void kill_at_work(pid_t process, pid_t victim) {
   const long before = state_of(process).ticks;
   wait_until([&] {
@@ -149,7 +149,7 @@ TEST(Client, AWorkerThatIsKilledAmidDecodingIsOneError) {
   EXPECT_NE(ask_it("process").message, std::to_string(id));
 }
 
-// Also when it has taken away the alarm that should end it.
+// Also if it has removed the alarm that should end it.
 TEST(Client, EndlessWorkRunsOutOfProcessorTime) {
   Settings settings = test_settings();
   settings.seconds = 0.5;
@@ -162,7 +162,7 @@ TEST(Client, EndlessWorkRunsOutOfProcessorTime) {
   }
 }
 
-// It uses no time, so its limit is not reached: that says nothing about the bytes.
+// It uses no time, so its limit is not reached: this is not a property of the bytes.
 TEST(Client, AWorkerThatStandsStillIsEnded) {
   Settings settings = test_settings();
   settings.standstill_seconds = 10;
@@ -203,7 +203,7 @@ TEST_F(Clients, AnswersThatLieAreRefused) {
 }
 
 TEST_F(Clients, AWorkerHasNothingOpenButItsEnds) {
-  // Standard input and outputs, the two ends, payload and result.
+  // Standard input, output and error, the two ends, payload and result.
   EXPECT_EQ(error("descriptors").message, "0 1 2 3 4 5 6 ");
 }
 
@@ -217,7 +217,7 @@ TEST_F(Clients, AWorkerCanReachNothing) {
 
 TEST_F(Clients, AWorkerReachesItselfOnly) {
   EXPECT_EQ(error("signal itself").message, "0");
-  EXPECT_EQ(error("limit by its id").message, std::to_string(EPERM)) << "0 is what libraries say";
+  EXPECT_EQ(error("limit by its id").message, std::to_string(EPERM)) << "libraries pass 0";
 }
 #endif
 
@@ -237,7 +237,7 @@ TEST_F(Clients, AWorkerServesOneOrigin) {
   EXPECT_NE(process(), second);
 }
 
-// One worker at a time: the one of another origin makes room, and does not come back.
+// With one worker at a time, the worker of another origin is ended and does not return.
 TEST(Client, WorkersOfOtherOriginsEnd) {
   Settings settings = test_settings();
   settings.workers = 1;
@@ -285,7 +285,7 @@ TEST(Client, AProgramThatIsNoWorkerIsNotOne) {
   EXPECT_THAT(std::get<DecodeError>(result).message, HasSubstr("exited with code 0"));
 }
 
-/// A decoder that the name of its folder makes misbehave.
+/// A decoder whose misbehaviour is selected by the name of its folder.
 class Decoders : public ::testing::Test {
  protected:
   DecodeError ask(const std::string& kind) {
@@ -325,7 +325,7 @@ TEST_F(Decoders, SilenceIsWaitedForOnce) {
   EXPECT_EQ(std::filesystem::file_size(folder_.path() / "mute/starts"), 1U);
 }
 
-// A decoder that is broken is not started for each of a hundred thousand images.
+// A broken decoder is not started for each of a hundred thousand images.
 TEST_F(Decoders, OneThatDoesNotGetToGreetIsStartedThreeTimes) {
   ask("gone");
   EXPECT_EQ(std::filesystem::file_size(folder_.path() / "gone/starts"), 3U);
@@ -358,7 +358,7 @@ TEST(Client, WorkersEndWithTheProcess) {
   ASSERT_EQ(::pipe(ends.data()), 0);
   const pid_t child = ::fork();
   if (child == 0) {
-    // The worker is amid endless work when this process is killed.
+    // The worker is in an endless loop when this process is killed.
     Settings settings = test_settings();
     settings.seconds = 3600;
     Client client(settings);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Meshes that the worker beside the tests encodes, and decodes again.
+/// Meshes that the worker of the build encodes and decodes again.
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// A mesh to encode that owns its bytes.
+/// A mesh to encode, with its bytes.
 struct MeshToEncode {
   std::uint32_t points = 0;
   std::vector<std::uint32_t> indices;
@@ -65,7 +65,7 @@ MeshToEncode grid_to_encode(std::uint32_t side) {
   return grid.add(DracoUse::position, Component::float32, 3, positions);
 }
 
-// All values of the corners of each triangle, whichever of them it begins with.
+// All values of the corners of each triangle, independent of its first corner.
 std::vector<std::string> corners_of(const DracoMesh& mesh) {
   std::vector<std::string> triangles;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -124,7 +124,7 @@ TEST(DracoEncode, FloatsComeBackBitForBit) {
   std::mt19937 random(3);  // NOLINT(cert-msc51-cpp): the same each time
   std::vector<std::uint32_t> bits(grid.points * std::size_t{2});
   for (std::uint32_t& each : bits) each = static_cast<std::uint32_t>(random());
-  grid.add(DracoUse::tex_coord, Component::float32, 2, bits);  // NaN among them
+  grid.add(DracoUse::tex_coord, Component::float32, 2, bits);  // includes NaN
   expect_exact(grid);
   EXPECT_LT(encoded_mesh(grid.mesh()).bytes.size(),
             grid.bytes[0].size() + grid.bytes[1].size() + grid.indices.size());
@@ -160,7 +160,7 @@ TEST(DracoEncode, IntegersOfEveryTypeComeBack) {
 
 TEST(DracoEncode, SeamsAndRepeatedPointsKeepTheirCorners) {
   MeshToEncode grid = grid_to_encode(4);
-  // Each triangle has points of its own, so that positions come six times.
+  // Each triangle has separate points, so each position occurs six times.
   MeshToEncode soup;
   std::vector<float> positions;
   std::vector<float> coordinates;
@@ -179,7 +179,7 @@ TEST(DracoEncode, SeamsAndRepeatedPointsKeepTheirCorners) {
 
 TEST(DracoEncode, TrianglesWithoutAreaOrSharedByManyStay) {
   MeshToEncode mesh = grid_to_encode(3);
-  // Points 9 and 10 lie where point 0 is: a triangle of different points in one place.
+  // Points 9 and 10 are at the position of point 0: a triangle of different points at one position.
   mesh.points = 11;
   mesh.bytes[0].resize(std::size_t{11} * 12);
   for (const std::uint32_t corner : {0U, 9U, 10U, 0U, 1U, 9U, 1U, 2U, 4U, 4U, 2U, 1U, 1U, 2U, 4U}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Meshes decoded by the worker that is built with the tests.
+/// Meshes decoded by the worker of the build.
 #include <atomic>
 #include <cstring>
 #include <thread>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images that the worker, which is built with the tests, encodes and decodes again.
+/// Images that the worker of the build encodes and decodes again.
 #include <cstring>
 #include <string>
 #include <vector>
@@ -14,7 +14,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Texels that no filter guesses well, rows that one does, and single values that stick out.
+// Texels that no filter predicts well, rows that a filter does, and single outliers.
 std::vector<std::byte> texels(const Raster& raster) {
   const std::size_t size =
       std::size_t{raster.width} * raster.height * raster.channels * (raster.bits / 8);

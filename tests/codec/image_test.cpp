@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images decoded by the worker that is built with the tests.
+/// Images decoded by the worker of the build.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ constexpr std::string_view kWebp =
     "UklGRkYAAABXRUJQVlA4TDkAAAAvAUAAEB+goG0bph/l+NMYDTENsbn0LyQaBWkbMN1xM//6pqZtA+YKqy7+pBr/"
     "b8qsrg0/QIjo"
     "fwgA";
-// Two frames of those.
+// Two frames with these texels.
 constexpr std::string_view kAnimation =
     "UklGRtgAAABXRUJQVlA4WAoAAAASAAAAAQAAAQAAQU5JTQYAAAAAAAAAAABBTk1GUgAAAAAAAAAAAAEAAAEAAGQAAAJWUD"
     "hMOQAA"
@@ -126,7 +126,7 @@ TEST(Images, AJpegThatEndsTooEarlyIsDoubtful) {
   EXPECT_THAT(image_of(bytes, {ImageFormat::jpeg}).doubt, HasSubstr("Premature end"));
 }
 
-// 8 x 8 grey texels, and their first coefficient refined again and again.
+// 8 x 8 grey texels, whose first coefficient is refined many times.
 std::string jpeg_of_scans(std::size_t scans) {
   std::string bytes("\xFF\xD8\xFF\xDB\0\x43\0", 7);
   bytes += std::string(64, '\1');
@@ -203,7 +203,7 @@ TEST(Images, TheFormatIsTheDeclaredOne) {
 }
 
 TEST(Images, TooManyTexelsAreNotDecoded) {
-  // A header that promises 65535 x 65535 texels.
+  // A header with 65535 x 65535 texels.
   const PngImage bomb{65535, 65535, PngColor::rgba, 8, {}, {}};
   EXPECT_EQ(error_of(encode_png(PngImage{bomb}), {}).kind, ErrorKind::too_large);
   Wanted small;
@@ -216,10 +216,10 @@ TEST(Images, TooManyTexelsAreNotDecoded) {
 
 TEST(Images, AnImageThatTakesTooMuchMemoryOrTimeIsRefused) {
   PngImage bomb{16384, 16384, PngColor::rgba, 16, {}, {}};
-  bomb.interlaced = true;  // all of it is held
+  bomb.interlaced = true;  // it is kept as a whole
   Wanted wanted;
   wanted.pixels = false;
-  // Whichever limit it meets first: a slow machine needs longer for the memory.
+  // Either limit may be reached first: a slow machine needs longer for the memory.
   EXPECT_THAT(error_of(encode_png(bomb), wanted).kind,
               testing::AnyOf(ErrorKind::out_of_memory, ErrorKind::timed_out));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// KTX2 images of ETC1S and UASTC through the worker, against what Binomial's transcoder makes of
-/// them: tests/codec/basis/README.md has the sources of the files.
+/// KTX2 images of ETC1S and UASTC through the worker, compared with the output of Binomial's
+/// transcoder: tests/codec/basis/README.md has the sources of the files.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -55,7 +55,7 @@ DecodeError ktx2_error(const std::string& bytes, bool pixels = true, std::uint32
   return {};
 }
 
-// Numbers of a channel; opaque without alpha.
+// Values of a channel; opaque if there is no alpha.
 std::string channel_of(const Image& image, std::size_t channel) {
   std::string values;
   for (std::uint64_t i = 0; i < image.texels(); ++i) {
@@ -65,7 +65,7 @@ std::string channel_of(const Image& image, std::size_t channel) {
   return values;
 }
 
-// Whether all channels of all levels are those of the pictures beside the file.
+// Whether all channels of all levels equal those of the PNG files next to the file.
 void expect_transcoded(const fs::path& path) {
   const std::string bytes = file_content(path);
   std::uint32_t level = 0;
@@ -102,7 +102,7 @@ TEST(Ktx2Pixels, AreThoseOfTheTranscoder) {
   for (const fs::path& file : files) expect_transcoded(file);
 }
 
-// New files: tools/nightly names their folder.
+// New files, in the folder that tools/nightly sets.
 TEST(Ktx2Pixels, AreThoseOfTheTranscoderAfresh) {
   const char* folder = std::getenv("GLTFX_KTX2_TRUTH");  // NOLINT(concurrency-mt-unsafe)
   if (folder == nullptr) GTEST_SKIP() << "GLTFX_KTX2_TRUTH is not set";
@@ -113,8 +113,8 @@ TEST(Ktx2Pixels, AreThoseOfTheTranscoderAfresh) {
 
 // --- Single files ---
 
-constexpr std::size_t kHeaderAndIndex = 80 + 24;  // of one level
-// Of the samples in the descriptor that follows: the channel of the first one, and of the next.
+constexpr std::size_t kHeaderAndIndex = 80 + 24;  // with one level
+// For the samples in the following descriptor: the channel of the first one, and of the next.
 constexpr std::size_t kFirstChannel = kHeaderAndIndex + 4 + 24 + 3;
 constexpr std::size_t kSecondChannel = kFirstChannel + 16;
 
@@ -195,13 +195,13 @@ TEST(Ktx2Pixels, StatisticsAreThoseOfTheLevel) {
 
 TEST(Ktx2Pixels, MoreTexelsThanAskedForAreRefused) {
   std::string bytes = file_content(kFiles / "etc1s-noise-1x1-128.ktx2");
-  bytes[20 + 1] = bytes[24 + 1] = '\x40';  // 16385 texels a side
+  bytes[20 + 1] = bytes[24 + 1] = '\x40';  // 16385 texels per side
   EXPECT_EQ(ktx2_error(bytes).kind, ErrorKind::too_large);
 }
 
 // --- Damaged files ---
 
-// One of what happens to files: bits that flip, bytes that are lost, doubled or overwritten.
+// A typical damage of files: flipped bits, and lost, doubled or overwritten bytes.
 std::string damaged(std::string bytes, std::mt19937& random) {
   const auto below = [&random](std::size_t count) { return random() % count; };
   const std::size_t at = below(bytes.size());

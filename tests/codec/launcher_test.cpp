@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The decoder programs, seen from outside.
+/// Checks of the decoder programs from outside.
 #include <algorithm>
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images that glTF does not have, through their worker. Tests need it: tools/test installs
-/// OpenImageIO.
+/// Image formats that are not part of glTF, through their worker. The tests need OpenImageIO, which
+/// tools/test installs.
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -174,7 +174,7 @@ TEST(OpenImageIo, WithoutTheDecoderItsPackageIsNamed) {
   EXPECT_THAT(error->message, HasSubstr("gltfx-openimageio"));
 }
 
-// Whether the worker had an answer, or ended: nothing waits for it.
+// Whether the worker answered or ended, without waiting for it.
 bool ended_well(const std::string& bytes, ImageFormat format) {
   const ImageResult result = Client::shared().decode_image(foreign_request(bytes, format));
   const auto* error = std::get_if<DecodeError>(&result);

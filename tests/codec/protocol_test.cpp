@@ -143,7 +143,7 @@ TEST(Protocol, ValuesOutOfRangeAreRefused) {
   image.statistics[0].least = 9;  // above the greatest
   EXPECT_FALSE(read_answer(write_answer(image)));
   image = some_image();
-  image.statistics[0].zeros = 7;  // of six texels
+  image.statistics[0].zeros = 7;  // more than the six texels
   EXPECT_FALSE(read_answer(write_answer(image)));
   image = some_image();
   image.normals.mean_length = std::numeric_limits<double>::quiet_NaN();
@@ -152,7 +152,7 @@ TEST(Protocol, ValuesOutOfRangeAreRefused) {
 
 TEST(Protocol, ResultsLieOneAfterTheOther) {
   DracoMesh mesh = some_mesh();
-  ASSERT_EQ(result_size(mesh), 16U + 16U + 32U);  // 12 of indices, 4 x 3 bytes, 4 x 2 floats
+  ASSERT_EQ(result_size(mesh), 16U + 16U + 32U);  // 12 bytes of indices, 4 x 3 bytes, 4 x 2 floats
   alignas(8) std::array<std::byte, 64> memory{};
   memory[0] = std::byte{3};
   ASSERT_TRUE(attach(mesh, memory));
@@ -166,7 +166,7 @@ TEST(Protocol, AResultThatIsTooShortOrLeadsNowhereIsRefused) {
   DracoMesh mesh = some_mesh();
   alignas(8) std::array<std::byte, 64> memory{};
   EXPECT_FALSE(attach(mesh, std::span(memory).first(63)));
-  memory[8] = std::byte{4};  // the third index, of four points
+  memory[8] = std::byte{4};  // the third index; there are four points
   EXPECT_FALSE(attach(mesh, memory));
   Image image = some_image();
   EXPECT_EQ(result_size(image), 48U);

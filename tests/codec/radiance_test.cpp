@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Radiance pictures decoded by the worker that is built with the tests.
+/// Radiance images decoded by the worker of the build.
 #include <cstring>
 #include <string>
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images that the worker makes smaller: read back as PNG, judged by what their texels are for.
+/// Images that the worker makes smaller: decoded from PNG, and checked according to their texel
+/// kind.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -150,7 +151,7 @@ TEST(Resize, NormalsAreUnitVectors) {
 }
 
 TEST(Resize, AMaskCoversAsMuch) {
-  // Single lines, of which any average is below the cutoff.
+  // Single lines, whose averages are all below the cutoff.
   const Picture lines = paint({200, 200, 4, 8}, [](auto x, auto) {
     return std::vector<unsigned>{200, 100, 50, x % 10 < 3 ? 255U : 0U};
   });
@@ -196,7 +197,7 @@ TEST(Resize, NothingRings) {
   EXPECT_EQ(*greatest, 180U);
 }
 
-// A picture that is black but for its last column and last row, which are white.
+// A black image whose last column and last row are white.
 Picture bordered() {
   return paint({32, 32, 1, 8}, [](auto x, auto y) {
     return std::vector<unsigned>{x == 31 || y == 31 ? 255U : 0U};

@@ -21,7 +21,7 @@ Image look_at(std::uint32_t channels, const std::vector<T>& values, bool normals
   return image;
 }
 
-// The same, one value after the other.
+// The same, computed value by value.
 template <typename T>
 void expect_as_counted(std::uint32_t channels, const std::vector<T>& values) {
   const Image image = look_at(channels, values);
@@ -103,8 +103,8 @@ TEST(Statistics, NormalsThatAreUnitVectorsAreSound) {
 TEST(Statistics, NormalsAreShortFarOffOrInward) {
   const Image image = look_at<std::uint8_t>(
       4, {128, 128, 240, 9, 128, 128, 200, 9, 128, 128, 0, 9, 128, 128, 127, 9, 0, 0, 0, 9}, true);
-  EXPECT_EQ(image.normals.vectors, 4U);   // black is none
-  EXPECT_EQ(image.normals.not_unit, 3U);  // 0.88, 0.57 and 0 long
+  EXPECT_EQ(image.normals.vectors, 4U);   // black is not a vector
+  EXPECT_EQ(image.normals.not_unit, 3U);  // lengths 0.88, 0.57 and 0
   EXPECT_EQ(image.normals.far_off, 2U);
   EXPECT_EQ(image.normals.inward, 1U);
   EXPECT_NEAR(image.normals.steepest, 1.0 / 255, 1e-6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Image files that the worker decodes and encodes again, pixels unseen by the caller.
+/// Image files that the worker decodes and encodes again without sending pixels to the caller.
 #include <algorithm>
 #include <cstdlib>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Colours that change slowly with some noise, and alphas of which a third are 0.
+// Colours that change slowly with some noise, and alphas, one third of them 0.
 std::vector<std::byte> smooth_texels(const Raster& raster, bool opaque = false) {
   std::vector<std::byte> bytes;
   std::uint32_t state = 1;
@@ -182,7 +182,7 @@ TEST(Transcode, NearlyLosslessWebpIsSmallerAndNear) {
 }
 
 TEST(Transcode, JpegHalvesColoursOnlyWhereAsked) {
-  // Columns of red and green: half the resolution of colour is brown.
+  // Columns of red and green become brown if colour has half the resolution.
   const Raster raster{64, 64, 3, 8};
   std::vector<std::byte> texels;
   for (unsigned i = 0; i < 64 * 64; ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fixtures as JSON values and buffers, to be changed and opened.
+/// Fixtures as JSON values and buffers, which tests change and open.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,13 @@ namespace gltfx::test {
 
 using Json = nlohmann::ordered_json;
 
-/// An asset whose buffers are files of their own in memory; images stay in their files.
+/// An asset with its buffers as separate files in memory; images stay in their files.
 struct EditedAsset {
   Json json;
   std::map<std::string, std::string> files;  ///< by URI
   std::filesystem::path folder;
 
-  /// With one buffer, if there are bytes.
+  /// With one buffer, if `bytes` is not empty.
   static EditedAsset made(const std::string& text, std::string bytes = {}) {
     EditedAsset asset;
     asset.json = Json::parse(text);
@@ -75,7 +75,7 @@ struct EditedAsset {
                               std::move(resolver));
   }
 
-  /// Where an element of an accessor begins; null: it is not stored as it is.
+  /// The first byte of an element of an accessor; null: it is not stored in plain form.
   char* element(std::size_t accessor, std::size_t index) {
     const Json& object = json["accessors"][accessor];
     if (!object.contains("bufferView")) return nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fixtures that are stored otherwise: renumbered, shared, packed. They mean the same.
+/// Fixtures in other storage: renumbered, shared, packed. They have the same meaning.
 #include <functional>
 #include <map>
 
@@ -17,12 +17,12 @@ using test::Json;
 
 const std::filesystem::path kAssets = std::filesystem::path(GLTFX_SOURCE_DIR) / "fixtures/good";
 
-/// Gives elements of lists new numbers wherever the schemas say that one is meant.
+/// Renumbers elements of lists, and all references to them according to the schemas.
 class Renumbering {
  public:
   explicit Renumbering(const EditedAsset& asset) : asset_(asset), opened_(asset.open()) {}
 
-  // The first becomes the last, and so on; also what JSON pointers name.
+  // The first element becomes the last one, and so on; JSON pointers follow.
   EditedAsset reversed() const {
     const graph::Graph graph(opened_.document(), *schema::builtin_set());
     EditedAsset result = asset_;
@@ -39,7 +39,7 @@ class Renumbering {
     }
     for (const graph::PointerText& pointer : graph.pointers())
       rename(graph, pointer, sizes, result);
-    // Buffer 0 may be the one of a GLB, which is told by its place; here all have a name.
+    // Buffer 0 of a GLB may be the BIN chunk because of its position; here all buffers have a name.
     for (const auto& [pointer, size] : sizes) {
       Json& list = result.json[Json::json_pointer(pointer)];
       std::reverse(list.begin(), list.end());
@@ -75,7 +75,7 @@ TEST(EqualMeaning, NumbersOfObjectsSayNothing) {
     MeaningRequest request;
     for (const bool free : {false, true}) {
       request.order = free ? VertexOrder::free : VertexOrder::kept;
-      // Nothing but their order tells objects apart that nothing refers to.
+      // Unused objects are identified only by their order.
       request.unused_may_go = true;
       const Meaning meaning = test::compare(before, after, request);
       EXPECT_TRUE(meaning.same()) << path << "\n" << test::text(meaning);
@@ -115,7 +115,7 @@ TEST(EqualMeaning, OneObjectMayServeForTwo) {
   MeaningRequest pruned;
   pruned.unused_may_go = true;
   EXPECT_TRUE(test::compare(before, after, pruned).same());
-  // An unequal one may not.
+  // A different one must not be removed.
   EditedAsset other = before;
   other.json["meshes"][1]["primitives"][0]["material"] = 2;
   EXPECT_FALSE(test::compare(before, other, pruned).same());

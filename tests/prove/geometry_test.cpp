@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Primitives that draw the same, and some that do not, by the same vertices stored otherwise.
+/// Primitives with the same and with different shapes, from vertices in different storage.
 #include <array>
 #include <cmath>
 
@@ -21,7 +21,7 @@ std::string raw(const std::vector<T>& values) {
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// A primitive whose accessors each have a view of their own.
+/// A primitive whose accessors have separate views.
 class OnePrimitive {
  public:
   OnePrimitive() {
@@ -223,7 +223,7 @@ TEST(GeometryMeaning, OfMorphTargets) {
   EXPECT_FALSE(same(square().target(up), square()));
 }
 
-// A grid and the bitstream that an encoder makes of it.
+// A grid and its encoded bitstream.
 OnePrimitive packed(const test::DracoSource& source, std::size_t corners, std::size_t points) {
   OnePrimitive made;
   const int view = made.add_view(test::draco_bytes(source));

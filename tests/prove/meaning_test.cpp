@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fixtures against themselves, stored otherwise and changed.
+/// Fixtures compared with themselves, with other storage and with changes.
 #include "prove/meaning.hpp"
 
 #include <functional>
@@ -51,11 +51,11 @@ TEST(Meaning, OfAnAssetIsItsOwn) {
   }
 }
 
-/// A change of an asset; false where the asset has nothing to change.
+/// A change of an asset; false if the asset has nothing to change.
 struct Mutation {
   const char* name;
   std::function<bool(EditedAsset&)> make;
-  std::string pointer;  ///< a part of the pointer of some difference
+  std::string pointer;  ///< a part of the pointer of one of the differences
 };
 
 bool has(const Json& object, const char* member) { return object.contains(member); }
@@ -66,7 +66,7 @@ bool edit_first(EditedAsset& asset, const char* array, const std::function<void(
   return true;
 }
 
-// The smallest change that there is.
+// The smallest possible change.
 bool edit_element(EditedAsset& asset, const Json& accessor, std::size_t index) {
   char* at = asset.element(accessor.get<std::size_t>(), index);
   if (at == nullptr) return false;
@@ -74,7 +74,7 @@ bool edit_element(EditedAsset& asset, const Json& accessor, std::size_t index) {
   return true;
 }
 
-// A vertex that a corner shows.
+// A vertex that is used by a corner.
 bool edit_vertex(EditedAsset& asset, const Json& primitive, const Json& accessor) {
   std::uint32_t vertex = 0;
   if (has(primitive, "indices")) {
@@ -319,7 +319,7 @@ std::vector<Mutation> mutations() {
   return all;
 }
 
-// Each change, made to each fixture that has what it changes.
+// Each change, applied to each fixture that contains its target.
 TEST(Meaning, OfAnotherAssetIsAnother) {
   const std::vector<Mutation> all = mutations();
   std::map<std::string, int> made;

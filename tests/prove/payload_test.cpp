@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Animations by what they move, images by what they show, and assets that are broken.
+/// Animations by their motion, images by their content, and broken assets.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,8 @@ using testing::IsEmpty;
 
 const std::filesystem::path kFixtures = std::filesystem::path(GLTFX_SOURCE_DIR) / "fixtures";
 
-// A node that an animation moves or turns. `values` has as many components for each of `times`.
+// A node that is moved or rotated by an animation. `values` has equally many components for each of
+// `times`.
 EditedAsset moving(const std::vector<float>& times, const std::vector<float>& values,
                    const char* interpolation = "LINEAR", const char* path = "translation") {
   const std::size_t components = values.size() / times.size();
@@ -109,7 +110,7 @@ TEST(Texels, AreComparedAsColors) {
   EXPECT_TRUE(compare_texels(grey, image(3, 8, "\x10\x10\x10\x20\x20\x23"s)));
 }
 
-// The image of a fixture as the same texels in another file, and as another picture.
+// The image of a fixture: with the same texels in another file, and with other texels.
 TEST(ImageMeaning, IsWhatTexelsShow) {
   const EditedAsset before = EditedAsset::load(kFixtures / "good/pebble.gltf");
   const auto with = [&](const std::string& bytes) {
@@ -149,7 +150,7 @@ TEST(ImageMeaning, IsWhatTexelsShow) {
   EXPECT_THAT(test::text(test::compare(before, with("no image"))), HasSubstr("/images/0"));
 }
 
-// What is cut off is a difference; nothing crashes, whichever is the broken one.
+// Truncated data is a difference; nothing crashes, whichever of the two is broken.
 TEST(BrokenMeaning, IsNoEqualOfTheWhole) {
   for (const auto& path : test::assets_in(kFixtures / "good")) {
     const EditedAsset whole = EditedAsset::load(path);

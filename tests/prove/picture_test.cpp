@@ -19,7 +19,7 @@ TEST(PictureDifference, CountsWhereThereIsSomething) {
   EXPECT_THAT(difference(a, b).bytes, ElementsAre(116, 128, 128, 0, 0, 0));
 }
 
-// Squares of one pixel, lighter and darker by `contrast`.
+// A checkerboard of single pixels, lighter and darker by `contrast`.
 Picture checker(double middle, double contrast) {
   constexpr std::uint32_t kSide = 31;
   Picture picture{kSide, kSide, 3, {}, {}};
@@ -30,7 +30,7 @@ Picture checker(double middle, double contrast) {
   return picture;
 }
 
-// Of a window in the middle, where means, variances and covariance are known.
+// For a window in the middle, where means, variances and covariance are known.
 TEST(Similarity, IsTheFormulaOfThePaper) {
   render::Framebuffer buffer(31, 31, {.alpha = true});
   buffer.alpha[15 * 31 + 15] = 1;

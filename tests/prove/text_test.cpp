@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A text against what its edits make of it.
+/// A text compared with the result of its edits.
 #include "prove/text.hpp"
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All fixtures go into a GLB and back: nothing but the places of bytes changes.
+// All fixtures are packed into a GLB and unpacked: only the places of bytes change.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -35,7 +35,7 @@ std::vector<fs::path> assets_below_fixtures() {
   return assets;
 }
 
-// What says where bytes are, taken out.
+// Removes all members that define places of bytes.
 void forget_places(OrderedJson& json) {
   for (auto& image : json["images"]) {
     for (const char* member : {"uri", "bufferView", "mimeType"}) image.erase(member);
@@ -50,7 +50,7 @@ void forget_places(OrderedJson& json) {
   }
 }
 
-// References to other views are counted without those of images.
+// Renumbers references to other views as if there were no views of images.
 void renumber_views(OrderedJson& json, const std::set<std::uint64_t>& of_images) {
   if (!json.is_structured()) return;
   for (auto& value : json) renumber_views(value, of_images);
@@ -62,7 +62,7 @@ void renumber_views(OrderedJson& json, const std::set<std::uint64_t>& of_images)
   view = view.get<std::uint64_t>() - static_cast<std::uint64_t>(before);
 }
 
-// Views of images come and go; all others stay in their order.
+// Views of images are added and removed; all others keep their order.
 void forget_image_views(OrderedJson& json, const std::set<std::uint64_t>& of_images) {
   if (!json.contains("bufferViews") && of_images.empty()) return;
   OrderedJson kept = OrderedJson::array();
@@ -96,7 +96,7 @@ model::OpenedAsset open(const fs::path& path) {
           container::Resolver(path.parent_path(), path.parent_path())};
 }
 
-// The bytes of all views, of images by themselves.
+// The bytes of all views, and of images separately.
 std::vector<std::string> data_of(const fs::path& path) {
   const model::OpenedAsset asset = open(path);
   const model::Asset elements(asset.document());
@@ -122,7 +122,7 @@ bool is_binary(const fs::path& path) { return path.extension() == ".glb"; }
 
 class EveryFixture : public testing::Test {
  protected:
-  // Nothing: it was refused, with a reason.
+  // Nothing: the asset was refused, with a reason.
   std::optional<fs::path> stored(const fs::path& from, std::string_view folder, StoredAs to) {
     ConvertOptions options =
         options_to(folder_.path() / folder / (to == StoredAs::glb ? "a.glb" : "a.gltf"));
@@ -139,7 +139,7 @@ class EveryFixture : public testing::Test {
     EXPECT_EQ(data_of(from), data_of(now)) << from;
   }
 
-  // What went once stays the same.
+  // Another conversion changes nothing.
   void expect_settled(const fs::path& now, StoredAs to) {
     const auto again = stored(now, "again", to);
     ASSERT_TRUE(again) << now;
@@ -169,7 +169,7 @@ TEST_F(EveryFixture, GoesIntoAGlbAndBack) {
     }
     fs::remove_all(folder_.path() / "glb");
   }
-  // Assets without text, of glTF 1.0, and those whose data is missing.
+  // Assets without text, with glTF 1.0, and with missing data.
   EXPECT_THAT(refused,
               UnorderedElementsAre("triangle-lfs-buffer.gltf", "triangle-missing-file.gltf",
                                    "tumbler-version-3.glb", "version-1.gltf"));

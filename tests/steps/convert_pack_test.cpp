@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of buffers and images that go into one GLB.
+// Buffers and images that are packed into one GLB.
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -126,7 +126,7 @@ TEST_F(Pack, AnUnknownExtensionWithAWholeNumberRefusesToMerge) {
   const ConvertReport report = refused(with_value("[0.5, 1]"));
   EXPECT_THAT(report.error, HasSubstr("/buffers/1: /nodes/0/extensions/ACME_ref may hold indices"));
   EXPECT_EQ(report.refused(), 1U);
-  // The rest is written where that is asked for.
+  // With `partial`, the rest is written.
   refused(with_value("[0.5, 1]"), true);
   const StoredAsset now = StoredAsset::at(output());
   EXPECT_EQ(now.bin, "abcd");
@@ -183,7 +183,7 @@ TEST_F(Pack, AShortBufferIsRefused) {
 
 TEST_F(Pack, MoreThanAGlbHoldsIsRefusedBeforeAnythingIsWritten) {
   std::ofstream(folder_.path() / "b.bin");
-  fs::resize_file(folder_.path() / "b.bin", 4'300'000'000);  // takes no room on the disk
+  fs::resize_file(folder_.path() / "b.bin", 4'300'000'000);  // a sparse file
   EXPECT_THAT(
       refused("{" + kAsset + R"(, "buffers": [{"byteLength": 4300000000, "uri": "b.bin"}]})").error,
       HasSubstr("a GLB has at most 4 GiB; --to gltf"));
@@ -199,7 +199,7 @@ TEST_F(Pack, ALargeGlbLeavesNothingBesideIt) {
   EXPECT_TRUE(now.bin.ends_with("\0abcd"s));
   EXPECT_EQ(std::distance(fs::directory_iterator(output().parent_path()), {}), 1);
   EXPECT_EQ(folder_.entries(), 4);
-  // In the place of one that is there.
+  // Replaces an existing file.
   converted(folder_.path() / "a.gltf", output());
   // A dry run.
   ConvertOptions options;
@@ -217,7 +217,7 @@ TEST_F(Pack, TheRestOfAGlbGoesIntoItAndItsChunksStay) {
       glb_of("{" + kAsset + R"(,"buffers":[{"byteLength":4}],"images":[{"uri":"leaf.png"}]})",
              "abcd", container::test::chunk(container::test::kChunkOther, "more")));
   ConvertOptions options = options_to(output());
-  EXPECT_FALSE(convert_file(file.native(), options).changes);  // a copy: nothing else was asked for
+  EXPECT_FALSE(convert_file(file.native(), options).changes);  // a copy: nothing else was requested
   EXPECT_EQ(content_of(output()), content_of(file));
   fs::remove_all(output().parent_path());
   options.to = StoredAs::glb;

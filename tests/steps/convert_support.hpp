@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Assets that are stored in another way, and what is in the files then.
+/// Assets in another storage, and the content of their files.
 #pragma once
 
 #include <gltfx/pipeline.hpp>
@@ -18,7 +18,7 @@ namespace gltfx::test {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// A file taken apart.
+/// The parts of a file.
 struct StoredAsset {
   explicit StoredAsset(const std::string& bytes)
       : container(container::open_bytes(container::Bytes::from_string(bytes))),
@@ -40,7 +40,7 @@ struct StoredAsset {
   std::string bin;
 };
 
-/// A GLB of a text and the data of its BIN chunk, which needs no padding, and chunks behind that.
+/// A GLB with a text, the data of its BIN chunk, which needs no padding, and chunks after it.
 inline std::string glb_of(std::string text, std::string_view bin, std::string_view more = {}) {
   text.resize((text.size() + 3) / 4 * 4, ' ');
   return container::test::glb(container::test::chunk(container::kChunkJson, text) +
@@ -63,7 +63,7 @@ inline ConvertReport converted(const std::filesystem::path& from,
 
 inline constexpr std::string_view kPng("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
 
-/// Bytes that begin like a PNG.
+/// Bytes with the beginning of a PNG.
 inline std::string picture(std::string_view content) { return std::string(kPng).append(content); }
 
 }  // namespace gltfx::test

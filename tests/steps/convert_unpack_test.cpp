@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of a GLB and of data URIs that go into files.
+// GLBs and data URIs that are unpacked into files.
 #include <gmock/gmock.h>
 
 #include "convert_support.hpp"
@@ -28,7 +28,7 @@ class Unpack : public testing::Test {
   fs::path source(const std::string& text, std::string_view bin) const {
     return folder_.write("a.glb", glb_of(text, bin));
   }
-  // Gives the text.
+  // Returns the text.
   std::string unpacked(const std::string& text, std::string_view bin) {
     report_ = converted(source(text, bin), out() / "a.gltf");
     return content_of(out() / "a.gltf");
@@ -40,7 +40,7 @@ class Unpack : public testing::Test {
 
 const std::string kHead = R"({"asset":{"version":"2.0"},)";
 
-// Images with these members, each a view of eight bytes and more.
+// Images with these members, each in a view of at least eight bytes.
 struct Pictures {
   explicit Pictures(const std::vector<std::string>& members) {
     std::string images, views;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page about conversions lists the steps in their words.
+// The page about conversions lists the steps with their descriptions.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 

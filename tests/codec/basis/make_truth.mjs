@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes KTX2 images of ETC1S and UASTC, and what Binomial's transcoder decodes them to:
+// Makes KTX2 images in ETC1S and UASTC, and the texels that Binomial's transcoder decodes:
 //   node make_truth.mjs MODULES FOLDER [few]
 // MODULES has the npm packages ktx2-encoder, with the encoder, and three, with the transcoder. FOLDER gets
 // NAME.ktx2 and, for each level, NAME.LEVEL.png in RGBA. `few` makes the small set in this folder.
@@ -15,7 +15,7 @@ const inside = (...names) => path.resolve(modules, 'node_modules', ...names);
 const { encodeToKTX2 } = await import(pathToFileURL(inside('ktx2-encoder/dist/node/index.js')));
 const transcoder = await loadTranscoder();
 
-// An old script, which is not a module although its package says so.
+// An old script, which is not a module although its package declares modules.
 async function loadTranscoder() {
   const source = inside('three/examples/jsm/libs/basis/basis_transcoder');
   const copy = path.resolve(folder, 'basis_transcoder.cjs');
@@ -25,7 +25,7 @@ async function loadTranscoder() {
   return module;
 }
 
-// --- Pictures: (x, y) from 0 to 1 and a random number to R, G, B, A from 0 to 1 ---
+// --- Images: from (x, y) and a random number, 0 to 1, to R, G, B, A from 0 to 1 ---
 
 let seed = 1;
 function random() {  // the same numbers each time
@@ -88,7 +88,7 @@ function png({ data, width, height }) {
     chunk('IDAT', deflateSync(rows, { level: 9 })), chunk('IEND', Buffer.alloc(0))]);
 }
 
-// --- Files and their truth ---
+// --- Files and their expected texels ---
 
 const counts = { files: 0, levels: 0, texels: 0 };
 
@@ -130,7 +130,7 @@ const uastc = (level, mipmaps, srgb = true, zstd = false, rdo = false) => ({
   needSupercompression: zstd, enableRDO: rdo, rdoQualityLevel: 2,
 });
 
-// Blocks of random bits, whose modes and patterns are not reserved: all modes, digits and patterns are met.
+// Blocks of random bits without reserved modes and patterns: all modes, digits and patterns occur.
 async function randomBlocks() {
   const bytes = await encodeToKTX2(new Uint8Array(1),
     { imageDecoder: async () => paint('smoke', few ? 64 : 512, few ? 64 : 512), ...uastc(0, false, false) });
@@ -143,7 +143,7 @@ async function randomBlocks() {
     if ((low & 0x1F) === 0x1D || (low & 0x1F) === 0x13) return field(20, 5) >= 30;  // modes 2 and 4
     if ((low & 0x1F) === 0x03) return field(20, 4) >= 11;
     if ((low & 0x1F) === 0x07) return field(20, 5) >= 19;
-    if ((low & 0x1F) === 0x0F) return field(28, 4) >= 14;  // mode 9, a bit of whose pattern is in the next word
+    if ((low & 0x1F) === 0x0F) return field(28, 4) >= 14;  // mode 9; one bit of its pattern is in the next word
     if ((low & 0x3F) === 0x15) return ((field(29, 3) | (block[4] & 3) << 3) >= 30);
     return false;
   };

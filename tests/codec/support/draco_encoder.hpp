@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Makes Draco bitstreams for tests, good and odd ones.
+/// Makes valid and unusual Draco bitstreams for tests.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@ struct DracoSource {
     Kind kind = Kind::position;
     Type type = Type::float32;
     unsigned components = 3;
-    std::string bytes;     ///< of all points, packed
+    std::string bytes;     ///< data of all points, packed
     std::uint32_t id = 0;  ///< unique
-    int bits = 0;          ///< of quantisation; 0: none
+    int bits = 0;          ///< bits of quantisation; 0: none
     bool normalized = false;
   };
   std::uint32_t points = 0;
-  std::vector<std::uint32_t> indices;  ///< three a triangle
+  std::vector<std::uint32_t> indices;  ///< three per triangle
   std::vector<Attribute> attributes;
   bool edgebreaker = false;  ///< renumbers the points; otherwise their order is kept
 };
@@ -30,7 +30,7 @@ std::string draco_bytes(const DracoSource& source);
 /// The points without triangles.
 std::string draco_cloud_bytes(const DracoSource& source);
 
-/// A square in the plane z = 0, from (0, 0) to (1, 1), of two triangles; attribute 0.
+/// A square of two triangles in the plane z = 0, from (0, 0) to (1, 1); attribute 0.
 DracoSource draco_square();
 /// A grid of `side` x `side` points, from (0, 0, 0) to (1, 1, 0); attribute 0.
 DracoSource draco_grid(std::uint32_t side);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images of formats that glTF does not have, written as their specifications say: eight texels
+/// Images in formats that are not part of glTF, according to their specifications: eight texels
 /// each.
 #pragma once
 
@@ -23,7 +23,7 @@ inline constexpr std::array<std::array<std::uint8_t, 4>, 8> kForeignTexels{{{200
                                                                             {77, 66, 55, 44},
                                                                             {5, 250, 5, 250}}};
 
-/// Numbers one after the other.
+/// Appends numbers to a text.
 class FileBytes {
  public:
   explicit FileBytes(bool big_endian = false) : big_endian_(big_endian) {}
@@ -58,7 +58,7 @@ inline std::string bmp_file(std::uint32_t width = kForeignWidth) {
   return file.take();
 }
 
-/// With alpha, and with the footer of version 2 or without.
+/// With alpha, and with or without the footer of version 2.
 inline std::string tga_file(bool footer = true) {
   FileBytes file;
   file.u8(0).u8(0).u8(2).u16(0).u16(0).u8(0).u16(0).u16(0);
@@ -70,14 +70,14 @@ inline std::string tga_file(bool footer = true) {
   return file.take();
 }
 
-/// Two frames, of which the second one has colours in another order.
+/// Two frames; the second one has its colours in another order.
 inline std::string gif_file() {
   FileBytes file;
   file.text("GIF89a").u16(kForeignWidth).u16(kForeignHeight).u8(0xF2).u8(0).u8(0);
   for (const auto& texel : kForeignTexels) file.u8(texel[0]).u8(texel[1]).u8(texel[2]);
   for (unsigned frame = 0; frame < 2; ++frame) {
     file.text(",").u16(0).u16(0).u16(kForeignWidth).u16(kForeignHeight).u8(0).u8(3);
-    // Codes of four bits; 8 empties the table before it would need five.
+    // Codes of four bits; code 8 clears the table before it needs five.
     std::vector<unsigned> codes{8};
     for (unsigned i = 0; i < 8; ++i) {
       if (i == 5) codes.push_back(8);
@@ -95,7 +95,7 @@ inline std::string gif_file() {
 
 enum class TiffAlpha : std::uint8_t { none, associated, unassociated };
 
-/// One strip of 8 bits, or of floats that are half of the texels.
+/// One strip of 8 bits, or of floats with half the values of the texels.
 inline std::string tiff_file(TiffAlpha alpha, bool floats = false) {
   const unsigned channels = alpha == TiffAlpha::none ? 3 : 4;
   const unsigned size = floats ? 4 : 1;
@@ -138,7 +138,7 @@ inline std::string tiff_file(TiffAlpha alpha, bool floats = false) {
   return file.take();
 }
 
-/// Without layers: the picture that they show.
+/// Without layers: the merged image.
 inline std::string psd_file() {
   FileBytes file(true);
   file.text("8BPS").u16(1).u16(0).u32(0).u16(3).u32(kForeignHeight).u32(kForeignWidth);

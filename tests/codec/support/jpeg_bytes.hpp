@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A JPEG that decodes, for tests.
+/// A valid JPEG for tests.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Makes PNG images that decode, for tests. Nothing is compressed.
+/// Makes valid PNG images for tests, without compression.
 #pragma once
 
 #include <algorithm>
@@ -61,8 +61,8 @@ struct PngImage {
   PngColor color = PngColor::rgb;
   char bits = 8;
   std::string texels;       ///< packed rows; 16 bits in big-endian order
-  std::string chunks{};     ///< between header and data: see png_encoder::chunk()
-  bool interlaced = false;  ///< only the header says so; the rows are not interlaced
+  std::string chunks{};     ///< between header and data; see png_encoder::chunk()
+  bool interlaced = false;  ///< only in the header; the rows are not interlaced
 };
 
 inline std::string encode_png(const PngImage& image) {

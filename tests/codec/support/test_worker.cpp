@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A worker that misbehaves as its payload says, or, before any payload, as the name of its folder
-// says.
+// A worker that misbehaves according to its payload or, before any payload, to the name of its
+// folder.
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -35,7 +35,7 @@ DecodeError says(const std::string& message) { return {ErrorKind::malformed, mes
 // The result of a system call: 0, or its errno.
 std::string error_of(long result) { return std::to_string(result < 0 ? errno : 0); }
 
-// What comes of raising a limit above its hard limit, which a process may if it has the right to.
+// The result of raising a limit above its hard limit, which a privileged process may do.
 std::string error_of_raising(__rlimit_resource_t resource) {
   rlimit limit{};
   if (::getrlimit(resource, &limit) != 0) return "unknown";
@@ -98,7 +98,7 @@ volatile std::uint64_t counter = 0;
 
 Answer misbehave(const std::string& what, const Output& output) {
   if (what == "crash") {
-    std::signal(SIGSEGV, SIG_DFL);  // a sanitizer would make an exit of it
+    std::signal(SIGSEGV, SIG_DFL);  // a sanitizer would turn it into an exit
     std::raise(SIGSEGV);
   }
   if (what == "abort") std::abort();
@@ -140,7 +140,7 @@ Answer misbehave(const std::string& what, const Output& output) {
   return touch_the_system(what);
 }
 
-// An image must be valid, so its word follows at the end, after a slash.
+// An image must be valid, so its word is at the end, after a '|'.
 Answer decode(const Job& job, std::span<const std::byte> bytes, const Output& output) {
   std::string_view what(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (job.task == Task::image) what.remove_prefix(what.rfind('|') + 1);
@@ -152,7 +152,7 @@ Answer decode(const Job& job, std::span<const std::byte> bytes, const Output& ou
 
 namespace {
 
-// As in a container that refuses filters of system calls.
+// As in a container that does not allow filters of system calls.
 void refuse_filters() {
   sock_filter code[] = {
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offsetof(seccomp_data, nr))),

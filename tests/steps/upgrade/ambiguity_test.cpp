@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Legacy objects in documents with errors: what is edited all the same, and what is not.
+/// Legacy objects in documents with errors: those that are edited, and those that are not.
 #include "steps/upgrade/ambiguity.hpp"
 
 #include <gmock/gmock.h>
@@ -14,7 +14,7 @@ using testing::StartsWith;
 
 struct Outcome {
   std::string text;     // empty: refused
-  std::string problem;  // why
+  std::string problem;  // reason
 };
 
 Outcome upgrade_of(const std::string& text) {
@@ -27,7 +27,7 @@ Outcome upgrade_of(const std::string& text) {
   return {json::apply_edits(text, plan.change.edits), {}};
 }
 
-// As tests/steps/upgrade/support.hpp has it, on one line of its own.
+// As in tests/steps/upgrade/support.hpp, on a separate line.
 const std::string kHead = R"({"extensionsUsed":["KHR_materials_translucency"],)";
 const std::string kMaterial =
     R"({"extensions":{"KHR_materials_translucency":{"translucencyFactor":0.5}}})";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What follows from an upgrade elsewhere in the document: lists of names, pointers.
+// Other changes of the document because of an upgrade: lists of names, pointers.
 #include <algorithm>
 #include <random>
 
@@ -167,7 +167,7 @@ TEST(Pointers, InExtrasAreNobodysBusiness) {
               HasSubstr("/extensions/KHR_materials_translucency/translucencyFactor"));
 }
 
-// Random materials of all generations, whole and faulty, in every layout.
+// Random materials of all generations, valid and invalid, in every layout.
 class Factory {
  public:
   explicit Factory(std::uint32_t seed) : random_(seed) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A legacy object beside its successor, and two legacy objects with one successor.
+// A legacy object next to its successor, and two legacy objects with one successor.
 #include <gmock/gmock.h>
 
 #include "support.hpp"
@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
 
-// A document with one material: members before its extensions, and these.
+// A document with one material: its extensions, and the members before them.
 std::string material(const std::string& members, const std::string& extensions) {
   return R"({"textures":[{},{}],"materials":[{)" + members + R"("extensions":{)" + extensions +
          "}}]}";
@@ -38,7 +38,7 @@ TEST(Duplicate, WhatSaysTheSameGoesWithoutAWord) {
                        R"("diffuseTransmissionFactor":0.5,)"
                        R"("diffuseTransmissionColorFactor":[0.50,1,1])"),
               SizeIs(0));
-  // Of another channel the texture has to be another.
+  // If another channel is read, the texture is always different.
   EXPECT_THAT(notes_of("", R"("translucencyFactor":1,"translucencyTexture":{"index":0})",
                        R"("diffuseTransmissionFactor":1,"diffuseTransmissionTexture":{"index":1})"),
               SizeIs(0));

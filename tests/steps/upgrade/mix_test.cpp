@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What new images are made of.
+// The sources of new images.
 #include <memory>
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 
-// A texture of the plan that is made of channel R of image 0.
+// A texture of the plan with channel R of image 0 as its source.
 std::uint64_t add_texture(Context& context, double scale, std::optional<std::uint64_t> sampler) {
   ImageJob job;
   job.channels[3] = ChannelSource::of(0, 0, scale);
@@ -53,7 +53,7 @@ std::vector<int> bytes_of(const Texels& texels) {
   return values;
 }
 
-// G = 255 - round(A * g), B = 0: what roughness is made of.
+// G = 255 - round(A * g), B = 0: the source of roughness.
 TEST(Mix, ANumberIsTurnedAround) {
   Recipe recipe;
   recipe.images[1] = image(4, 8, {0, 0, 0, 0, 0, 0, 0, 255, 0, 0, 0, 101});

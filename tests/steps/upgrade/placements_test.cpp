@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Members that an upgrade gives the object that carried the extension.
+// Members that an upgrade adds to the object that carried the extension.
 #include "steps/upgrade/placements.hpp"
 
 #include <gmock/gmock.h>

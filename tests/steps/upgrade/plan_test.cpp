@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What becomes of one legacy object.
+// Upgrades of one legacy object.
 #include <gmock/gmock.h>
 
 #include "support.hpp"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Random materials with all legacy extensions at once: plans stay sound, and one run is enough.
+// Random materials with all legacy extensions together: plans are always valid, and one run is
+// enough.
 #include <algorithm>
 #include <array>
 #include <random>
@@ -13,7 +14,7 @@
 namespace gltfx::upgrade::test {
 namespace {
 
-// Materials whole and faulty, in every layout.
+// Valid and invalid materials, in every layout.
 class RandomFactory {
  public:
   explicit RandomFactory(std::uint32_t seed) : random_(seed) {}
@@ -122,7 +123,7 @@ void expect_settled(const std::string& text, const UpgradeOptions& options) {
   ASSERT_TRUE(Json::accept(once.text)) << text << '\n' << once.text;
   const Json root = once.json();
   for (const UpgradeAction& action : once.plan.actions) {
-    // Of a name in a list the next one may have taken the place.
+    // The next name in a list may be at the place of a removed one.
     const Json::json_pointer at(action.pointer);
     const bool left = root.contains(at) && (!root.at(at).is_string() || root.at(at) == action.from);
     ASSERT_EQ(left, !action.done) << text << '\n' << action.pointer;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What people put into an object, and extensions on it, are not lost when an upgrade takes it out.
+// Extras in an object, and extensions on it, are not lost when an upgrade removes it.
 #include <gmock/gmock.h>
 
 #include "support.hpp"
@@ -30,7 +30,7 @@ TEST(Removal, WithoutEffectButWithExtrasTheObjectIsConverted) {
   }
 }
 
-// Documents in which a legacy object with extras has no effect, or has its successor beside it.
+// Documents in which a legacy object with extras has no effect, or is next to its successor.
 const std::string kHidden = R"({"extensionsUsed":["KHR_materials_translucency","ACME_a"],)"
                             R"("materials":[{"extensions":{"KHR_materials_unlit":{},)"
                             R"("KHR_materials_translucency":{"extensions":{"ACME_a":{}}}}}]})";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// New images of pictures that cannot be had, do not go together or cannot be written.
+// New images from sources that are missing, do not match or cannot be encoded.
 #include "steps/upgrade/render.hpp"
 
 #include <gmock/gmock.h>
@@ -10,7 +10,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Pictures of one channel of zeros and one row, but for the last one, which may have more.
+// Images with one channel of zeros and one row; the last one may have more rows.
 class Zeros : public Pictures {
  public:
   explicit Zeros(std::vector<std::uint32_t> widths, std::uint32_t last_height = 1)

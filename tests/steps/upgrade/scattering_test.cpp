@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Media that scatter: the numbers, and the objects they are written to.
+// Media that scatter light: the numbers, and the objects that contain them.
 #include "steps/upgrade/scattering.hpp"
 
 #include <array>
@@ -23,7 +23,7 @@ auto is_near(double r, double g, double b, double within) {
 
 constexpr Rgb kSkin{0.572, 0.227, 0.075};
 
-// The fit of Kulla and Conty as KHR_materials_volume_scatter has it.
+// The fit of Kulla and Conty, as in KHR_materials_volume_scatter.
 double single_scatter_albedo(double m) {
   const double s = 4.09712 + 4.20863 * m - std::sqrt(9.59217 + 41.6808 * m + 17.7126 * m * m);
   return 1 - s * s;
@@ -43,7 +43,7 @@ TEST(Scattering, TheAlbedosAreInversesOfEachOther) {
   EXPECT_NEAR(multi_scatter_albedo(0), 0, 1e-6);
   for (double share = 0; share < 1; share += 1.0 / 1024) {
     EXPECT_NEAR(single_scatter_albedo(multi_scatter_albedo(share)), share, 1e-5) << share;
-    // The fit has its root a little below 1, where two albedos give one.
+    // The fit has its root a little below 1, where two albedos have the result 1.
     EXPECT_NEAR(multi_scatter_albedo(single_scatter_albedo(share)), share, 1e-9) << share;
   }
 }
@@ -66,7 +66,7 @@ TEST(Scattering, WithAbsorptionAttenuationCountsBoth) {
   }
 }
 
-// A document with one material: members of its volume and of its scattering, other extensions.
+// A document with one material: members of its volume and of its scattering, and other extensions.
 std::string document(const std::string& volume, const std::string& legacy,
                      const std::string& others = "") {
   return R"({"materials":[{"extensions":{)" + others + R"("KHR_materials_volume":{)" + volume +

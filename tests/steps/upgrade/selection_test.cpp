@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which legacy extensions a run is about, and what has no successor.
+// The legacy extensions of a run, and extensions without a successor.
 #include <array>
 
 #include <gmock/gmock.h>

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 const std::string kName = "KHR_materials_pbrSpecularGlossiness";
 const std::string kQuoted = R"("KHR_materials_pbrSpecularGlossiness":)";
 
-// A document with one material: members of it, of the legacy object, of the root.
+// A document with one material: members of the material, of the legacy object, and of the root.
 std::string glossy_document(const std::string& legacy, const std::string& material = "",
                             const std::string& root = "") {
   return R"({"extensionsUsed":[")" + kName + R"("],"textures":[{},{}],)" + root +
@@ -116,7 +116,8 @@ TEST(SpecularGlossiness, BesideWhatTheSuccessorWouldBreakItStays) {
   }
 }
 
-// The texts do not say which of two models of the whole material counts; most readers draw unlit.
+// The specifications do not define which of two models of the whole material counts; most readers
+// use unlit.
 Upgraded beside_unlit(const std::string& legacy, const std::string& material, bool unsafe) {
   std::string text = glossy_document(legacy, material);
   text.insert(text.find(kQuoted), R"("KHR_materials_unlit":{},)");
@@ -173,7 +174,7 @@ TEST(SpecularGlossiness, ADefaultDiffuseColourIsNoTint) {
 
 // Textures.
 
-// One image: RGBA whose alpha has these values at least and at most.
+// One RGBA image whose alpha has these least and greatest values.
 class OneImage : public Pictures {
  public:
   OneImage(std::uint32_t least, std::uint32_t greatest) {

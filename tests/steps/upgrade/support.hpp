@@ -38,15 +38,15 @@ inline Upgraded upgraded(const std::string& text, const UpgradeOptions& options 
   return result;
 }
 
-/// A run that is limited to these legacy extensions.
+/// A run with only these legacy extensions.
 inline UpgradeOptions only(std::vector<std::string> names) {
   UpgradeOptions options;
   options.only = std::move(names);
   return options;
 }
 
-/// A document with one material: `material` are its members before its extensions, `legacy` those
-/// of the legacy extension, `root` further members of the root.
+/// A document with one material: `material` are its members before its extensions, `legacy` the
+/// members of the legacy extension, `root` further members of the root.
 inline std::string document_with(const std::string& material, const std::string& legacy,
                                  const std::string& root = "") {
   std::string text =
@@ -56,7 +56,7 @@ inline std::string document_with(const std::string& material, const std::string&
   return text;
 }
 
-/// Members of the root: an animation of what a JSON pointer leads to.
+/// Members of the root: an animation with the target of a JSON pointer.
 inline std::string animated(const std::string& pointer) {
   return R"("animations":[{"channels":[{"target":{"path":"pointer","extensions":)"
          R"({"KHR_animation_pointer":{"pointer":")" +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Names of legacy extensions in the document's lists without any object.
+// Names of legacy extensions in the document's lists that have no object.
 #include <gmock/gmock.h>
 
 #include "support.hpp"
