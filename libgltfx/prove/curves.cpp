@@ -117,7 +117,7 @@ void compare_curves(const Side& before, const Side& after, const Pair& pair, dou
   const auto ours = open_motion(before, pair.ours);
   if (!ours) return found.leave_out(place, "has keyframes that cannot be read");
   const auto theirs = open_motion(after, pair.theirs);
-  if (!theirs) return found.add(place, "has keyframes that cannot be read any more");
+  if (!theirs) return found.add(place, "has keyframes that can no longer be read");
   if (ours->width != theirs->width ||
       ours->curve.values.components() != theirs->curve.values.components()) {
     return found.add(place, "moves another number of values");

@@ -49,7 +49,7 @@ class Texels {
 };
 
 std::variant<codec::Image, std::string> decode(const Side& side, std::size_t image) {
-  if (!model::is_decodable(side.resources().images[image])) return "is of no known format";
+  if (!model::is_decodable(side.resources().images[image])) return "unknown format";
   codec::ImageRequest request = model::image_request(side.resources(), image);
   request.pixels = true;
   codec::ImageResult result = codec::Client::shared().decode_image(request);
@@ -91,7 +91,7 @@ void compare_images(const Side& before, const Side& after, const Pair& pair,
   const auto& ours = before.resources().images[here].bytes;
   const auto& theirs = after.resources().images[there].bytes;
   if (!ours) return found.leave_out(place, "has no bytes");
-  if (!theirs) return found.add(place, "has no bytes any more");
+  if (!theirs) return found.add(place, "no longer has bytes");
   if (container::same_bytes(*ours, *theirs)) return;
   if (comparison == ImageComparison::bytes) return found.add(place, "has other bytes");
   const auto left = decode(before, here);

@@ -74,7 +74,7 @@ Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAss
   Differences found(request.most);
   if (!has_root_object(before)) return {};
   if (!has_root_object(after)) {
-    found.add("", "is not glTF any more");
+    found.add("", "is no longer glTF");
     return found.take();
   }
   const Side ours(before, schemas, request.jobs);
@@ -98,7 +98,7 @@ Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsse
   Differences found(request.most);
   if (!has_root_object(before)) return {};
   if (!has_root_object(after)) {
-    found.add("", "is not glTF any more");
+    found.add("", "is no longer glTF");
     return found.take();
   }
   const Side ours(before, schemas, request.jobs);

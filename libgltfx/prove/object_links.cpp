@@ -27,7 +27,7 @@ std::optional<json::NodeId> shown_image(const Side& side, json::NodeId texture,
 
 void ObjectWalk::compare_links(const Place& place, const Link& ours, const Link* theirs) {
   if (theirs == nullptr || (ours.pointer == nullptr) != (theirs->pointer == nullptr)) {
-    return differ(place, "is no such reference any more");
+    return differ(place, "is no longer such a reference");
   }
   if (ours.pointer != nullptr) return compare_pointers(place, ours, *theirs);
   if (theirs->target == json::kNoNode) return differ(place, "leads nowhere");
@@ -84,7 +84,7 @@ void ObjectWalk::compare_accessors(const Place& place, const Pair& pair) {
   const auto ours = Column::open(before_, before_.index(pair.ours));
   if (!ours) return found_.leave_out(before_.pointer(pair.ours), "cannot be read");
   const auto theirs = Column::open(after_, after_.index(pair.theirs));
-  if (!theirs) return differ(place, "leads to an accessor that cannot be read any more");
+  if (!theirs) return differ(place, "leads to an accessor that can no longer be read");
   if (ours->count() != theirs->count() || ours->components() != theirs->components()) {
     return differ(place, fmt::format("leads to {} elements of {} components in place of {} of {}",
                                      theirs->count(), theirs->components(), ours->count(),
@@ -104,7 +104,7 @@ void ObjectWalk::compare_views(const Place& place, const Pair& pair) {
   const auto ours = bytes(before_, pair.ours);
   if (!ours) return found_.leave_out(before_.pointer(pair.ours), "cannot be read");
   const auto theirs = bytes(after_, pair.theirs);
-  if (!theirs) return differ(place, "leads to bytes that cannot be read any more");
+  if (!theirs) return differ(place, "leads to bytes that can no longer be read");
   if (!container::same_bytes(*ours, *theirs)) differ(place, "leads to other bytes");
 }
 
@@ -113,7 +113,7 @@ void ObjectWalk::compare_textures(const Pair& pair) {
   const auto ours = shown_image(before_, pair.ours, known_.reached_here);
   const auto theirs = shown_image(after_, pair.theirs, known_.reached_there);
   if (!ours) return;
-  if (!theirs) return differ({pair.ours}, "has no image any more");
+  if (!theirs) return differ({pair.ours}, "no longer has an image");
   follow({pair.ours}, {*ours, *theirs});
 }
 

@@ -271,7 +271,7 @@ void ObjectWalk::compare_declared(std::string_view list) {
   const Names there = read(after_);
   for (const std::string& name : here) {
     if (request_.unused_may_go || there.contains(name)) continue;
-    found_.add(fmt::format("/{}", list), fmt::format("has no \"{}\" any more", name));
+    found_.add(fmt::format("/{}", list), fmt::format("no longer has \"{}\"", name));
   }
   for (const std::string& name : there) {
     if (!here.contains(name))

@@ -64,7 +64,7 @@ class PairReader {
       return std::nullopt;
     }
     if (!read_corners(theirs_, &Stream::theirs, pair_.theirs)) {
-      return differ("has indices that cannot be read any more");
+      return differ("has indices that can no longer be read");
     }
     return std::move(pair_);
   }
@@ -98,7 +98,7 @@ class PairReader {
     auto here = Column::open(ours_.side, ours_.data, before);
     if (!here) return found_.leave_out(place, "cannot be read");
     auto there = Column::open(theirs_.side, theirs_.data, after);
-    if (!there) return found_.add(place, "cannot be read any more");
+    if (!there) return found_.add(place, "can no longer be read");
     if (here->components() != there->components()) {
       return found_.add(place, fmt::format("has {} components in place of {}", there->components(),
                                            here->components()));

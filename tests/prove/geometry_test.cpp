@@ -262,7 +262,7 @@ TEST(GeometryMeaning, OfABitstreamThatCannotBeRead) {
   const Meaning before = test::compare(broken, sound.asset());
   EXPECT_TRUE(before.same()) << test::text(before);
   EXPECT_FALSE(before.unread.empty());
-  EXPECT_THAT(test::text(test::compare(sound.asset(), broken)), HasSubstr("cannot be read"));
+  EXPECT_THAT(test::text(test::compare(sound.asset(), broken)), HasSubstr("can no longer be read"));
 }
 
 }  // namespace
