@@ -186,7 +186,7 @@ TEST_F(Pack, MoreThanAGlbHoldsIsRefusedBeforeAnythingIsWritten) {
   fs::resize_file(folder_.path() / "b.bin", 4'300'000'000);  // a sparse file
   EXPECT_THAT(
       refused("{" + kAsset + R"(, "buffers": [{"byteLength": 4300000000, "uri": "b.bin"}]})").error,
-      HasSubstr("a GLB has at most 4 GiB; --to gltf"));
+      HasSubstr("a GLB has at most 4 GiB; use --to gltf"));
 }
 
 TEST_F(Pack, ALargeGlbLeavesNothingBesideIt) {

@@ -158,7 +158,7 @@ class ExtensionPlan {
       if (!is_doable(action)) continue;
       action.outcome = UpgradeOutcome::impossible;
       action.notes.emplace_back(
-          "other objects of the asset cannot be upgraded, and only all together can");
+          "other objects of the asset cannot be upgraded, and all must be upgraded together");
     }
   }
 

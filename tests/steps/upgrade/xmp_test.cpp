@@ -211,10 +211,10 @@ INSTANTIATE_TEST_SUITE_P(
                   "does not reference a packet"},
         std::pair{xmp_document("{}", kDublinCore,
                                R"("nodes":[{"extensions":{"KHR_xmp":{"packet":1}}}],)"),
-                  "only all together can"},
+                  "all must be upgraded together"},
         std::pair{xmp_document("{}", kDublinCore,
                                R"("textures":[{"extensions":{"KHR_xmp":{"packet":0}}}],)"),
-                  "only all together can"}));
+                  "all must be upgraded together"}));
 
 }  // namespace
 }  // namespace gltfx::upgrade::test
