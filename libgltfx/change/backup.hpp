@@ -11,7 +11,7 @@ namespace gltfx::change {
 std::string backup_of(const std::string& path);
 
 /// Restores the backups of the files that an asset refers to below its folder, then that of the
-/// asset. Nothing on success, else the reason as a printable half sentence.
+/// asset. Nothing on success, otherwise the reason as a printable half sentence.
 std::optional<std::string> restore(const std::string& path);
 
 }  // namespace gltfx::change

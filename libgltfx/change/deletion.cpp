@@ -108,7 +108,7 @@ class DeletionPlanner {
     for (const graph::IndexUse& use : graph_.indices()) {
       const bool ambiguous = use.ambiguous != json::kNoNode && !removals_.is_gone(use.at);
       if (!ambiguous || !loses_something(use.ambiguous)) continue;
-      return fmt::format("what {} refers to is ambiguous", printable(tree_.pointer(use.at)));
+      return fmt::format("the target of {} is ambiguous", printable(tree_.pointer(use.at)));
     }
     for (const graph::Use& use : graph_.uses()) {
       if (use.kind != graph::UseKind::implied || removals_.is_gone(use.at)) continue;

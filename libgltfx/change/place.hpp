@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where new bytes go: into the BIN chunk of a GLB, into new files beside the old ones, or into
+/// Places new bytes: into the BIN chunk of a GLB, into new files beside the old ones, or into
 /// data URIs if the old ones are. New contents of a buffer replace the old ones.
 #pragma once
 

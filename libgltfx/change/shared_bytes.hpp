@@ -28,7 +28,7 @@ struct FileReads {
 /// search would take long.
 std::vector<ByteRange> ranges_read(const FileReads& reads, std::vector<ByteRange> ranges);
 
-/// Those of `ranges` that have a byte in common with one of `other`; both as in ranges_read().
+/// The ranges in `ranges` that have a byte in common with one of `other`; both as in ranges_read().
 std::vector<ByteRange> ranges_touching(std::vector<ByteRange> ranges,
                                        const std::vector<ByteRange>& other);
 
