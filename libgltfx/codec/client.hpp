@@ -143,7 +143,7 @@ struct ChannelStatistics {
 struct NormalStatistics {
   std::uint64_t vectors = 0;   ///< texels that are not grey
   std::uint64_t not_unit = 0;  ///< texels whose length is not within 0.1 of 1
-  std::uint64_t far_off = 0;   ///< likewise 0.3: more than rounding or lossy coding causes
+  std::uint64_t far_off = 0;   ///< the same with 0.3: more than rounding or lossy coding
   std::uint64_t inward = 0;    ///< texels with z below -2/255
   double mean_length = 0;
   double steepest = 0;  ///< greatest |x| or |y|: about 1/255 in a flat map
@@ -158,8 +158,8 @@ struct Image {
   std::uint32_t bits = 8;                         ///< per channel: 8 or 16; 32 are floats
   std::array<ChannelStatistics, 4> statistics{};  ///< for the first `channels`; not for floats
   bool grey = true;                               ///< the colour channels are equal in all texels
-  /// Problem that the decoder reported but continued after, such as an early end; else empty. One
-  /// line, the decoder's own text.
+  /// Problem that the decoder reported but continued after, such as an early end; otherwise empty.
+  /// One line, the decoder's own text.
   std::string doubt;
   NormalStatistics normals;  ///< if requested, with at least three channels
   /// Rows from the top, packed, `channels` numbers per texel in the machine's byte order; empty

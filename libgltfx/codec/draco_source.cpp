@@ -42,17 +42,17 @@ std::string flaw_of_indices(const DracoMesh& mesh) {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Numbers for points, such that equal numbers are equal values of all attributes.
+/// Numbers for points: two numbers are equal if all attributes have equal values.
 class Points {
  public:
-  /// Room for the points of two meshes. `order` has the attributes of each, by their place.
+  /// Allocates memory for the points of two meshes.
   Points(const DracoMesh& a, const DracoMesh& b) {
     slots_.resize(std::bit_ceil((std::size_t{a.points} + b.points) * 2 + 1), kFree);
     for (const DracoAttribute& attribute : a.attributes) row_ += value_size(attribute);
     rows_.reserve(row_ * a.points);
   }
 
-  /// Adds the points of a mesh, whose attributes come in the order given. The number of each.
+  /// Adds the points of a mesh, with its attributes in the given order. Returns their numbers.
   std::vector<std::uint32_t> number(const DracoMesh& mesh, const std::vector<std::size_t>& order) {
     std::vector<std::uint32_t> numbers(mesh.points);
     for (std::uint32_t i = 0; i < mesh.points; ++i) {

@@ -95,7 +95,7 @@ constexpr std::uint32_t kForbid = SECCOMP_RET_ERRNO | EPERM;
 void load(Program& program, std::size_t offset) {
   program.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<std::uint32_t>(offset)));
 }
-// Runs the next statement if the loaded value is `value`, else skips it.
+// Runs the next statement if the loaded value is `value`, otherwise skips it.
 void if_equal(Program& program, std::uint32_t value) {
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1));
 }

@@ -153,7 +153,7 @@ TEST(Ktx2Pixels, BlocksOfReservedModesAndPatternsAreMagentaAndTold) {
   const std::size_t block = begin_of_level(bytes, 0);
   bytes[block] = 0x45;         // the reserved mode
   bytes[block + 16] = 0x07;    // mode 7,
-  bytes[block + 18] = '\xF0';  // whose pattern is bits 20 to 24: there is no pattern 31
+  bytes[block + 18] = '\xF0';  // with its pattern in bits 20 to 24: there is no pattern 31
   bytes[block + 19] = 0x01;
   const Image image = ktx2_image(bytes);
   EXPECT_THAT(image.doubt, HasSubstr("2 of its blocks"));
