@@ -14,12 +14,12 @@
 
 namespace gltfx::change {
 
-/// Keeps no reference to the document.
+/// Does not keep a reference to the document.
 class Additions {
  public:
   struct Image {
     std::shared_ptr<const std::string> png;  ///< the file; may be set until placement
-    /// URI of a file whose folder and name a new file gets; empty: there is none.
+    /// URI of a file that gives the folder and the name of a new file; empty: there is none.
     std::string beside = {};
     /// Index of the image that it replaces; none: a new image.
     std::optional<std::uint64_t> place = std::nullopt;

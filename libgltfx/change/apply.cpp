@@ -22,7 +22,7 @@ bool same_but_for_padding(std::string_view one, std::string_view other) {
   return content(one) == content(other);
 }
 
-// It ends as the container asks for.
+// The ending matches the container.
 std::string name_of(const OpenedAsset& before, const Change& change) {
   if (!change.format || *change.format == before.container().format) return before.name();
   std::filesystem::path name(before.name());
@@ -38,7 +38,7 @@ Result<std::vector<Bytes>> chunks_of(const Container& old, const Change& change,
                              : rewrite_glb(old, text, change.bin);
 }
 
-// With the new text where only that is new, else as it is read again.
+// With the new text if only the text changed; otherwise read again.
 Result<Container> changed_container(const OpenedAsset& before, const Change& change,
                                     const SharedText& text, DraftPlace& place) {
   const Container& old = before.container();

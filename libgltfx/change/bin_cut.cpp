@@ -18,7 +18,7 @@ struct Part {
   bool goes;
 };
 
-// Where the next part that stays begins, by part.
+// For each part, the begin of the next part that stays.
 std::vector<std::uint64_t> next_begins(const std::vector<Part>& parts) {
   std::vector<std::uint64_t> begins(parts.size());
   std::uint64_t next = UINT64_MAX;
@@ -29,18 +29,18 @@ std::vector<std::uint64_t> next_begins(const std::vector<Part>& parts) {
   return begins;
 }
 
-// Whole words of what only parts that go lie in, with the bytes that filled them up; at the end of
-// the chunk all of it.
+// Whole words that contain only removed parts and padding between them; at the end of the chunk,
+// all bytes of these.
 std::vector<ByteRange> words_of(const std::vector<Part>& parts, std::uint64_t size) {
   const std::vector<std::uint64_t> next = next_begins(parts);
   std::vector<ByteRange> cut;
-  std::uint64_t kept = 0;  // end of all parts so far that stay, and of what was cut
+  std::uint64_t kept = 0;  // end of all parts so far that stay, and of the cut ranges
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::uint64_t end = parts[i].user.bytes.end;
     if (parts[i].goes) {
       std::uint64_t begin = std::max(parts[i].user.bytes.begin, kept);
       end = std::min({(end + kWord - 1) / kWord * kWord, next[i], size});
-      if (next[i] == UINT64_MAX) {  // nothing has to keep its alignment
+      if (next[i] == UINT64_MAX) {  // the end of the chunk has no alignment to keep
         if (begin - kept < kWord) begin = kept;
       } else {
         end = std::max(begin, begin + (end - std::min(begin, end)) / kWord * kWord);
@@ -53,7 +53,7 @@ std::vector<ByteRange> words_of(const std::vector<Part>& parts, std::uint64_t si
   return cut;
 }
 
-// A buffer keeps at least a byte: else nothing is cut.
+// A buffer must keep at least one byte; if none would be left, nothing is cut.
 void shorten_buffer(const graph::Tree& tree, std::vector<ByteRange>& cut, json::Editor& editor) {
   const json::Document& document = tree.document();
   const json::NodeId buffer = tree.element(tree.member(document.root(), "buffers"), 0);

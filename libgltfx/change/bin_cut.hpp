@@ -12,10 +12,10 @@
 
 namespace gltfx::change {
 
-/// Whole words of 8 bytes of the BIN chunk in which only buffer views lie that go, in order; empty
-/// where not all that lies in the chunk is known. Words of 8, so that what stays is aligned as it
-/// was; at the end of the chunk all that filled it up. Buffer 0, which is the chunk, is made
-/// shorter, and views that stay move, by edits that `editor` gets. `size`: of the chunk.
+/// Whole words of 8 bytes of the BIN chunk that contain only removed buffer views, in order; empty
+/// if not all uses of the chunk are known. Words of 8 bytes keep the alignment of the other data;
+/// at the end of the chunk, all padding is cut, too. `editor` gets edits that shorten buffer 0,
+/// which is the chunk, and move the remaining views. `size`: of the chunk.
 std::vector<ByteRange> cut_bin(const graph::Graph& graph,
                                const std::function<bool(json::NodeId object)>& goes,
                                std::uint64_t size, json::Editor& editor);

@@ -15,7 +15,7 @@
 namespace gltfx::change {
 namespace {
 
-// Nothing where the members do not say it.
+// Nothing if the members do not define a range.
 std::optional<ByteRange> bytes_of(const graph::Graph& graph, json::NodeId object) {
   const json::Document& document = graph.tree().document();
   const schema::TypeId type = graph.type(object);
@@ -38,7 +38,7 @@ Result<std::vector<BufferUser>> buffer_users(const graph::Graph& graph) {
   const json::NodeId buffers = tree.member(root, "buffers");
   const auto unclear = [&](json::NodeId object) {
     return Error{
-        fmt::format("{} does not say which bytes it means", printable(tree.pointer(object)))};
+        fmt::format("{} does not define which bytes it uses", printable(tree.pointer(object)))};
   };
   std::vector<BufferUser> users;
   std::unordered_set<json::NodeId> known;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which bytes of buffers are in use, and by which objects.
+/// The used bytes of buffers, and the objects that use them.
 #pragma once
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 
 namespace gltfx::change {
 
-/// An object that names bytes of a buffer by its members `buffer`, `byteOffset` and `byteLength`: a
-/// buffer view, or what an extension has in its place.
+/// An object that refers to bytes of a buffer by its members `buffer`, `byteOffset` and
+/// `byteLength`: a buffer view, or an object of an extension with these members.
 struct BufferUser {
   json::NodeId object = json::kNoNode;
   std::uint64_t buffer = 0;  ///< index
   ByteRange bytes;
 };
 
-/// All of them, in the order of the walk. An Error where it is not known which bytes something
-/// means: half a sentence. What extensions without a schema may mean is not looked at.
+/// All of them, in the order of the walk. An Error, half a sentence, if the bytes of an object are
+/// not known. Extensions without a schema are not checked.
 Result<std::vector<BufferUser>> buffer_users(const graph::Graph& graph);
 
-/// Lets an object begin at another byte of its buffer.
+/// Moves the begin of an object to another byte of its buffer.
 void move_user(const json::Document& document, const BufferUser& user, std::uint64_t begin,
                json::Editor& editor);
 

@@ -26,7 +26,7 @@ struct ByteRange {
   std::uint64_t end = 0;
 };
 
-/// New bytes in place of as many old ones.
+/// New bytes that replace the same number of old bytes.
 struct BytePatch {
   std::uint64_t offset = 0;
   std::string bytes;
@@ -34,39 +34,39 @@ struct BytePatch {
 
 /// Changes of the BIN chunk.
 struct BinChange {
-  /// Data in the place of the old, or of a chunk that is made: one piece behind the other. Nothing
-  /// else is to be done with the chunk.
+  /// New data of the chunk, or data of a new chunk, as consecutive pieces. There are no other
+  /// changes of the chunk.
   std::optional<std::vector<container::Bytes>> whole = std::nullopt;
-  std::string more = {};            ///< behind its data; a chunk is made when there is none
-  std::vector<ByteRange> cut = {};  ///< of its data, in order, none overlaps; taken out
-  bool drop = false;                ///< the whole chunk goes; nothing else is to be done with it
-  /// Of its data, in order; none overlaps another or a cut.
+  std::string more = {};            ///< appended to its data; if there is no chunk, one is made
+  std::vector<ByteRange> cut = {};  ///< removed ranges of its data, in order, without overlaps
+  bool drop = false;  ///< the whole chunk is removed; there are no other changes of it
+  /// Ranges of its data, in order, without overlaps with each other or with a cut.
   std::vector<BytePatch> patches = {};
   bool empty() const { return !whole && more.empty() && cut.empty() && patches.empty() && !drop; }
 };
 
 /// A new file that the asset refers to.
 struct NewFile {
-  std::string path;  ///< from the asset's folder, '/' separated, as container::Uri has it
-  std::vector<container::Bytes> pieces;  ///< of its content, one behind the other
+  std::string path;  ///< relative to the asset's folder, '/' separated, as in container::Uri
+  std::vector<container::Bytes> pieces;  ///< consecutive pieces of its content
 };
 
 /// A file that the asset refers to, with new bytes.
 struct ReplacedFile {
   std::string path;         ///< as NewFile::path
-  FileState state;          ///< when it was read
+  FileState state;          ///< from when it was read
   container::Bytes before;  ///< the old bytes
   container::Bytes after;   ///< the new bytes
 };
 
-/// Whole contents by the index of the buffer. They may be longer than the old ones, never shorter.
+/// New contents by the index of the buffer. They are as long as the old ones or longer.
 using BufferContents = std::map<std::uint32_t, std::string>;
 
 /// Owns all its data.
 struct Change {
-  std::vector<json::Edit> edits = {};  ///< of the text, as json::Editor::take() gives them
-  /// The container that it gets, gltf or glb; nothing: the one that it has. Chunks of a GLB beside
-  /// JSON and BIN do not go into a .gltf.
+  std::vector<json::Edit> edits = {};  ///< edits of the text, as from json::Editor::take()
+  /// The new container, gltf or glb; nothing: unchanged. Other chunks of a GLB than JSON and BIN do
+  /// not go into a .gltf.
   std::optional<container::Format> format = std::nullopt;
   BinChange bin = {};
   std::vector<ReplacedFile> replaced = {};  ///< files with other bytes than before

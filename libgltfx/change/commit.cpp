@@ -43,7 +43,7 @@ Trouble compare(const FileDraft& draft, const Pieces& pieces) {
   const container::Loaded file = container::load_file(container::adopt_regular(draft.reader()));
   const bool readable = file.error == container::ResolveError::none;
   if (readable && container::same_bytes(pieces, file.bytes)) return std::nullopt;
-  return Error{"the file on the disk is not the one that was validated"};
+  return Error{"the file on the disk differs from the validated file"};
 }
 
 // Fills the draft with the new bytes, which must come from the bytes that were read, and gives it
@@ -221,7 +221,7 @@ class Elsewhere {
     if (replaced.empty()) return std::nullopt;
     if (is_own_folder()) {
       return Error{fmt::format(
-          "{} would change, to which the old asset refers, too; use --in-place or another folder",
+          "{} would change, but the old asset also refers to it; use --in-place or another folder",
           quoted(replaced.front().path, 200))};
     }
     for (const ReplacedFile& file : replaced) {

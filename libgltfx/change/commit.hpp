@@ -42,9 +42,9 @@ struct AssetWrite {
   std::vector<NewFile> files = {};          ///< that it refers to
   std::vector<ReplacedFile> replaced = {};  ///< that it refers to, with other bytes than before
   std::set<std::string> referred = {};      ///< paths that the old asset may not refer to
-  /// What is copied beside it, by its path; nothing: what the old asset refers to.
+  /// Files to copy next to it, by path; nothing: all files that the old asset refers to.
   std::optional<std::set<std::string>> companions = std::nullopt;
-  /// The draft of the output, which holds what `now` is already; null: it is made.
+  /// The draft of the output, if it already holds the bytes of `now`; null: a draft is made.
   FileDraft* filled = nullptr;
 };
 
@@ -56,7 +56,7 @@ struct AssetWrite {
 /// the reason; the old bytes then still exist.
 std::vector<std::optional<WriteFailure>> commit(const std::vector<AssetWrite>& assets);
 
-/// Writes a file of an asset that was made from nothing, over any existing file; makes its folder.
+/// Writes a new asset file over any existing file; makes its folder.
 std::optional<Error> write_new_asset_file(const std::filesystem::path& target,
                                           std::string_view bytes);
 

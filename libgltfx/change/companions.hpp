@@ -26,11 +26,11 @@ std::map<json::NodeId, std::string> referred_files(const json::Document& documen
 /// Makes a folder and its missing parents.
 std::optional<Error> make_folder(const std::filesystem::path& folder);
 
-/// Whether a regular file is there and holds these pieces, one behind the other.
+/// Whether a regular file exists and consists of these pieces.
 bool has_bytes(const std::filesystem::path& file, const std::vector<container::Bytes>& pieces);
 
-/// Creates a file, whole and durable, unless it is there with the same bytes, which another run may
-/// be writing now. One with other bytes is not overwritten.
+/// Creates a file, whole and durable, unless it exists with the same bytes; another run may be
+/// writing it now. A file with other bytes is not overwritten.
 std::optional<Error> put_file(const std::filesystem::path& target,
                               const std::vector<container::Bytes>& pieces);
 

@@ -174,7 +174,7 @@ class DeletionPlanner {
     return false;
   }
 
-  // Names of extensions that are gone. An unknown one that stays may have a say in anything.
+  // Removes names of extensions without objects. An unknown one that stays may affect anything.
   Reason remove_names() {
     std::vector<json::NodeId> values;
     for (const Removed& removed : removed_) {

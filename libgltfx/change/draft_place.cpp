@@ -19,7 +19,7 @@ Bytes DraftPlace::hold_file(const Pieces& pieces) const {
 Bytes DraftPlace::hold_asset(const Pieces& pieces) {
   if (output_.empty() || !container::is_large(pieces) || !open_output()) return hold_file(pieces);
   if (auto bytes = container::gathered(pieces, *file_)) return *std::move(bytes);
-  file_.reset();  // commit() says why
+  file_.reset();  // commit() reports the reason
   return hold_file(pieces);
 }
 

@@ -34,7 +34,7 @@ std::string renamed(std::string_view uri, std::string_view mark, std::string_vie
   return fmt::format("{}-{}{}", uri.substr(0, has_ending ? dot : uri.size()), mark, ending);
 }
 
-// They keep their memory.
+// They keep the content alive.
 Bytes bytes_of(const File& file) { return {std::as_bytes(std::span(*file)), file}; }
 
 Error missing() { return {"the bytes of a buffer are missing"}; }
