@@ -23,7 +23,7 @@ bool is_varied(const schema::Target& target) {
   return std::find(target.steps.begin(), target.steps.end(), "*") != target.steps.end();
 }
 
-// The value that holds all arrays that a target with "*" may mean.
+// The value that contains all arrays to which a target with "*" may refer.
 json::NodeId root_of_targets(const Tree& tree, const schema::Target& target) {
   json::NodeId at = tree.document().root();
   for (const std::string& step : target.steps) {
@@ -249,7 +249,7 @@ class Graph::Reader {
   const schema::Set& set_;
   std::vector<List> lists_;
   std::map<const schema::Target*, Named> named_;
-  std::vector<Use> others_;  ///< by name, and implied
+  std::vector<Use> others_;  ///< references by name, and implied ones
 };
 
 Graph::Graph(const json::Document& document, const schema::Set& set, bool slots)

@@ -38,7 +38,7 @@ struct IndexUse {
   std::string_view array;  ///< pointer to the array if the schema names one: "/textures"
   std::uint64_t index = 0;
   json::NodeId list = json::kNoNode;  ///< the array that it points into; kNoNode: none
-  /// The value that holds all arrays that may be meant; kNoNode: there is only one array.
+  /// The value that contains all possible arrays; kNoNode: there is only one array.
   json::NodeId ambiguous = json::kNoNode;
 };
 
@@ -66,7 +66,7 @@ class Graph {
   /// Other results of the walk.
   const schema::CheckResult& checked() const { return checked_; }
 
-  /// In the order of the walk; those of lists that may be references come last.
+  /// In the order of the walk; indices in lists that may be references come last.
   const std::vector<IndexUse>& indices() const { return indices_; }
   const std::vector<PointerText>& pointers() const { return pointers_; }
   /// All references to existing values, sorted by target.

@@ -28,8 +28,7 @@ class Orphans {
   std::unordered_map<json::NodeId, std::uint64_t> left_;  ///< by element
 };
 
-/// Those of `candidates`, sorted elements of root arrays, that are without references except from
-/// each other.
+/// The `candidates`, sorted elements of root arrays, without references except from each other.
 std::vector<json::NodeId> find_orphans(const Graph& graph,
                                        const std::vector<json::NodeId>& candidates);
 

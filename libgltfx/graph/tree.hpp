@@ -16,7 +16,7 @@ namespace gltfx::graph {
 
 /// A value: a node, or an element of a number_array, which does not have a node.
 struct Place {
-  json::NodeId node = json::kNoNode;  ///< of an element: its array
+  json::NodeId node = json::kNoNode;  ///< for an element: its array
   std::optional<std::uint64_t> element;
 };
 
