@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `gltfx convert`, for people, and as JSON for programs.
+/// Output of `gltfx convert`: for people, and as JSON for programs.
 #pragma once
 
 #include <gltfx/convert.hpp>
@@ -11,25 +11,25 @@
 
 namespace gltfx::tool {
 
-/// What the files of a run came to.
+/// Totals of a run.
 struct ConvertSummary {
-  std::uint64_t files = 0;       ///< that were read
-  std::uint64_t unreadable = 0;  ///< that were not
-  std::uint64_t changed = 0;     ///< of the files read; or that would be where nothing is written
-  std::uint64_t refused = 0;     ///< of the files read
-  std::uint64_t written = 0;     ///< files
+  std::uint64_t files = 0;       ///< files that were read
+  std::uint64_t unreadable = 0;  ///< files that could not be read
+  std::uint64_t changed = 0;     ///< read files that changed, or would change if nothing is written
+  std::uint64_t refused = 0;     ///< read files with a refusal
+  std::uint64_t written = 0;     ///< written files
   void add(const ConvertReport& report);
 };
 
-/// What the steps make of one file. Ends in a line break; empty where there are no steps.
+/// The steps of one file. Ends with a line break; empty if there are no steps.
 std::string convert_text(const ConvertReport& report, const Style& style);
 
-/// One line on the whole run; `writing`: whether anything was to be written.
+/// One line about the whole run; `writing`: whether output was requested.
 std::string convert_summary_text(const ConvertSummary& summary, bool writing);
 
-/// One file; `first`: none was written before it.
+/// One file; `first`: it is the first one in the output.
 std::string convert_json(const ConvertReport& report, bool first);
-/// What stands behind the last one, with the numbers of the run.
+/// The text after the last file, with the totals of the run.
 std::string convert_json_end(const ConvertSummary& summary);
 
 }  // namespace gltfx::tool

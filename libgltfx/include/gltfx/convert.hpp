@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// What `gltfx convert` can be asked for, and what it says of each step. The calls are in
-/// <gltfx/pipeline.hpp>.
+/// Options of `gltfx convert`, and the report of each step. The calls are in <gltfx/pipeline.hpp>.
 #pragma once
 
 #include <gltfx/edited_file.hpp>
@@ -14,7 +13,7 @@
 
 namespace gltfx {
 
-/// How an asset is stored.
+/// The storage of an asset.
 enum class StoredAs : std::uint8_t {
   glb,       ///< one binary file with all buffers and images
   gltf,      ///< JSON text with files for buffers and images
@@ -41,9 +40,9 @@ struct ImageConversion {
   std::optional<ImageClass> only;  ///< nothing: all classes
 };
 
-/// What a run is asked for.
+/// Options of a run.
 struct ConvertOptions : EditOptions {
-  /// Nothing: as the name of the output ends, and as the input is stored where there is none.
+  /// Nothing: from the ending of the output, or unchanged if there is no output.
   std::optional<StoredAs> to;
   /// Nothing: compressed geometry stays as its bytes.
   std::optional<Compression> compress;
@@ -60,48 +59,49 @@ struct ConvertOptions : EditOptions {
   /// All that loses nothing: the five above, and PNG images compressed again where that is smaller.
   bool shrink = false;
   bool verify = false;  ///< compares pictures and images before and after
-  /// Write although something that was asked for was refused.
+  /// Write although a part of the request was refused.
   bool partial = false;
-  /// Other assets have their files in the same folder: names of new images say what is in them.
+  /// Other assets have their files in the same folder: names of new images contain a hash of their
+  /// content.
   bool shared_folder = false;
   unsigned jobs = 1;  ///< threads for one asset; results do not depend on it
 };
 
-/// An object that a step did not deal with, and why.
+/// An object that a step skipped, and why.
 struct ConvertNote {
-  std::string pointer;  ///< in the document as the step found it; empty: the asset
+  std::string pointer;  ///< in the document before the step; empty: the whole asset
   std::string reason;   ///< half a sentence
 };
 
-/// What is not as it was.
+/// A loss of a step.
 struct ConvertLoss {
-  std::string quantity;   ///< "normals", or what is gone: "the name of /buffers/1"
-  double bound = 0;       ///< that was allowed; 0: it is no quantity
+  std::string quantity;   ///< "normals", or the lost value: "the name of /buffers/1"
+  double bound = 0;       ///< greatest permitted loss; 0: not a quantity
   double measured = 0;    ///< never above the bound
-  std::string_view unit;  ///< of both, static storage
+  std::string_view unit;  ///< unit of both, static storage
 };
 
-/// What one step came to. Owns its text.
+/// Result of one step. Owns its text.
 struct ConvertStep {
-  std::string_view step;             ///< its name, static storage
-  std::string what;                  ///< what it does, half a sentence; empty: nothing
-  bool changes = false;              ///< the asset differs from what it was before the step
-  std::vector<ConvertNote> left;     ///< it does not apply to these
-  std::vector<ConvertNote> refused;  ///< it applies, and is not safe there
-  std::vector<ConvertLoss> losses;   ///< empty: nothing is lost
-  std::uint64_t bytes_before = 0;    ///< of the asset with its files
+  std::string_view step;             ///< name of the step, static storage
+  std::string what;                  ///< its effect, half a sentence; empty: none
+  bool changes = false;              ///< the asset after the step differs from the one before
+  std::vector<ConvertNote> left;     ///< objects that it does not apply to
+  std::vector<ConvertNote> refused;  ///< objects that it applies to, but not safely
+  std::vector<ConvertLoss> losses;   ///< empty: no loss
+  std::uint64_t bytes_before = 0;    ///< size of the asset with its files
   std::uint64_t bytes_after = 0;     ///< the same
 };
 
-/// What became of one file. Owns its text.
+/// Result for one file. Owns its text.
 struct ConvertReport : EditOutcome {
-  std::vector<ConvertStep> steps;      ///< those that were asked for, in their order
-  std::vector<std::string> new_files;  ///< that the new document refers to, from its folder
-  /// Warnings of `gltfx validate` that the new document has and the old one has not, one a code:
-  /// "CODE at /pointer: message".
+  std::vector<ConvertStep> steps;      ///< the requested steps, in order
+  std::vector<std::string> new_files;  ///< new files of the new document, relative to its folder
+  /// Warnings of `gltfx validate` that only the new document has, one per code: "CODE at /pointer:
+  /// message".
   std::vector<std::string> new_warnings;
 
-  /// Objects that a step was refused for.
+  /// Number of objects that steps refused.
   std::uint64_t refused() const;
 };
 
