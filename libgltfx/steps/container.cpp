@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the text, the buffers and the images of an asset stand (glTF 2.0 sections 3.6.1, 4).
+// The storage of the text, the buffers and the images of an asset (glTF 2.0 sections 3.6.1, 4).
 #include <fmt/format.h>
 
 #include "base/text.hpp"
@@ -19,7 +19,7 @@ Result<StepOutcome> store(const StepInput& input) {
 std::string find_doubt(const graph::Graph& graph, std::string_view things) {
   const json::NodeId unknown = graph::find_unknown_with_integer(graph);
   if (unknown == json::kNoNode) return {};
-  return fmt::format("{} may hold indices of {} (--schema describes it)",
+  return fmt::format("{} may hold indices of {} (describe it with --schema)",
                      printable(graph.tree().pointer(unknown)), things);
 }
 
@@ -34,7 +34,7 @@ StepDescription container_step();
 StepDescription container_step() {
   return {"container",
           "moves buffers and images into one GLB, files or data URIs",
-          "all bytes, and the text but for `uri`, `buffer`, offsets and views of images",
+          "all bytes, and the text except `uri`, `buffer`, offsets and views of images",
           "the `name` of a buffer that becomes part of another",
           [](const ConvertOptions& options) { return options.to.has_value(); },
           store};

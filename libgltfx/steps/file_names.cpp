@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostCodePoints = 56;
 
-// Names that Windows keeps for devices, whatever the ending.
+// Names of devices on Windows, with any ending.
 bool is_device(std::string_view name) {
   const std::string stem = lower_case(name.substr(0, name.find('.')));
   constexpr std::array<std::string_view, 4> kDevices{"con", "prn", "aux", "nul"};
@@ -24,7 +24,7 @@ bool is_device(std::string_view name) {
   return port && stem.size() == 4 && stem[3] >= '0' && stem[3] <= '9';
 }
 
-// "png" of "image/png"; empty where it is not of letters and digits alone.
+// "png" of "image/png"; empty if it has other characters than letters and digits.
 std::string_view subtype_of(std::string_view media_type) {
   media_type.remove_prefix(std::min(media_type.find('/') + 1, media_type.size()));
   if (media_type.starts_with("x-")) media_type.remove_prefix(2);

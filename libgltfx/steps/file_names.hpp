@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Names of files that an asset gets beside it.
+/// Names of new files of an asset.
 #pragma once
 
 #include <set>
@@ -11,30 +11,30 @@
 
 namespace gltfx::steps {
 
-/// What may be the name of a file on any system, without its ending: what stands behind the last
-/// slash, without characters and names that some systems refuse, cut to 56 code points. Empty:
-/// nothing is left, or the name has characters that are not shown as they are.
+/// A file name that is valid on any system, without its ending: the part after the last slash,
+/// without characters and names that some systems refuse, cut to 56 code points. Empty: nothing is
+/// left, or the name has unprintable characters.
 std::string clean_name(std::string_view name);
 
-/// Whether a text is a media type without parameters, as a data URI can hold it: "image/png".
+/// Whether a text is a media type without parameters ("image/png"), which a data URI can have.
 bool is_media_type(std::string_view text);
 
-/// The ending of the file of an image, with its dot: by its bytes, else by its media type; empty
-/// where neither tells.
+/// The ending of an image file, with its dot: from its bytes, else from its media type; empty if
+/// both are unknown.
 std::string image_ending(const container::Bytes& bytes, std::string_view media_type);
 
-/// Gives each name once, also where upper and lower case are the same.
+/// Returns each name only once. Names that differ only in case count as equal.
 class FileNames {
  public:
-  /// `taken`: paths of files that are there.
+  /// `taken`: paths of existing files.
   explicit FileNames(const std::set<std::string>& taken);
 
-  /// The name, or one with a number behind it where that is taken. Precondition: `name` is clean.
+  /// The name, with a number after it if it is taken. Precondition: `name` is clean.
   std::string take(const std::string& name, std::string_view ending);
 
  private:
   std::set<std::string> taken_;  ///< in lower case
-  /// The last number of a name that was taken, likewise.
+  /// The last number that was used for a name, in lower case.
   std::unordered_map<std::string, unsigned> numbers_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One GLB: buffers become one, whose users move, and images get buffer views of their own.
+// One GLB: buffers are merged, references to them follow, and images get separate buffer views.
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -26,12 +26,12 @@ using model::RootArray;
 using model::Storage;
 
 constexpr std::uint64_t kMostBytes = UINT32_MAX;
-constexpr const char* kNoFirst = "buffer 0 has no data, and the data of a GLB is that of buffer 0";
+constexpr const char* kNoFirst = "buffer 0 has no data, but the BIN chunk of a GLB is its data";
 
 /// A buffer that becomes a part of the BIN chunk.
 struct Packed {
   std::uint64_t index;
-  std::uint64_t base;  ///< where it begins in the chunk
+  std::uint64_t base;  ///< its offset in the chunk
 };
 
 class Packer {
@@ -51,7 +51,7 @@ class Packer {
     const bool is_glb = input_.asset.container().format == container::Format::glb;
     if (is_glb && moved_ == 0) return std::move(outcome_);
     if (size_ > kMostBytes - std::min<std::uint64_t>(kMostBytes, document_.text().size())) {
-      return Error{"a GLB has at most 4 GiB; --to gltf keeps files apart"};
+      return Error{"a GLB has at most 4 GiB; use --to gltf for separate files"};
     }
     outcome_.change.format = container::Format::glb;
     if (size_ > 0) {
@@ -78,7 +78,7 @@ class Packer {
     outcome_.row.refused.push_back({fmt::format("/{}/{}", array, index), std::move(reason)});
   }
 
-  // Gives where they begin.
+  // Returns the offset of the bytes.
   std::uint64_t append(Bytes bytes) {
     const std::uint64_t begin = (size_ + kAlignment - 1) / kAlignment * kAlignment;
     if (begin > size_) data_.push_back(Bytes::from_string(std::string(begin - size_, '\0')));
@@ -87,8 +87,8 @@ class Packer {
     return begin;
   }
 
-  // The declared bytes of a buffer; what a file has behind them is none of the asset. Nothing: it
-  // stays as it is.
+  // The declared bytes of a buffer; the rest of its file is not part of the asset. Nothing: the
+  // buffer is not changed.
   std::optional<Bytes> bytes_of(std::uint64_t index) {
     if (bytes_.buffer_storage(index) == Storage::nowhere) return std::nullopt;
     auto bytes = bytes_.buffer(index);
@@ -133,7 +133,7 @@ class Packer {
     if (count() > 1) merge();
   }
 
-  // Buffers of one file share its bytes.
+  // Buffers with the same file share its bytes.
   void put(std::uint64_t index, Bytes bytes) {
     const std::string file = path_of(buffer(index));
     const auto known = files_.find(file);
@@ -148,7 +148,7 @@ class Packer {
     packed_.push_back({index, base});
   }
 
-  // All buffers that have data into the first one.
+  // Merges all buffers with data into the first one.
   void merge() {
     const graph::Graph graph(document_, input_.schemas);
     const auto users = change::buffer_users(graph);
@@ -171,7 +171,7 @@ class Packer {
     if (packed_.size() > 1) move_users(graph, *users);
   }
 
-  // A buffer that goes takes along what it has beside its length, its place and its name.
+  // The first member of a merged buffer, other than length, place and name, that would be lost.
   std::string find_lost_member(json::NodeId object) const {
     for (const auto member : document_.members(object)) {
       const std::string_view name = document_.key(member.key_id);
@@ -207,7 +207,7 @@ class Packer {
   }
 
   void take_images() {
-    std::map<std::string, std::uint64_t> views;  // by file
+    std::map<std::string, std::uint64_t> views;  // by path of the file
     for (std::uint64_t i = 0; i < elements_.count(RootArray::images); ++i) {
       const json::NodeId image = elements_.elements(RootArray::images)[i];
       const Storage storage = bytes_.image_storage(i);
@@ -240,7 +240,7 @@ class Packer {
     return both ? "it has both a uri and a bufferView" : "";
   }
 
-  // Of the file of a buffer or an image; empty: it has none.
+  // The path of the file of a buffer or an image; empty: no file.
   std::string path_of(json::NodeId object) const {
     return container::classify_uri(model::string_member(document_, object, "uri")).path;
   }
@@ -261,7 +261,7 @@ class Packer {
     editor_.append_member(image, "mimeType", fmt::format("\"{}\"", media_type));
   }
 
-  // Buffer 0 is all of the chunk.
+  // Buffer 0 is the whole chunk.
   void declare_buffer() {
     const std::string length = std::to_string(size_);
     if (count() == 0) {
@@ -276,8 +276,9 @@ class Packer {
     if (grew) editor_.replace_scalar(document_.find(first, "byteLength"), length);
   }
 
-  // White space at the end is taken for the padding of the chunk, which has blanks alone, unless it
-  // is longer than padding is. Up to three blanks at the end are counted anew.
+  // White space at the end of the JSON would count as padding of the chunk, which may only have
+  // blanks, unless it is longer than any padding. Up to three blanks at the end are replaced by new
+  // padding.
   void keep_line_break() {
     constexpr std::size_t kEnough = 7;
     const std::string_view text = document_.text();
@@ -294,12 +295,12 @@ class Packer {
   model::AssetBytes bytes_;
   json::Editor editor_;
   StepOutcome outcome_;
-  std::vector<Packed> packed_;  ///< in the order of the chunk, the first is buffer 0
-  std::vector<Bytes> data_;     ///< of the chunk
-  std::uint64_t size_ = 0;      ///< of that
-  std::map<std::string, change::ByteRange> files_;  ///< that are in it
-  std::uint64_t moved_ = 0;                         ///< buffers and images that stood elsewhere
-  std::uint64_t images_ = 0;                        ///< of those
+  std::vector<Packed> packed_;  ///< in the order of the chunk; the first is buffer 0
+  std::vector<Bytes> data_;     ///< data of the chunk
+  std::uint64_t size_ = 0;      ///< size of this data
+  std::map<std::string, change::ByteRange> files_;  ///< files in the chunk, by path
+  std::uint64_t moved_ = 0;   ///< buffers and images that were in other places
+  std::uint64_t images_ = 0;  ///< images among them
 };
 
 }  // namespace

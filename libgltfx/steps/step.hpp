@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A step of a conversion: a pure function of an asset. To add one, write a file with a function
-/// that gives its StepDescription, and name it in `steps/steps.cpp`.
+/// that returns its StepDescription, and add the function to `steps/steps.cpp`.
 #pragma once
 
 #include <gltfx/convert.hpp>
@@ -16,15 +16,15 @@
 
 namespace gltfx::steps {
 
-/// What a step works on. Refers to all but the file name.
+/// Input of a step. Keeps references to everything but the file name.
 struct StepInput {
-  const model::OpenedAsset& asset;  ///< as the steps before left it
+  const model::OpenedAsset& asset;  ///< after the previous steps
   const schema::Set& schemas;
-  const ConvertOptions& options;  ///< `to` says how the asset is to be stored; nothing: as it is
+  const ConvertOptions& options;  ///< `to`: the storage of the result; nothing: unchanged
   std::string file_name;          ///< of the new asset
 };
 
-/// What differs after a step in what the asset means; the rest is proven to be equal.
+/// Differences in meaning that a step may make; everything else is proven to be equal.
 struct Freedom {
   bool vertex_order = false;  ///< of vertices and triangles
   bool keyframes = false;     ///< the curves stay
@@ -32,28 +32,28 @@ struct Freedom {
   bool texels = false;        ///< of images
 };
 
-/// The result of a step. The change need not be placed. The caller sets the name, `changes` and the
-/// sizes in `row`.
+/// Result of a step. The change need not be placed. The caller sets the name, `changes` and the sizes
+/// in `row`.
 struct StepOutcome {
   change::Change change = {};
   ConvertStep row = {};
   Freedom freedom = {};
 };
 
-/// What a step is, for who runs it and for who reads about it. Texts have static storage.
+/// A step, described for the code that runs it and for readers. Texts have static storage.
 struct StepDescription {
   std::string_view name;
-  std::string_view summary;  ///< what it does
-  std::string_view keeps;    ///< what is as it was
-  std::string_view loses;    ///< what is not, and its bound
+  std::string_view summary;  ///< its effect
+  std::string_view keeps;    ///< parts of the asset that do not change
+  std::string_view loses;    ///< losses and their bounds
   bool (*asked)(const ConvertOptions& options);
-  /// An Error: the step is refused as a whole; half a sentence. What is not dealt with alone stands
-  /// in the row.
+  /// An Error, half a sentence, if the whole step is refused. Single objects that it skips are
+  /// listed in the row.
   Result<StepOutcome> (*run)(const StepInput& input);
 };
 
-/// In the order in which they run. The bytes of all but the last are laid out (`steps/layout.hpp`)
-/// before the last one, which says where they are stored.
+/// Steps in the order in which they run. The last one decides where bytes are stored; those of all
+/// other steps are laid out (`steps/layout.hpp`) before it runs.
 std::vector<StepDescription> steps();
 
 }  // namespace gltfx::steps

@@ -18,7 +18,7 @@ inline constexpr std::uint64_t kAlignment = 8;
 /// One GLB with all buffers and images.
 Result<StepOutcome> pack(const StepInput& input);
 
-/// JSON text, with files or with data URIs as the options say.
+/// JSON text, with files or data URIs according to the options.
 Result<StepOutcome> store_as_text(const StepInput& input);
 
 /// Why references to `things` ("buffers") may be unknown, half a sentence; empty: all are known.
@@ -33,6 +33,6 @@ constexpr std::uint64_t chunk_data_length(std::uint64_t declared, std::uint64_t 
 /// "FORM, 2 buffers, 1 image".
 std::string describe_moves(std::string_view form, std::uint64_t buffers, std::uint64_t images);
 
-inline constexpr const char* kUnusedChunk = "no buffer uses the BIN chunk";
+inline constexpr const char* kUnusedChunk = "no buffer has the BIN chunk as its data";
 
 }  // namespace gltfx::steps

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// JSON text: what a GLB or a data URI holds goes into files, or all of it into data URIs.
+// JSON text: the data of a GLB and of data URIs goes into files, or all data into data URIs.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -120,7 +120,7 @@ class TextStorage {
                                   chunk_data_length(declared.value_or(bin.length), bin.length));
   }
 
-  // Chunks of a GLB that a .gltf has no place for.
+  // Finds chunks of a GLB that a .gltf cannot hold.
   std::optional<Error> find_chunk_obstacle() const {
     if (!is_glb()) return std::nullopt;
     const auto& bin = container().bin;
@@ -137,7 +137,7 @@ class TextStorage {
     return Error{kUnusedChunk};
   }
 
-  // A file of the BIN chunk, and files of the images in it.
+  // Makes a file of the BIN chunk, and files of the images in it.
   void split_chunk() {
     if (!has_images_in_views()) return name_buffer(0, {chunk()});
     const graph::Graph graph(document_, input_.schemas);
@@ -156,7 +156,7 @@ class TextStorage {
       gone.insert(view);
       ++images_;
     }
-    // What something else uses stays, too.
+    // Views with other users stay.
     std::erase_if(gone, [&](json::NodeId view) {
       const auto users = graph.users(view);
       return !std::all_of(users.begin(), users.end(),
@@ -177,7 +177,7 @@ class TextStorage {
     return false;
   }
 
-  // Those that go into files, by index.
+  // The images that go into files, by index.
   std::map<std::uint64_t, Bytes> images_in_chunk(const graph::Graph& graph) {
     std::map<std::uint64_t, Bytes> found;
     const std::string doubt = find_doubt(graph, "buffer views");
@@ -201,7 +201,7 @@ class TextStorage {
     return view ? element(RootArray::buffer_views, *view) : json::kNoNode;
   }
 
-  // Whether buffer 0 has no use but by those views, and nothing of its own.
+  // Whether buffer 0 has only these views as users, and no other members.
   bool holds_nothing_but(const graph::Graph& graph, const std::set<json::NodeId>& views) const {
     const json::NodeId first = element(RootArray::buffers, 0);
     const auto users = graph.users(first);
@@ -211,14 +211,14 @@ class TextStorage {
            });
   }
 
-  // An element, or its list where that would be empty.
+  // Removes elements, or their list if it would be empty.
   void remove(const graph::Tree& tree, const std::set<json::NodeId>& elements) {
     const json::NodeId list = tree.parent(*elements.begin());
     if (elements.size() == tree.size(list)) return editor_.remove(document_.root(), list - 1);
     for (const json::NodeId element : elements) editor_.remove(list, element);
   }
 
-  // Buffer views that go, and with them buffer 0 where it is empty then.
+  // Removes buffer views, and also buffer 0 if it becomes empty.
   void take_out(const graph::Graph& graph, const std::set<json::NodeId>& gone,
                 const std::set<json::NodeId>& moved, bool empties) {
     if (gone.empty()) return;
@@ -277,7 +277,7 @@ class TextStorage {
     ++images_;
   }
 
-  // Gives the URI.
+  // Returns the URI.
   std::string image_file(std::uint64_t index, const Bytes& bytes) {
     const json::NodeId image = element(RootArray::images, index);
     const std::string type = model::string_member(document_, image, "mimeType");
@@ -320,7 +320,7 @@ class TextStorage {
   const bool embeds_;
   json::Editor editor_;
   StepOutcome outcome_;
-  std::uint64_t buffers_ = 0, images_ = 0;  ///< that were moved
+  std::uint64_t buffers_ = 0, images_ = 0;  ///< numbers of moved ones
 };
 
 }  // namespace
