@@ -32,8 +32,8 @@ struct Freedom {
   bool texels = false;        ///< of images
 };
 
-/// Result of a step. The change need not be placed. The caller sets the name, `changes` and the sizes
-/// in `row`.
+/// Result of a step. The change need not be placed. The caller sets the name, `changes` and the
+/// sizes in `row`.
 struct StepOutcome {
   change::Change change = {};
   ConvertStep row = {};
