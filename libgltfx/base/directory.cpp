@@ -39,10 +39,15 @@ const char* DirectoryReader::next() {
   return entry_->d_name;
 }
 
-// Some file systems do not report the type of an entry.
+// Some file systems do not report the type of an entry, and the C library of Emscripten reports
+// pipes and sockets as files.
 bool DirectoryReader::is_file() const {
+#ifndef __EMSCRIPTEN__
   if (entry_->d_type == DT_REG) return true;
-  if (entry_->d_type != DT_LNK && entry_->d_type != DT_UNKNOWN) return false;
+#endif
+  if (entry_->d_type != DT_REG && entry_->d_type != DT_LNK && entry_->d_type != DT_UNKNOWN) {
+    return false;
+  }
   struct stat status {};
   return ::fstatat(::dirfd(stream_), entry_->d_name, &status, 0) == 0 && S_ISREG(status.st_mode);
 }

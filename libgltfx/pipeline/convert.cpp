@@ -19,6 +19,7 @@
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
+#include "pipeline/picture_check.hpp"
 #include "prove/findings.hpp"
 #include "prove/meaning.hpp"
 #include "rules/validated_asset.hpp"
@@ -51,12 +52,15 @@ std::string with_place(const ConvertNote& note) {
 /// One asset on its way through the steps.
 class ConvertRun {
  public:
+  /// `pictures` may be null.
   ConvertRun(const OpenedAsset& before, const FileState& state, const ConvertOptions& options,
-             const SchemaSet& schemas, FolderIndex& folders, ConvertReport& report)
+             const SchemaSet& schemas, const PictureCheck* pictures, FolderIndex& folders,
+             ConvertReport& report)
       : before_(before),
         state_(state),
         options_(options),
         schemas_(schemas),
+        pictures_(pictures),
         folders_(folders),
         report_(report) {}
 
@@ -81,6 +85,7 @@ class ConvertRun {
       return std::nullopt;
     }
     if (auto why = find_taken_name()) return refuse(*std::move(why));
+    if (auto why = find_other_reader()) return refuse(*std::move(why));
     for (const change::NewFile& file : change_.files) report_.new_files.push_back(file.path);
     auto draft = carry_out(
         {before_, state_, options_, schemas_, folders_, options_.jobs}, std::move(change_),
@@ -227,6 +232,22 @@ class ConvertRun {
     return std::nullopt;
   }
 
+  // In place: another asset that reads the bytes of a file that changes.
+  Reason find_other_reader() const {
+    if (!change::is_in_place(options_, before_.name())) return std::nullopt;
+    const fs::path folder = change::target_folder(before_.name(), {});
+    for (const change::ReplacedFile& file : change_.replaced) {
+      const auto identity = identity_of(file.state, (folder / file.path).native());
+      for (const std::string& asset : folders_.naming(folder, {identity})) {
+        std::error_code error;
+        if (fs::equivalent(asset, before_.name(), error)) continue;
+        return fmt::format("{} refers to {}, whose bytes would move; use -o", quoted(asset, 200),
+                           quoted(file.path, 200));
+      }
+    }
+    return std::nullopt;
+  }
+
   Reason find_error(const ValidatedAsset& after) {
     report_.steps.back().bytes_after = steps::stored_size(after.asset());
     prove::NewFindings found = prove::new_findings(before_, after, schemas_);
@@ -234,7 +255,15 @@ class ConvertRun {
     if (!found.error.empty()) {
       return fmt::format("the new file would have the new error {}", found.error);
     }
-    return laid_out_ ? find_difference(after.asset()) : std::nullopt;
+    if (laid_out_) {
+      if (auto why = find_difference(after.asset())) return why;
+    }
+    if (pictures_ == nullptr) return std::nullopt;
+    report_.not_verified = pictures_->obstacle();
+    if (!report_.not_verified.empty()) return std::nullopt;
+    std::string difference = pictures_->find_difference(after);
+    report_.verified = difference.empty();
+    return report_.verified ? std::nullopt : Reason(difference + " (--verify)");
   }
 
   // Where the new asset means something else than the old one, beyond what the steps say.
@@ -257,6 +286,7 @@ class ConvertRun {
   const FileState& state_;
   const ConvertOptions& options_;
   const SchemaSet& schemas_;
+  const PictureCheck* pictures_;  ///< of the old asset; null: none are compared
   FolderIndex& folders_;
   ConvertReport& report_;
   std::optional<OpenedAsset> now_;      ///< what the steps before the last make; nothing: the old
@@ -274,7 +304,13 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderI
   }
   options.to = form_of(opened.asset, options);
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
-  return ConvertRun(opened.asset, opened.state, options, schemas, folders, report).run();
+  if (!options.verify) {
+    return ConvertRun(opened.asset, opened.state, options, schemas, nullptr, folders, report).run();
+  }
+  const ValidatedAsset before(std::move(opened.asset), prove::default_validation(schemas));
+  const PictureCheck pictures(before, options.root, schemas, options.jobs);
+  return ConvertRun(before.asset(), opened.state, options, schemas, &pictures, folders, report)
+      .run();
 }
 
 ConvertReport convert_path(const std::string& path, const ConvertOptions& options,

@@ -178,6 +178,21 @@ test("fix and edit: new bytes, and what became of each finding and object", asyn
   await assert.rejects(fix(new Uint8Array(4)), Error);
 });
 
+test("convert: one GLB, and files beside a .gltf again", async () => {
+  const { convert } = await importFrom(folder, "gltfx/index.mjs");
+  const text = '{"asset": {"version": "2.0"}, "buffers": [{"uri": "a b.bin", "byteLength": 4}]}';
+  const resources = new Map([["a b.bin", new TextEncoder().encode("abcd")]]);
+  const packed = await convert(new TextEncoder().encode(text), { resources, to: "glb" });
+  assert.deepEqual([packed.report.steps[0].step, packed.files.size], ["container", 0]);
+  assert.equal(new TextDecoder().decode(packed.asset.slice(0, 4)), "glTF");
+  const back = await convert(packed.asset, { to: "gltf" });
+  assert.deepEqual(back.report.newFiles, ["asset.bin"]);
+  assert.equal(new TextDecoder().decode(back.files.get("asset.bin")), "abcd");
+  assert.equal(JSON.parse(new TextDecoder().decode(back.asset)).buffers[0].uri, "asset.bin");
+  const refused = await convert(new TextEncoder().encode(text), { to: "glb" });
+  assert.equal(refused.report.problem, "refused");
+});
+
 // Modules that are reachable from a file, with their imports that are not files.
 function reachable(file, found = new Map()) {
   if (found.has(file)) return found;
@@ -239,7 +254,7 @@ test("types", (t) => {
   writeFileSync(
     join(folder, "user.ts"),
     `
-    import gltfx, { edit, fix, inspect, upgrade, validate, validateBytes } from "gltfx";
+    import gltfx, { convert, edit, fix, inspect, upgrade, validate, validateBytes } from "gltfx";
     import * as compat from "gltfx/compat";
     import validator from "gltfx/compat";
     async function run(bytes: Uint8Array): Promise<number> {
@@ -250,6 +265,9 @@ test("types", (t) => {
       const { asset, files } = await upgrade(bytes, { only: ["X"] });
       const count: number = (await fix(asset, { profile: "strict" })).report.actions[0].count;
       const cause: string | undefined = (await edit(asset, { delete: ["/a"] })).report.deleted[0].cause;
+      const size: number = (await convert(asset, { to: "glb" })).report.steps[0].bytes_after;
+      // @ts-expect-error it has no encoder of Draco
+      await convert(asset, { compress: "draco" });
       await inspect(asset);
       await gltfx.inspect(asset, { resources: (path) => bytes });
       const named: string = gltfx.version() + validator.version() + validator.supportedExtensions().length;
@@ -262,7 +280,7 @@ test("types", (t) => {
       // @ts-expect-error no such severity
       await compat.validateString("{}", { severityOverrides: { A: 4 } });
       const errors = two.counts.errors + four.issues.numErrors + five.issues.numErrors;
-      return one.issues.numErrors + errors + three.issues.numHints + files.size;
+      return one.issues.numErrors + errors + three.issues.numHints + files.size + size;
     }
     export default run;`,
   );

@@ -157,7 +157,7 @@ test("resources are asked for by path, once, and what is not there is reported",
 
 test("verbs get the files by the same paths, and options become words", async () => {
   const engine = fakeEngine();
-  const { edit, fix, inspect, upgrade } = createApi(async () => engine);
+  const { convert, edit, fix, inspect, upgrade } = createApi(async () => engine);
   const asset = new TextEncoder().encode("sub/a b.bin,gone.bin");
   const resources = new Map([["sub/a b.bin", new Uint8Array(4)]]);
   const done = await upgrade(asset, { resources, unsafe: true, only: ["X"], to: ["Y", "Z"] });
@@ -169,6 +169,9 @@ test("verbs get the files by the same paths, and options become words", async ()
   await assert.rejects(edit(asset, { resources }), { name: "TypeError", message: /options.delete/ });
   await assert.rejects(edit(asset, { delete: "/meshes/0" }), TypeError);
   await assert.rejects(fix(asset, { only: "A" }), TypeError);
+  await convert(asset, { resources, to: "glb", compress: "meshopt", dedup: true, shrink: true });
+  await convert(asset, { resources });
+  await assert.rejects(convert(asset, { compress: "draco" }), TypeError);
   const got = ["asset.gltf", "sub/a b.bin"];
   const head = "asset.gltf --isolated --format json";
   assert.deepEqual(engine.runs, [
@@ -176,6 +179,8 @@ test("verbs get the files by the same paths, and options become words", async ()
     [`inspect ${head} --top 0`, got],
     [`fix ${head} --in-place --unsafe --profile strict --only A --skip B --skip C`, got],
     [`edit ${head} --in-place --cascade --delete /meshes/0 --delete /nodes/1`, got],
+    [`convert ${head} -o out/asset.glb --dedup --shrink --to glb --compress meshopt`, got],
+    [`convert ${head} -o out/asset.gltf`, got],
   ]);
 });
 

@@ -104,7 +104,7 @@ TEST_F(ConvertTest, JsonHasARowForEachStep) {
 TEST_F(ConvertTest, TheDiffIsThatOfTheText) {
   const Outcome outcome = here({"a.gltf", "--to", "glb", "--diff"});
   EXPECT_THAT(outcome.out,
-              HasSubstr(R"(+{"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]})"));
+              HasSubstr(R"(# +{"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]})"));
 }
 
 }  // namespace

@@ -228,5 +228,28 @@ TEST_F(Pack, TheRestOfAGlbGoesIntoItAndItsChunksStay) {
   EXPECT_EQ(now.chunk(now.container.chunks[2]), "more");
 }
 
+TEST_F(Pack, BytesAfterTheByteLengthOfAChunkStay) {
+  folder_.write("leaf.png", picture("leaf"));
+  const fs::path file = folder_.write(
+      "a.glb",
+      glb_of("{" + kAsset + R"(,"buffers":[{"byteLength":4}],"images":[{"uri":"leaf.png"}]})",
+             "abcdmore bytes  "));
+  ConvertOptions options = options_to(output());
+  options.to = StoredAs::glb;
+  EXPECT_TRUE(convert_file(file.native(), options).written);
+  EXPECT_EQ(StoredAsset::at(output()).bin, "abcdmore bytes  " + picture("leaf"));
+}
+
+TEST_F(Pack, InPlaceTheContainerStays) {
+  const fs::path file = folder_.write("a.gltf", "{" + kAsset + "}");
+  ConvertOptions options;
+  options.in_place = true;
+  options.to = StoredAs::glb;
+  const ConvertReport report = convert_file(file.native(), options);
+  EXPECT_EQ(report.problem, EditProblem::refused);
+  EXPECT_THAT(report.error, HasSubstr("in place, an asset keeps its container"));
+  EXPECT_EQ(content_of(file), "{" + kAsset + "}");
+}
+
 }  // namespace
 }  // namespace gltfx

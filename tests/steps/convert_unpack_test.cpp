@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // GLBs and data URIs that are unpacked into files.
+#include <fstream>
+
 #include <gmock/gmock.h>
 
 #include "convert_support.hpp"
@@ -178,6 +180,69 @@ TEST_F(Unpack, InAFolderOfManyTheNameOfAnImageSaysWhatIsInIt) {
   const ConvertReport report = convert_file(source(one.text, one.bin).native(), options);
   ASSERT_THAT(report.new_files, SizeIs(1));
   EXPECT_THAT(report.new_files[0], testing::MatchesRegex("one-[0-9a-f]{8}\\.png"));
+}
+
+// The buffers of one asset and the name of another one can be alike.
+TEST_F(Unpack, AssetsOfOneFolderDoNotShareTheNamesOfBuffers) {
+  const auto text = [](const std::string& buffers) {
+    return kHead + R"("buffers":[)" + buffers + "]}";
+  };
+  const std::string first = R"({"byteLength":4,"uri":"data:;base64,YWJjZA=="})";
+  const std::string second = R"({"byteLength":4,"uri":"data:;base64,ZWZnaA=="})";
+  const std::string third = R"({"byteLength":4,"uri":"data:;base64,aWprbA=="})";
+  const std::vector<EditInput> inputs{
+      {folder_.write("m.gltf", text(first + "," + second)).native(), out() / "m.gltf"},
+      {folder_.write("m-1.gltf", text(third)).native(), out() / "m-1.gltf"}};
+  ConvertOptions options;
+  options.to = StoredAs::gltf;
+  options.shared_folder = true;
+  convert_files(inputs, options, 4, [](ConvertReport&& report) {
+    EXPECT_TRUE(report.written) << report.path << ": " << report.error;
+  });
+  const auto content = [&](const char* asset, std::size_t buffer) {
+    const OrderedJson json = OrderedJson::parse(content_of(out() / asset));
+    return content_of(out() / json["buffers"][buffer]["uri"].get<std::string>());
+  };
+  EXPECT_EQ(content("m.gltf", 0), "abcd");
+  EXPECT_EQ(content("m.gltf", 1), "efgh");
+  EXPECT_EQ(content("m-1.gltf", 0), "ijkl");
+}
+
+TEST_F(Unpack, AnImageDoesNotTakeTheNameOfTheAsset) {
+  const std::string text = kHead +
+                           R"("images":[{"mimeType":"image/x","bufferView":0,"name":"a.gltf"}],)"
+                           R"("bufferViews":[{"buffer":0,"byteLength":8}],)"
+                           R"("buffers":[{"byteLength":8}]})";
+  const OrderedJson json = OrderedJson::parse(unpacked(text, "no image"));
+  const std::string uri = json["images"][0]["uri"];
+  EXPECT_NE(uri, "a.gltf");
+  EXPECT_EQ(content_of(out() / uri), "no image");
+}
+
+// Each reference would be encoded again.
+TEST_F(Unpack, TextLongerThan4GiBIsRefusedBeforeAnythingIsEncoded) {
+  std::ofstream(folder_.path() / "b.bin");
+  fs::resize_file(folder_.path() / "b.bin", 100'000'000);  // a sparse file
+  std::string buffers;
+  for (int i = 0; i < 50; ++i) {
+    buffers += std::string(i == 0 ? "" : ",") + R"({"byteLength":100000000,"uri":"b.bin"})";
+  }
+  ConvertOptions options = options_to(out() / "a.gltf");
+  options.to = StoredAs::embedded;
+  const ConvertReport report = convert_file(
+      folder_.write("a.gltf", kHead + R"("buffers":[)" + buffers + "]}").native(), options);
+  EXPECT_THAT(report.error, HasSubstr("JSON text has at most 4 GiB"));
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Unpack, AMediaTypeThatADataUriCannotHoldIsLeftOut) {
+  folder_.write("x.any", "no image");
+  ConvertOptions options = options_to(out() / "a.gltf");
+  options.to = StoredAs::embedded;
+  const std::string text = kHead + R"("images":[{"uri":"x.any","mimeType":"image/x,AAAA"}]})";
+  EXPECT_TRUE(convert_file(folder_.write("a.gltf", text).native(), options).written);
+  EXPECT_THAT(content_of(out() / "a.gltf"),
+              HasSubstr("data:application/octet-stream;base64,bm8gaW1hZ2U="));
 }
 
 }  // namespace

@@ -111,6 +111,10 @@ std::string convert_text(const ConvertReport& report, const Style& style) {
   for (const std::string& warning : report.new_warnings) {
     text += wrapped(printable("new warning: " + warning), 2);
   }
+  if (report.verified) text += "  verified: the picture is the same\n";
+  if (!report.not_verified.empty()) {
+    text += wrapped(printable("not verified: " + report.not_verified), 2);
+  }
   return text;
 }
 
@@ -137,6 +141,10 @@ std::string convert_json(const ConvertReport& report, bool first) {
     writer.end_array();
     report::write_long_values(writer, "newFiles", report.new_files);
     report::write_long_values(writer, "newWarnings", report.new_warnings);
+    writer.member("verified", report.verified);
+    if (!report.not_verified.empty()) {
+      writer.member("notVerified", report::long_value(report.not_verified));
+    }
   });
 }
 

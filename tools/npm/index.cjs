@@ -6,7 +6,7 @@ const compat = require("./compat.cjs");
 const loading = import("./index.mjs");
 loading.catch(() => {}); // each call reports it
 
-for (const name of ["validate", "fix", "upgrade", "edit", "inspect"]) {
+for (const name of ["validate", "fix", "upgrade", "edit", "convert", "inspect"]) {
   exports[name] = (asset, options) => loading.then((loaded) => loaded[name](asset, options));
 }
 exports.version = compat.version;

@@ -111,6 +111,42 @@ export interface EditReport extends ChangeReport {
   newWarnings: string[];
 }
 
+export interface ConvertOptions {
+  resources?: Resources;
+  /** The default is the storage of the asset. */
+  to?: "glb" | "gltf" | "embedded";
+  compress?: "none" | "meshopt";
+  dedup?: boolean;
+  prune?: boolean;
+  weld?: boolean;
+  reorder?: boolean;
+  resample?: boolean;
+  /** The five above, and images compressed again. */
+  shrink?: boolean;
+  /** Gives an asset although a part of the request was refused. */
+  partial?: boolean;
+}
+
+interface ConvertNote {
+  pointer: string;
+  reason: string;
+}
+
+export interface ConvertReport extends ChangeReport {
+  steps: {
+    step: string;
+    what: string;
+    changed: boolean;
+    left: ConvertNote[];
+    refused: ConvertNote[];
+    loss: { quantity: string; bound?: number; measured?: number; unit?: string }[];
+    bytes_before: number;
+    bytes_after: number;
+  }[];
+  newFiles: string[];
+  newWarnings: string[];
+}
+
 export function validate(
   asset: Uint8Array,
   options: ValidateOptions & { profile: "khronos" },
@@ -119,6 +155,7 @@ export function validate(asset: Uint8Array, options?: ValidateOptions): Promise<
 export function fix(asset: Uint8Array, options?: FixOptions): Promise<Changed<FixReport>>;
 export function upgrade(asset: Uint8Array, options?: UpgradeOptions): Promise<Changed<UpgradeReport>>;
 export function edit(asset: Uint8Array, options: EditOptions): Promise<Changed<EditReport>>;
+export function convert(asset: Uint8Array, options?: ConvertOptions): Promise<Changed<ConvertReport>>;
 export function inspect(
   asset: Uint8Array,
   options?: { resources?: Resources },
@@ -130,6 +167,7 @@ declare const gltfx: typeof compat & {
   fix: typeof fix;
   upgrade: typeof upgrade;
   edit: typeof edit;
+  convert: typeof convert;
   inspect: typeof inspect;
 };
 export default gltfx;

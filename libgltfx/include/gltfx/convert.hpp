@@ -100,6 +100,8 @@ struct ConvertReport : EditOutcome {
   /// Warnings of `gltfx validate` that only the new document has, one per code: "CODE at /pointer:
   /// message".
   std::vector<std::string> new_warnings;
+  bool verified = false;     ///< the pictures before and after are the same
+  std::string not_verified;  ///< why there are no pictures, without full stop; else empty
 
   /// Number of objects that steps refused.
   std::uint64_t refused() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// validate(), fix(), upgrade(), edit() and inspect() on bytes.
+// validate(), fix(), upgrade(), edit(), convert() and inspect() on bytes.
 import { checkAreCodes, checkOptions } from "./api_options.mjs";
 import { isBytes } from "./compat_options.mjs";
 
@@ -66,6 +66,27 @@ const WORDS = {
   edit: (options) => [...flags(options, ["cascade"]), ...repeated("--delete", options.delete)],
 };
 
+const STEPS = ["dedup", "prune", "weld", "reorder", "resample", "shrink", "partial"];
+const FOLDER = "out/"; // of the new asset: in place, it would keep its container
+
+async function convert(engine, asset, options) {
+  const isBinary = (options.to ?? (asset[0] === 0x67 ? "glb" : "gltf")) === "glb";
+  const output = `${FOLDER}asset.${isBinary ? "glb" : "gltf"}`;
+  const words = ["convert", "-o", output, ...flags(options, STEPS)];
+  if (options.to) words.push("--to", options.to);
+  if (options.compress) words.push("--compress", options.compress);
+  const { report, files } = await runOver(engine, asset, options, words);
+  const [done] = report.files;
+  if (done.problem === "unreadable") throw new Error(done.error);
+  const changed = files.get(output) ?? asset;
+  const others = [...files].filter(([path]) => path.startsWith(FOLDER) && path !== output);
+  return {
+    asset: changed,
+    files: new Map(others.map(([path, bytes]) => [path.slice(FOLDER.length), bytes])),
+    report: done,
+  };
+}
+
 /** A function that runs a verb over bytes and gives the new ones. */
 function changing(getEngine, verb) {
   return async (asset, options = {}) => {
@@ -93,6 +114,9 @@ export function createApi(getEngine) {
     fix: changing(getEngine, "fix"),
     upgrade: changing(getEngine, "upgrade"),
     edit: changing(getEngine, "edit"),
+    async convert(asset, options = {}) {
+      return convert(await getEngine(), asset, checkOptions("convert", asset, options));
+    },
     async inspect(asset, options = {}) {
       const known = checkOptions("inspect", asset, options);
       const { report } = await runOver(await getEngine(), asset, known, ["inspect", "--top", "0"]);

@@ -28,6 +28,18 @@ const OPTIONS = {
   fix: { resources, profile: oneOf(PROFILES), unsafe: flag, only: names, skip: names },
   upgrade: { resources, unsafe: flag, strict: flag, prune: flag, only: names, to: names },
   edit: { resources, delete: names, cascade: flag },
+  convert: {
+    resources,
+    to: oneOf(["glb", "gltf", "embedded"]),
+    compress: oneOf(["none", "meshopt"]),
+    dedup: flag,
+    prune: flag,
+    weld: flag,
+    reorder: flag,
+    resample: flag,
+    shrink: flag,
+    partial: flag,
+  },
   inspect: { resources },
 };
 
