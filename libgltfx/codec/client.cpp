@@ -208,7 +208,9 @@ ImageResult Client::resize_elsewhere(const ImageRequest& request) {
   job.raster = raster_of(*image);
   job.input_bytes = image->pixels.size();
   add_resize(job, request.resize, image->texels());
-  return result_of<Image>(state_->images, job, image->pixels, request.origin, true);
+  ImageResult result = result_of<Image>(state_->images, job, image->pixels, request.origin, true);
+  if (auto* resized = std::get_if<Image>(&result)) resized->doubt = image->doubt;
+  return result;
 }
 
 EncodeResult Client::encode_image(const EncodeRequest& request) {
@@ -238,10 +240,12 @@ EncodeResult Client::transcode_image(const TranscodeRequest& request) {
   if (!in_image_worker(image.format)) {
     decoded = decode_image(image);
     if (auto* error = std::get_if<DecodeError>(&decoded)) return std::move(*error);
-    job.raster = raster_of(*std::get_if<Image>(&decoded));
-    payload = std::get_if<Image>(&decoded)->pixels;
+    const Image& whole = *std::get_if<Image>(&decoded);
+    if (!whole.doubt.empty()) return DecodeError{ErrorKind::malformed, whole.doubt};
+    job.raster = raster_of(whole);
+    payload = whole.pixels;
     job.input_bytes = payload.size();
-    texels = std::get_if<Image>(&decoded)->texels();
+    texels = whole.texels();
   }
   job.task = Task::transcode;
   add_resize(job, request.image.resize, texels);

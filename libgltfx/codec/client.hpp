@@ -260,9 +260,10 @@ class Client {
   ImageResult decode_image(const ImageRequest& request);
   /// A DecodeError of kind `malformed` if the format does not support such an image.
   EncodeResult encode_image(const EncodeRequest& request);
-  /// Returns the same bytes for the same request. PNG, EXR and lossless WebP are decoded again and
-  /// compared. `malformed` if the format does not support the image: JPEG an alpha other than 1,
-  /// lossless WebP 16 bits, and others floats. With a lossy `quality`, 16 bits become 8.
+  /// Gives the same bytes for the same request. What PNG, EXR and lossless WebP hold is decoded
+  /// once more and compared. `malformed` when the image has a `doubt`, or when the format cannot
+  /// hold it: JPEG an alpha other than 1, WebP without loss 16 bits, and others floats. With
+  /// `quality` or less than lossless, 16 bits become 8.
   EncodeResult transcode_image(const TranscodeRequest& request);
   /// Starts to load the decoders of images without waiting, because that takes longer than decoding
   /// most images.

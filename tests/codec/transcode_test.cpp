@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "codec/client.hpp"
+#include "codec/support/jpeg_bytes.hpp"
+#include "container/base64.hpp"
 
 namespace gltfx::codec {
 namespace {
@@ -231,6 +233,25 @@ TEST(Transcode, TheSameRequestGivesTheSameBytes) {
     ASSERT_TRUE(std::holds_alternative<EncodedImage>(twice));
     EXPECT_TRUE(std::ranges::equal(once.bytes, std::get<EncodedImage>(twice).bytes));
   }
+}
+
+// It decodes, but what is missing would be grey for good.
+TEST(Transcode, AJpegThatIsCutIsRefused) {
+  auto jpeg = container::decode_base64(test::kJpegBase64);
+  ASSERT_TRUE(jpeg);
+  const auto request_for = [](const std::string& bytes) {
+    TranscodeRequest request;
+    request.image.bytes = std::as_bytes(std::span(bytes.data(), bytes.size()));
+    request.image.format = ImageFormat::jpeg;
+    request.format = EncodedFormat::png;
+    return request;
+  };
+  EXPECT_GT(transcoded(request_for(*jpeg)).size, 0U);
+  const std::string cut = jpeg->substr(0, jpeg->size() - 6);
+  TranscodeRequest request = request_for(cut);
+  EXPECT_THAT(transcode_error(request), HasSubstr("Premature end"));
+  request.image.resize.max_side = 4;
+  EXPECT_THAT(transcode_error(request), HasSubstr("Premature end"));
 }
 
 TEST(Transcode, BrokenImagesAndOddRequestsAreErrors) {

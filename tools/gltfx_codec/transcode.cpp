@@ -5,6 +5,7 @@
 #include <cstring>
 #include <new>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -203,6 +204,8 @@ Answer transcode(const Job& job, std::span<const std::byte> bytes, const Output&
   DecodedResult result = texels_of(job, bytes);
   auto* decoded = std::get_if<Decoded>(&result);
   if (decoded == nullptr) return std::move(*std::get_if<DecodeError>(&result));
+  const std::string& doubt = decoded->image.doubt;
+  if (!doubt.empty()) return DecodeError{ErrorKind::malformed, doubt};
   Texels& texels = decoded->texels;
   const Raster source = texels.raster;
   shrink(texels, job.resize);
