@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstring>
+#include <numeric>
 #include <string_view>
 
-#include "base/hash.hpp"
 #include "codec/protocol.hpp"
 
 namespace gltfx::codec {
@@ -42,53 +41,48 @@ std::string flaw_of_indices(const DracoMesh& mesh) {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Numbers for points: two numbers are equal if all attributes have equal values.
+/// Numbers for the points of meshes, such that equal numbers are equal values of all attributes.
 class Points {
  public:
-  /// Allocates memory for the points of two meshes.
-  Points(const DracoMesh& a, const DracoMesh& b) {
-    slots_.resize(std::bit_ceil((std::size_t{a.points} + b.points) * 2 + 1), kFree);
-    for (const DracoAttribute& attribute : a.attributes) row_ += value_size(attribute);
-    rows_.reserve(row_ * a.points);
-  }
-
-  /// Adds the points of a mesh, with its attributes in the given order. Returns their numbers.
-  std::vector<std::uint32_t> number(const DracoMesh& mesh, const std::vector<std::size_t>& order) {
-    std::vector<std::uint32_t> numbers(mesh.points);
+  /// Adds the points of a mesh. `order` has its attributes, by their place; those of the meshes
+  /// have the same sizes.
+  void add(const DracoMesh& mesh, const std::vector<std::size_t>& order) {
+    row_ = 0;
+    for (const DracoAttribute& attribute : mesh.attributes) row_ += value_size(attribute);
+    count_ += mesh.points;
+    rows_.reserve(row_ * count_);
     for (std::uint32_t i = 0; i < mesh.points; ++i) {
       for (const std::size_t each : order) {
         const std::size_t size = value_size(mesh.attributes[each]);
         const auto value = mesh.attributes[each].values.subspan(i * size, size);
         rows_.insert(rows_.end(), value.begin(), value.end());
       }
-      numbers[i] = number_last();
+    }
+  }
+
+  /// Of each point, in the order of add(). By sorting: a hash would let a file choose values that
+  /// collide.
+  std::vector<std::uint32_t> number() const {
+    std::vector<std::size_t> order(count_);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [this](std::size_t a, std::size_t b) { return row(a) < row(b); });
+    std::vector<std::uint32_t> numbers(count_);
+    for (std::size_t i = 1; i < count_; ++i) {
+      const bool same = row(order[i]) == row(order[i - 1]);
+      numbers[order[i]] = numbers[order[i - 1]] + (same ? 0 : 1);
     }
     return numbers;
   }
 
  private:
-  static constexpr std::uint32_t kFree = 0xffffffff;
-
   std::string_view row(std::size_t index) const {
     return {reinterpret_cast<const char*>(rows_.data()) + index * row_, row_};
   }
 
-  // Keeps the last row if it is new.
-  std::uint32_t number_last() {
-    const std::string_view last = row(count_);
-    for (std::size_t slot = content_hash(last);; ++slot) {
-      std::uint32_t& found = slots_[slot & (slots_.size() - 1)];
-      if (found == kFree) return found = count_++;
-      if (row(found) != last) continue;
-      rows_.resize(std::size_t{count_} * row_);
-      return found;
-    }
-  }
-
   std::size_t row_ = 0;  ///< bytes of all values of a point
-  std::uint32_t count_ = 0;
+  std::size_t count_ = 0;
   std::vector<std::byte> rows_;
-  std::vector<std::uint32_t> slots_;
 };
 
 // The position of the attribute with the same id, or nothing if it does not exist or has another
@@ -106,7 +100,7 @@ std::optional<std::size_t> find_twin(const DracoAttribute& attribute, const Drac
 }
 
 std::vector<Triangle> sorted_triangles(const DracoMesh& mesh,
-                                       const std::vector<std::uint32_t>& numbers) {
+                                       std::span<const std::uint32_t> numbers) {
   std::vector<Triangle> triangles(mesh.faces);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto corner = [&](std::size_t k) { return numbers[mesh.indices[i * 3 + k % 3]]; };
@@ -175,10 +169,12 @@ bool have_same_triangles(const DracoMesh& a, const DracoMesh& b) {
     own.push_back(i);
     twins.push_back(*twin);
   }
-  Points points(a, b);
-  const std::vector<std::uint32_t> of_a = points.number(a, own);
-  const std::vector<std::uint32_t> of_b = points.number(b, twins);
-  return sorted_triangles(a, of_a) == sorted_triangles(b, of_b);
+  Points points;
+  points.add(a, own);
+  points.add(b, twins);
+  const std::vector<std::uint32_t> numbers = points.number();
+  const std::span<const std::uint32_t> all(numbers);
+  return sorted_triangles(a, all.first(a.points)) == sorted_triangles(b, all.subspan(a.points));
 }
 
 }  // namespace gltfx::codec

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <ctime>
 #include <limits>
 #include <random>
 #include <vector>
@@ -10,7 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/hash.hpp"
 #include "codec/client.hpp"
+#include "codec/draco_source.hpp"
 
 namespace gltfx::codec {
 namespace {
@@ -217,6 +220,45 @@ TEST(DracoEncode, WhatDracoCannotHoldIsRefused) {
   changed.add(DracoUse::generic, Component::float32, 3, std::vector<float>(27));
   changed.attributes[1].id = changed.attributes[0].id;
   EXPECT_THAT(refused_mesh(changed.mesh()), HasSubstr("same id"));
+}
+
+// Values that are made to have one content_hash(): each is compared with few others all the same.
+TEST(DracoEncode, ValuesAreComparedWithoutTheirHashes) {
+  constexpr std::uint32_t kSide = 384;
+  const auto after_word = [](std::uint64_t word) {
+    const std::uint64_t hash = (0xCBF29CE484222325 ^ 16 ^ word) * 0x100000001B3;
+    return hash ^ hash >> 32U;
+  };
+  MeshToEncode grid = grid_to_encode(kSide);
+  std::vector<std::uint64_t> words;
+  for (std::uint64_t i = 0; i < grid.points; ++i) words.insert(words.end(), {i, after_word(i)});
+  ASSERT_EQ(content_hash({reinterpret_cast<const char*>(words.data()), 16}),
+            content_hash({reinterpret_cast<const char*>(words.data() + 2), 16}));
+  grid.attributes.clear();
+  grid.bytes.clear();
+  grid.add(DracoUse::position, Component::uint8, 16, words);
+  const DracoMesh mesh = grid.mesh();
+  const std::clock_t begin = std::clock();
+  EXPECT_TRUE(have_same_triangles(mesh, mesh));
+  EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
+}
+
+TEST(DracoEncode, OtherTrianglesAreNoticed) {
+  const MeshToEncode grid = grid_to_encode(5);
+  const DracoMesh mesh = grid.mesh();
+  MeshToEncode changed = grid;
+  EXPECT_TRUE(have_same_triangles(mesh, changed.mesh()));
+  std::rotate(changed.indices.begin(), changed.indices.begin() + 3, changed.indices.end());
+  std::rotate(changed.indices.begin(), changed.indices.begin() + 1, changed.indices.begin() + 3);
+  EXPECT_TRUE(have_same_triangles(mesh, changed.mesh())) << "another order";
+  std::swap(changed.indices[0], changed.indices[1]);
+  EXPECT_FALSE(have_same_triangles(mesh, changed.mesh())) << "another winding";
+  changed = grid;
+  changed.bytes[0][7] ^= std::byte{1};
+  EXPECT_FALSE(have_same_triangles(mesh, changed.mesh())) << "another value";
+  changed = grid;
+  std::copy_n(changed.indices.begin(), 3, changed.indices.begin() + 3);
+  EXPECT_FALSE(have_same_triangles(mesh, changed.mesh())) << "one twice, another not";
 }
 
 TEST(DracoEncode, TheSameMeshBecomesTheSameBytes) {
