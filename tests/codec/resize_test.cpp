@@ -270,6 +270,61 @@ TEST(Resize, FloatsStayFloats) {
   EXPECT_EQ(texel[1], 7);
 }
 
+// Floats in an EXR file, made smaller.
+std::vector<float> shrunk_floats(const Raster& raster, const std::vector<float>& values,
+                                 const Resize& how) {
+  const auto bytes = std::as_bytes(std::span(values));
+  const auto encoded =
+      Client::shared().encode_image({EncodedFormat::exr, raster, 0, {bytes.data(), bytes.size()}});
+  const auto* file = std::get_if<EncodedImage>(&encoded);
+  if (file == nullptr) return {};
+  ImageRequest request;
+  request.bytes = file->bytes;
+  request.format = ImageFormat::openexr;
+  request.pixels = true;
+  request.resize = how;
+  const ImageResult result = Client::shared().decode_image(request);
+  if (const auto* error = std::get_if<DecodeError>(&result)) ADD_FAILURE() << error->message;
+  const auto* image = std::get_if<Image>(&result);
+  std::vector<float> small(image == nullptr ? 0 : image->pixels.size() / sizeof(float));
+  if (!small.empty()) std::memcpy(small.data(), image->pixels.data(), small.size() * sizeof(float));
+  return small;
+}
+
+// Floats may be no numbers, or beyond 1.
+TEST(Resize, AnAlphaThatIsNoNumberIsZero) {
+  constexpr float kNoNumber = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  constexpr std::array<float, 8> kAlphas{kNoNumber, 1, 0.25F, kInfinite, -kInfinite, -2, 3, 0.75F};
+  std::vector<float> values;
+  for (unsigned i = 0; i < 32 * 32; ++i) {
+    const float alpha = kAlphas[(i / 2 + i / 64) % kAlphas.size()];
+    values.insert(values.end(), {alpha, 2, 3, alpha});
+  }
+  for (const bool weighs : {false, true}) {
+    Resize how = to_side(16, TexelKind::color);
+    how.weigh_alpha = weighs;
+    how.alpha_cutoff = 0.5F;
+    const std::vector<float> small = shrunk_floats({32, 32, 4, 32}, values, how);
+    ASSERT_EQ(small.size(), std::size_t{16} * 16 * 4);
+    std::size_t shown = 0;
+    for (std::size_t i = 0; i < small.size(); i += 4) {
+      EXPECT_TRUE(small[i + 3] >= 0 && small[i + 3] <= 1) << small[i + 3];
+      if (small[i + 3] >= 0.5F) ++shown;
+    }
+    EXPECT_EQ(shown, 128U) << "half of the texels, as before";
+  }
+}
+
+TEST(Resize, ColoursThatAreNoNumbersStayThat) {
+  const std::vector<float> values(std::size_t{16} * 16 * 3,
+                                  std::numeric_limits<float>::quiet_NaN());
+  const std::vector<float> small =
+      shrunk_floats({16, 16, 3, 32}, values, to_side(4, TexelKind::color));
+  ASSERT_EQ(small.size(), 48U);
+  EXPECT_TRUE(std::all_of(small.begin(), small.end(), [](float each) { return each != each; }));
+}
+
 TEST(Resize, ACutoffIsANumber) {
   const std::vector<std::byte> file = png_of(paint({8, 8, 3, 8}, checker));
   ImageRequest request;

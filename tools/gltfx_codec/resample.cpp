@@ -53,6 +53,11 @@ Taps make_taps(const Side& side) {
   return taps;
 }
 
+// Of texels that are no numbers there is no least and greatest; their sum stays what it is.
+float within(float sum, float least, float greatest) {
+  return std::min(std::max(sum, least), greatest);
+}
+
 template <unsigned kChannels>
 void filter_row(const Taps& taps, const float* from, float* to) {
   for (std::size_t i = 0; i + 1 < taps.begin.size(); ++i, to += kChannels) {
@@ -71,7 +76,7 @@ void filter_row(const Taps& taps, const float* from, float* to) {
         greatest[c] = std::max(greatest[c], texel[c]);
       }
     }
-    for (unsigned c = 0; c < kChannels; ++c) to[c] = std::clamp(sum[c], least[c], greatest[c]);
+    for (unsigned c = 0; c < kChannels; ++c) to[c] = within(sum[c], least[c], greatest[c]);
   }
 }
 
@@ -97,7 +102,7 @@ void filter_column(const Taps& taps, std::size_t i, std::span<const float> rows,
       greatest[x] = std::max(greatest[x], row[x]);
     }
   }
-  for (std::size_t x = 0; x < to.size(); ++x) to[x] = std::clamp(to[x], least[x], greatest[x]);
+  for (std::size_t x = 0; x < to.size(); ++x) to[x] = within(to[x], least[x], greatest[x]);
 }
 
 }  // namespace

@@ -98,7 +98,8 @@ class Resizer {
     }
     if (!has_alpha()) return;
     for (std::size_t i = 0; i < to.size(); i += from_.channels) {
-      const float alpha = to[i + from_.channels - 1];
+      float& alpha = to[i + from_.channels - 1];
+      alpha = alpha > 0 ? std::min(alpha, 1.0F) : 0;  // a float may be no number
       if (alpha >= cutoff().shows) ++shown_;
       if (!weighs()) continue;
       for (std::size_t c = 0; c < colors(); ++c) to[i + c] *= alpha;
