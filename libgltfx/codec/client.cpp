@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <optional>
 #include <utility>
@@ -91,6 +92,12 @@ DecodeError no_openimageio() {
   return {ErrorKind::unavailable,
           "This installation has no decoder for such images: install the package "
           "gltfx-openimageio, or build gltfx where OpenImageIO is found."};
+}
+
+// Whichever worker would get the cutoff.
+std::optional<DecodeError> flaw_of(const Resize& resize) {
+  if (std::isfinite(resize.alpha_cutoff)) return std::nullopt;
+  return DecodeError{ErrorKind::malformed, "The alpha cutoff is not a number."};
 }
 
 bool in_image_worker(ImageFormat format) {
@@ -187,12 +194,12 @@ DracoEncodeResult Client::encode_draco(const DracoMesh& mesh, const Origin& orig
 }
 
 ImageResult Client::decode_image(const ImageRequest& request) {
-  if (auto missing = state_->find_missing(request.format)) return *std::move(missing);
   const bool resized = request.pixels && request.resize.max_side != 0;
+  if (auto flaw = flaw_of(request.resize); flaw && resized) return *std::move(flaw);
+  if (auto missing = state_->find_missing(request.format)) return *std::move(missing);
   if (resized && !in_image_worker(request.format)) return resize_elsewhere(request);
   Job job = image_job(state_->settings, request);
   if (resized) add_resize(job, request.resize, request.max_pixels);
-  if (!is_consistent(job)) return DecodeError{ErrorKind::malformed, "The alpha cutoff is invalid."};
   return result_of<Image>(state_->decoders_of(request.format), job, request.bytes, request.origin,
                           request.pixels);
 }
@@ -203,7 +210,7 @@ ImageResult Client::resize_elsewhere(const ImageRequest& request) {
   whole.resize = {};
   ImageResult decoded = decode_image(whole);
   const auto* image = std::get_if<Image>(&decoded);
-  if (image == nullptr) return decoded;
+  if (image == nullptr || !request.resize.needed(image->width, image->height)) return decoded;
   Job job = image_job(state_->settings, request);
   job.raster = raster_of(*image);
   job.input_bytes = image->pixels.size();
@@ -228,6 +235,7 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
 }
 
 EncodeResult Client::transcode_image(const TranscodeRequest& request) {
+  if (auto flaw = flaw_of(request.image.resize)) return *std::move(flaw);
   ImageRequest image = request.image;
   image.pixels = true;
   image.normals = false;

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -100,6 +101,31 @@ TEST(Avif, DamagedFilesAreDecodedOrRefused) {
           << at << error->message;
     }
   }
+}
+
+// Another worker resizes. Without a check it would end at such a cutoff.
+TEST(Avif, ACutoffIsANumber) {
+  const std::string bytes = avif_bytes("rgba.avif");
+  ImageRequest request;
+  request.bytes = std::as_bytes(std::span(bytes.data(), bytes.size()));
+  request.format = ImageFormat::avif;
+  request.pixels = true;
+  request.resize.max_side = 2;
+  request.resize.alpha_cutoff = std::numeric_limits<float>::quiet_NaN();
+  const std::uint64_t before = transient_errors();
+  const ImageResult result = Client::shared().decode_image(request);
+  const auto* error = std::get_if<DecodeError>(&result);
+  ASSERT_NE(error, nullptr);
+  EXPECT_EQ(error->kind, ErrorKind::malformed);
+  EXPECT_EQ(transient_errors(), before);
+  request.resize.alpha_cutoff = 0.5F;
+  const ImageResult resized = Client::shared().decode_image(request);
+  ASSERT_TRUE(std::holds_alternative<Image>(resized));
+  EXPECT_EQ(std::get<Image>(resized).width, 2U);
+  request.resize.max_side = 4;  // nothing to do
+  const ImageResult same = Client::shared().decode_image(request);
+  ASSERT_TRUE(std::holds_alternative<Image>(same));
+  EXPECT_EQ(std::to_integer<int>(std::get<Image>(same).pixels[0]), kTexels[0][0]);
 }
 
 TEST(Avif, MoreTexelsThanAskedForAreRefused) {

@@ -325,6 +325,7 @@ TEST(Resize, ColoursThatAreNoNumbersStayThat) {
   EXPECT_TRUE(std::all_of(small.begin(), small.end(), [](float each) { return each != each; }));
 }
 
+// Whichever worker decodes the image.
 TEST(Resize, ACutoffIsANumber) {
   const std::vector<std::byte> file = png_of(paint({8, 8, 3, 8}, checker));
   ImageRequest request;
@@ -332,9 +333,13 @@ TEST(Resize, ACutoffIsANumber) {
   request.pixels = true;
   request.resize = to_side(4, TexelKind::color);
   request.resize.alpha_cutoff = std::numeric_limits<float>::quiet_NaN();
-  const ImageResult result = Client::shared().decode_image(request);
-  ASSERT_TRUE(std::holds_alternative<DecodeError>(result));
-  EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::malformed);
+  for (const ImageFormat format : {ImageFormat::png, ImageFormat::avif, ImageFormat::tga}) {
+    request.format = format;
+    const ImageResult result = Client::shared().decode_image(request);
+    ASSERT_TRUE(std::holds_alternative<DecodeError>(result));
+    EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::malformed);
+    EXPECT_EQ(std::get<DecodeError>(result).message, "The alpha cutoff is not a number.");
+  }
 }
 
 TEST(Resize, StatisticsAreThoseOfTheResult) {

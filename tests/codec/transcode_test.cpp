@@ -2,6 +2,7 @@
 /// Image files that the worker decodes and encodes again without sending pixels to the caller.
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -252,6 +253,17 @@ TEST(Transcode, AJpegThatIsCutIsRefused) {
   EXPECT_THAT(transcode_error(request), HasSubstr("Premature end"));
   request.image.resize.max_side = 4;
   EXPECT_THAT(transcode_error(request), HasSubstr("Premature end"));
+}
+
+TEST(Transcode, ACutoffIsANumber) {
+  const std::vector<std::byte> png = png_file({30, 30, 3, 8}, smooth_texels({30, 30, 3, 8}));
+  TranscodeRequest request = to_format(png, EncodedFormat::png);
+  request.image.resize.max_side = 4;
+  request.image.resize.alpha_cutoff = std::numeric_limits<float>::quiet_NaN();
+  for (const ImageFormat format : {ImageFormat::png, ImageFormat::avif, ImageFormat::tga}) {
+    request.image.format = format;
+    EXPECT_EQ(transcode_error(request), "The alpha cutoff is not a number.");
+  }
 }
 
 TEST(Transcode, BrokenImagesAndOddRequestsAreErrors) {
