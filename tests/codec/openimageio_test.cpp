@@ -107,6 +107,38 @@ TEST(OpenImageIo, ColoursThatWereMultipliedByAlphaAreDivided) {
   EXPECT_EQ(std::to_integer<int>(image.pixels[3]), 128);
 }
 
+TEST(OpenImageIo, SoIsGreyThatWasMultiplied) {
+  for (const TiffAlpha alpha : {TiffAlpha::associated, TiffAlpha::unassociated}) {
+    const std::string bytes = test::tiff_file(alpha, false, true);
+    const Image image = foreign_image(foreign_request(bytes, ImageFormat::tiff));
+    ASSERT_EQ(image.channels, 2U);
+    EXPECT_NEAR(std::to_integer<int>(image.pixels[0]), 200, 1);
+    EXPECT_EQ(std::to_integer<int>(image.pixels[1]), 128);
+    EXPECT_NEAR(std::to_integer<int>(image.pixels[12]), 77, 3);
+  }
+}
+
+TEST(OpenImageIo, ATgaMaySayThatItIsMultiplied) {
+  const std::string bytes = test::multiplied_tga_file();
+  const Image image = foreign_image(foreign_request(bytes, ImageFormat::tga));
+  ASSERT_EQ(image.channels, 4U);
+  EXPECT_EQ(std::to_integer<int>(image.pixels[0]), 255) << "200 of at most 128";
+  EXPECT_EQ(std::to_integer<int>(image.pixels[1]), 199) << "100 / 128 of 255";
+  EXPECT_EQ(std::to_integer<int>(image.pixels[3]), 128);
+  EXPECT_EQ(std::to_integer<int>(image.pixels[8]), 255);
+}
+
+// The plugin divides DXT2 and DXT4 itself.
+TEST(OpenImageIo, MultipliedBlocksOfDdsAreDividedOnce) {
+  for (const auto& [format, red] : {std::pair("DXT4", 131), std::pair("DXT5", 66)}) {
+    const std::string bytes = test::dxt_file(format);
+    const Image image = foreign_image(foreign_request(bytes, ImageFormat::dds));
+    ASSERT_EQ(image.channels, 4U) << format;
+    EXPECT_EQ(std::to_integer<int>(image.pixels[0]), red) << format;
+    EXPECT_EQ(std::to_integer<int>(image.pixels[3]), 128) << format;
+  }
+}
+
 TEST(OpenImageIo, FloatsAreForEnvironmentsAlone) {
   const std::string bytes = test::tiff_file(TiffAlpha::none, true);
   ImageRequest request = foreign_request(bytes, ImageFormat::tiff);

@@ -2,6 +2,7 @@
 #include "openimageio_decode.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <cstring>
@@ -84,29 +85,34 @@ void widen(std::span<std::byte> pixels, std::size_t texels, std::size_t size) {
   }
 }
 
-// Divides colours by alpha, which follows them, rounded and clamped.
+// Divides the colours of a texel by the alpha behind them. Integers are rounded and clamped.
 template <typename T>
-void divide(std::span<std::byte> pixels, double full) {
-  constexpr std::size_t kChannels = 4;
-  for (std::size_t at = 0; at + kChannels * sizeof(T) <= pixels.size();
-       at += kChannels * sizeof(T)) {
-    T values[kChannels];
-    std::memcpy(values, pixels.data() + at, sizeof values);
-    if (!(values[3] > 0)) continue;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double color = static_cast<double>(values[c]) * full / static_cast<double>(values[3]);
+void divide(std::span<std::byte> pixels, std::size_t channels, double full) {
+  const std::size_t colors = channels - 1;
+  const std::size_t size = channels * sizeof(T);
+  std::array<T, 4> values{};
+  for (std::size_t at = 0; at + size <= pixels.size(); at += size) {
+    std::memcpy(values.data(), pixels.data() + at, size);
+    const auto alpha = static_cast<double>(values[colors]);
+    if (!(alpha > 0)) continue;
+    for (std::size_t c = 0; c < colors; ++c) {
+      const double color = static_cast<double>(values[c]) * full / alpha;
       values[c] = std::is_floating_point_v<T> ? static_cast<T>(color)
                                               : static_cast<T>(std::min(color + 0.5, full));
     }
-    std::memcpy(pixels.data() + at, values, sizeof values);
+    std::memcpy(pixels.data() + at, values.data(), size);
   }
 }
 
-// With `oiio:UnassociatedAlpha`, colours are returned as stored; a TIFF may store them
-// premultiplied.
+// What `oiio:UnassociatedAlpha` asks for keeps colours that a file does not multiply; those of a
+// TIFF or TGA may be multiplied in the file. Those of a DDS, DXT2 and DXT4, the plugin divides.
 bool is_multiplied(const OIIO::ImageSpec& spec, const Job& job, const Image& image) {
-  return job.format == ImageFormat::tiff && image.channels == 4 &&
-         spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+  constexpr int kMultiplied = 4;  // "attributes type" of the extension area
+  if (!image.has_alpha()) return false;
+  if (job.format == ImageFormat::tga) {
+    return spec.get_int_attribute("targa:alpha_type") == kMultiplied;
+  }
+  return job.format == ImageFormat::tiff && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
 }
 
 std::optional<DecodeError> find_obstacle(const OIIO::ImageSpec& spec, const Job& job) {
@@ -146,9 +152,9 @@ Answer read(const Input& input, const OIIO::ImageSpec& spec, const Job& job, con
     widen(pixels, static_cast<std::size_t>(image.texels()), image.bits / 8);
   }
   if (is_multiplied(spec, job, image)) {
-    if (image.bits == 8) divide<std::uint8_t>(pixels, 255);
-    if (image.bits == 16) divide<std::uint16_t>(pixels, 65535);
-    if (image.bits == 32) divide<float>(pixels, 1);
+    if (image.bits == 8) divide<std::uint8_t>(pixels, image.channels, 255);
+    if (image.bits == 16) divide<std::uint16_t>(pixels, image.channels, 65535);
+    if (image.bits == 32) divide<float>(pixels, image.channels, 1);
   }
   if (image.bits == 32) return image;
   Statistics statistics(image, job.normals);

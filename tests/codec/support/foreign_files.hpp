@@ -70,7 +70,19 @@ inline std::string tga_file(bool footer = true) {
   return file.take();
 }
 
-/// Two frames; the second one has its colours in another order.
+/// With the area of version 2 that says that colours are multiplied by alpha.
+inline std::string multiplied_tga_file() {
+  constexpr unsigned kAreaSize = 495;
+  const std::string plain = tga_file(false);
+  FileBytes file;
+  file.text(plain).u16(kAreaSize);
+  for (unsigned i = 2; i + 1 < kAreaSize; ++i) file.u8(0);
+  file.u8(4);
+  file.u32(static_cast<std::uint32_t>(plain.size())).u32(0).text({"TRUEVISION-XFILE.\0", 18});
+  return file.take();
+}
+
+/// Two frames, of which the second one has colours in another order.
 inline std::string gif_file() {
   FileBytes file;
   file.text("GIF89a").u16(kForeignWidth).u16(kForeignHeight).u8(0xF2).u8(0).u8(0);
@@ -95,9 +107,10 @@ inline std::string gif_file() {
 
 enum class TiffAlpha : std::uint8_t { none, associated, unassociated };
 
-/// One strip of 8 bits, or of floats with half the values of the texels.
-inline std::string tiff_file(TiffAlpha alpha, bool floats = false) {
-  const unsigned channels = alpha == TiffAlpha::none ? 3 : 4;
+/// One strip of 8 bits, or of floats that are half of the texels. Grey is the red of the texels.
+inline std::string tiff_file(TiffAlpha alpha, bool floats = false, bool grey = false) {
+  const unsigned colors = grey ? 1 : 3;
+  const unsigned channels = colors + (alpha == TiffAlpha::none ? 0 : 1);
   const unsigned size = floats ? 4 : 1;
   const unsigned entries = alpha == TiffAlpha::none ? 10 : 11;
   const std::uint32_t behind = 8 + 2 + (entries + 1) * 12 + 4;
@@ -108,23 +121,27 @@ inline std::string tiff_file(TiffAlpha alpha, bool floats = false) {
   };
   entry(256, 3, 1, kForeignWidth);
   entry(257, 3, 1, kForeignHeight);
-  entry(258, 3, channels, behind);
+  // One number or two are in the entry.
+  const auto of_channels = [&](unsigned tag, std::uint32_t value, std::uint32_t at) {
+    entry(tag, 3, channels, channels > 2 ? at : channels == 2 ? value << 16U | value : value);
+  };
+  of_channels(258, size * 8, behind);
   entry(259, 3, 1, 1);
-  entry(262, 3, 1, 2);
+  entry(262, 3, 1, grey ? 1 : 2);
   entry(273, 4, 1, behind + 16);
   entry(277, 3, 1, channels);
   entry(278, 3, 1, kForeignHeight);
   entry(279, 4, 1, 8 * channels * size);
   entry(284, 3, 1, 1);
   if (alpha != TiffAlpha::none) entry(338, 3, 1, alpha == TiffAlpha::associated ? 1 : 2);
-  entry(339, 3, channels, behind + 8);
+  of_channels(339, floats ? 3 : 1, behind + 8);
   file.u32(0);
   for (unsigned c = 0; c < 4; ++c) file.u16(size * 8);
   for (unsigned c = 0; c < 4; ++c) file.u16(floats ? 3 : 1);
   for (const auto& texel : kForeignTexels) {
     for (unsigned c = 0; c < channels; ++c) {
-      unsigned value = texel[c];
-      if (alpha == TiffAlpha::associated && c < 3) value = (value * texel[3] + 127) / 255;
+      unsigned value = texel[c < colors ? c : 3];
+      if (alpha == TiffAlpha::associated && c < colors) value = (value * texel[3] + 127) / 255;
       if (!floats) {
         file.u8(value);
         continue;
@@ -160,6 +177,18 @@ inline std::string dds_file() {
   for (const auto& texel : kForeignTexels) {
     for (const unsigned value : texel) file.u8(value);
   }
+  return file.take();
+}
+
+/// One block of 4 by 4 equal texels, (66, 0, 0, 128), of DXT4 or DXT5.
+inline std::string dxt_file(const char* format) {
+  FileBytes file;
+  file.text("DDS ").u32(124).u32(0x81007).u32(4).u32(4).u32(16).u32(0);
+  for (unsigned i = 0; i < 12; ++i) file.u32(0);
+  file.u32(32).u32(4).text(format).u32(0).u32(0).u32(0).u32(0).u32(0);
+  file.u32(0x1000).u32(0).u32(0).u32(0).u32(0);
+  file.u8(128).u8(128).u16(0).u32(0);
+  file.u16(8U << 11U).u16(8U << 11U).u32(0);
   return file.take();
 }
 
