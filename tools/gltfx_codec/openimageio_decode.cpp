@@ -179,12 +179,11 @@ int count_threads() {
   return count;
 }
 
-// OpenImageIO starts a thread even if its number of threads is 0, and ends it immediately.
+// OpenImageIO starts a thread even when it is to have none, and ends it at once. Without a bound: a
+// fork beside a thread could wait for a lock for ever, and the client limits how long a start
+// takes.
 void wait_for_threads() {
-  constexpr int kMostMilliseconds = 1000;
-  for (int i = 0; i < kMostMilliseconds && count_threads() > 1; ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
+  while (count_threads() > 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 }  // namespace
