@@ -53,7 +53,7 @@ export interface Report {
   info?: AssetInfo;
 }
 
-/** What a verb makes of an asset. */
+/** The result of a verb that changes an asset. */
 export interface Changed<R> {
   /** The new bytes; the given ones where nothing changes. */
   asset: Uint8Array;
@@ -98,7 +98,7 @@ export interface EditOptions {
   resources?: Resources;
   /** JSON pointers. */
   delete: string[];
-  /** Deletes what refers to it, too. */
+  /** Also deletes objects that refer to a deleted one. */
   cascade?: boolean;
 }
 
@@ -106,8 +106,12 @@ export interface EditReport extends ChangeReport {
   deleted: { pointer: string; cause?: string }[];
   obstacles: { pointer: string; target: string; mustHave: boolean }[];
   renumbered: number;
-  /** That were cut out of the BIN chunk. */
+  /** Bytes removed from the BIN chunk. */
   bytes: number;
+  /** Extensions that lost their last object: the lists no longer name them. */
+  namesRemoved: string[];
+  /** JSON pointers to values that may be indices; they do not change. */
+  doubtful: string[];
   newWarnings: string[];
 }
 

@@ -67,7 +67,7 @@ export function checkOptions(verb, asset, options) {
     if (!isRight(value)) throw misuse(`options.${name} must be ${form}`);
   }
   const checked = Object.fromEntries(set);
-  if (verb === "edit" && !checked.delete?.length) throw misuse("options.delete must name what is deleted");
+  if (verb === "edit" && !checked.delete?.length) throw misuse("options.delete must name at least one object");
   return verb === "validate" ? { ...checked, ...engineOptionsOf(checked) } : checked;
 }
 
