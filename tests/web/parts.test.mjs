@@ -2,6 +2,7 @@
 // Parts of the page that need no browser and no engine: contents of archives and of drops.
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { isFixable, toUpgrade } from "../../tools/web/assets.mjs";
 import { openFolder } from "../../tools/web/files.mjs";
 import { fromDrop, titleOf } from "../../tools/web/dropped.mjs";
 import { crc32, readZip, writeZip } from "../../tools/web/zip.mjs";
@@ -70,6 +71,14 @@ test("what the browser does not hand over is named", async () => {
   assert.deepEqual(assets, ["whole/a.gltf"]);
   assert.deepEqual(leftOut.map(({ path }) => path).sort(), ["locked", "odd.gltf", "whole/b.bin"]);
   for (const { why } of leftOut) assert.equal(why, "the browser cannot read it");
+});
+
+test("what can be done with an asset", () => {
+  const asset = { findings: [{}, { fixable: true }], upgrade: [{ done: false }, { done: true }] };
+  assert.equal(isFixable(asset), true);
+  assert.equal(toUpgrade(asset), 1);
+  assert.equal(isFixable({ ...asset, findings: [{}] }), false);
+  assert.equal(toUpgrade({ ...asset, upgrade: [] }), 0);
 });
 
 test("an archive that is written is read again", async () => {

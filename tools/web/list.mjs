@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // The assets that were checked: totals and rows. make(), details() and similar functions are those of the report page.
+import { toUpgrade } from "./assets.mjs";
 
 const ROWS_AT_ONCE = 100;
 const byId = (id) => document.getElementById(id);
 const size = (asset) => (asset.facts ? asset.facts.bytes.total : 0);
 const triangles = (asset) => (asset.facts ? asset.facts.counts.triangles : 0);
-export const isFixable = (asset) => asset.findings.some((finding) => finding.fixable);
-export const toUpgrade = (asset) => asset.upgrade.filter((step) => step.done).length;
 
 export function verdictOf(asset) {
   if (!asset.readable || asset.counts.errors > 0) return "error";

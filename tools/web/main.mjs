@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page: files in, a run of checks, downloads out.
+import { isFixable, toUpgrade } from "./assets.mjs";
 import { Checks } from "./checks.mjs";
 import { fromDrop, fromFiles, titleOf } from "./dropped.mjs";
-import { add, clear, finish, isFixable, showLeftOut, startList, toUpgrade, verdict } from "./list.mjs";
+import { add, clear, finish, showLeftOut, startList, verdict } from "./list.mjs";
 
 const MOST_ARCHIVES = 3; // in the verdict; the list of left-out files has all
 const byId = (id) => document.getElementById(id);

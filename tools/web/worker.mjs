@@ -6,6 +6,7 @@
 //   in   {make: "html" | "sarif" | "fixed" | "upgraded"}  out  {made: Blob, name} or {made: null, why}
 import { createEngine } from "../npm/wasm/engine.mjs";
 import loader from "gltfx-wasm.mjs";
+import { isFixable, toUpgrade } from "./assets.mjs";
 import { openFolder, Reading } from "./files.mjs";
 import { writeZip } from "./zip.mjs";
 
@@ -62,8 +63,8 @@ async function check(path) {
       assets: [asset],
       rules,
     } = dataOf(await writePage([path], path));
-    if (asset.findings.some((finding) => finding.fixable)) toChange.fix.push(path);
-    if (asset.upgrade.some((step) => step.done)) toChange.upgrade.push(path);
+    if (isFixable(asset)) toChange.fix.push(path);
+    if (toUpgrade(asset) > 0) toChange.upgrade.push(path);
     return { asset, rules };
   } catch (error) {
     return { asset: unchecked(path, error.message), rules: {} };
