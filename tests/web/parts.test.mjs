@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { isFixable, toUpgrade } from "../../tools/web/assets.mjs";
-import { openFolder } from "../../tools/web/files.mjs";
+import { groupsOf, openFolder } from "../../tools/web/files.mjs";
 import { fromDrop, titleOf } from "../../tools/web/dropped.mjs";
 import { crc32, readZip, writeZip } from "../../tools/web/zip.mjs";
 import { archive } from "./archives.mjs";
@@ -71,6 +71,24 @@ test("what the browser does not hand over is named", async () => {
   assert.deepEqual(assets, ["whole/a.gltf"]);
   assert.deepEqual(leftOut.map(({ path }) => path).sort(), ["locked", "odd.gltf", "whole/b.bin"]);
   for (const { why } of leftOut) assert.equal(why, "the browser cannot read it");
+});
+
+test("assets that share files are changed together, others apart", async () => {
+  const naming = (...uris) => Buffer.from(JSON.stringify({ images: uris.map((uri) => ({ uri })) }));
+  const { files, assets } = await openFolder([
+    dropped("a.gltf", naming("own.png")),
+    dropped("b.gltf", naming("x.png", "gone.png")),
+    dropped("c.gltf", naming("gone.png", "sub/../y.png")),
+    dropped("d.gltf", naming("%78.png", "y.png")),
+    dropped("e.gltf", naming()),
+    dropped("sub/f.gltf", naming("../e.gltf")),
+    dropped("sub/g.gltf", naming("x.png")),
+    ...["own.png", "x.png", "y.png", "sub/x.png"].map((path) => dropped(path, GOOD)),
+  ]);
+  const expected = [["a.gltf"], ["b.gltf", "c.gltf", "d.gltf"], ["e.gltf", "sub/f.gltf"], ["sub/g.gltf"]];
+  assert.deepEqual(await groupsOf(files, assets), expected);
+  assert.deepEqual(await groupsOf(files, ["b.gltf", "c.gltf"]), [["b.gltf"], ["c.gltf"]]);
+  assert.deepEqual(await groupsOf(files, []), []);
 });
 
 test("what can be done with an asset", () => {

@@ -135,6 +135,34 @@ function named(files, path, bytes) {
   return found;
 }
 
+/**
+ * Assets in groups: those of a group name a common file or one another, those of different groups do not. Groups and
+ * their assets keep the order given.
+ */
+export async function groupsOf(files, paths) {
+  const above = new Map(); // from a file to another one of its group; one file of each has none
+  const topOf = (path) => {
+    let top = path;
+    for (let next = above.get(top); next !== undefined; next = above.get(top)) {
+      if (above.has(next)) above.set(top, above.get(next)); // makes the next way shorter
+      top = next;
+    }
+    return top;
+  };
+  for (const path of paths) {
+    for (const one of named(files, path, await files.get(path).read())) {
+      if (topOf(one) !== topOf(path)) above.set(topOf(one), topOf(path));
+    }
+  }
+  const groups = new Map();
+  for (const path of paths) {
+    const top = topOf(path);
+    if (groups.has(top)) groups.get(top).push(path);
+    else groups.set(top, [path]);
+  }
+  return [...groups.values()];
+}
+
 /** Reads files for one run of the engine, and keeps count of their bytes. */
 export class Reading {
   content = new Map();

@@ -7,7 +7,7 @@
 import { createEngine } from "../npm/wasm/engine.mjs";
 import loader from "gltfx-wasm.mjs";
 import { isFixable, toUpgrade } from "./assets.mjs";
-import { openFolder, Reading } from "./files.mjs";
+import { groupsOf, openFolder, Reading } from "./files.mjs";
 import { writeZip } from "./zip.mjs";
 
 const COMMON = ["--isolated", "--quiet"];
@@ -15,10 +15,14 @@ let engine = null;
 let folder = null;
 const toChange = { fix: [], upgrade: [] }; // paths of assets by verb
 
-/** Runs a verb on assets and returns the files that it wrote. Options come from `options(place)`. */
-async function run(verb, paths, options) {
+/**
+ * Runs a verb on assets and returns the files that it wrote. Options come from `options(place)`; `earlier` are files
+ * that other runs wrote.
+ */
+async function run(verb, paths, options, earlier = new Map()) {
   const reading = new Reading(folder.files);
   for (const path of paths) await reading.addAsset(path);
+  addNewFiles(reading.content, earlier);
   let place = "gltfx-page"; // of files that are not the user's
   while ([...reading.content.keys()].some((path) => path.startsWith(place))) place += "_";
   const list = `${place}/assets`;
@@ -26,6 +30,16 @@ async function run(verb, paths, options) {
   const done = await engine.run([verb, "--files-from", list, ...COMMON, ...options(place)], reading.content);
   if (done.code > 1) throw new Error(done.stderr.trim() || `gltfx ${verb} ended with code ${done.code}`);
   return { written: done.files, place };
+}
+
+const folderOf = (path) => path.slice(0, path.lastIndexOf("/") + 1);
+
+/** Adds new files that are in a folder of the content: their names are taken. */
+function addNewFiles(content, files) {
+  const folders = new Set([...content.keys()].map(folderOf));
+  for (const [path, bytes] of files) {
+    if (!folder.files.has(path) && folders.has(folderOf(path))) content.set(path, bytes);
+  }
 }
 
 async function writePage(paths, title) {
@@ -82,8 +96,12 @@ async function open(dropped, wasm) {
 // --- Downloads ---
 
 async function change(verb, name) {
-  // In one run, which knows the files that assets share.
-  const { written } = await run(verb, toChange[verb], () => ["--in-place"]);
+  const written = new Map();
+  // Assets that share files need one run, which knows that. All in one could need too much memory.
+  for (const paths of await groupsOf(folder.files, toChange[verb])) {
+    const done = await run(verb, paths, () => ["--in-place"], written);
+    for (const [path, bytes] of done.written) written.set(path, bytes);
+  }
   if (written.size === 0) throw new Error("no file changes");
   const files = [...written];
   if (files.length > 1) return { made: writeZip(files), name: `${name}.zip` };
