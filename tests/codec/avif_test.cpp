@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "codec/client.hpp"
+#include "codec/support/results.hpp"
 
 namespace gltfx::codec {
 namespace {
@@ -43,12 +44,7 @@ TEST(Avif, WithoutTheDecoderItIsNamed) {
 }
 
 Image avif_image(const std::string& name) {
-  ImageResult result = decode_avif_bytes(Client::shared(), avif_bytes(name));
-  if (const auto* error = std::get_if<DecodeError>(&result)) {
-    ADD_FAILURE() << error->message;
-    return {};
-  }
-  return std::get<Image>(std::move(result));
+  return test::value_of(decode_avif_bytes(Client::shared(), avif_bytes(name)));
 }
 
 // For the eight texels of all files.

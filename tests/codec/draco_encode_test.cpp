@@ -14,6 +14,7 @@
 #include "base/hash.hpp"
 #include "codec/client.hpp"
 #include "codec/draco_source.hpp"
+#include "codec/support/results.hpp"
 
 namespace gltfx::codec {
 namespace {
@@ -89,20 +90,11 @@ std::vector<std::string> corners_of(const DracoMesh& mesh) {
 }
 
 EncodedDraco encoded_mesh(const DracoMesh& mesh) {
-  DracoEncodeResult result = Client::shared().encode_draco(mesh);
-  if (const auto* error = std::get_if<DecodeError>(&result)) {
-    ADD_FAILURE() << error->message;
-    return {};
-  }
-  return std::get<EncodedDraco>(std::move(result));
+  return test::value_of(Client::shared().encode_draco(mesh));
 }
 
 std::string refused_mesh(const DracoMesh& mesh) {
-  DracoEncodeResult result = Client::shared().encode_draco(mesh);
-  const auto* error = std::get_if<DecodeError>(&result);
-  if (error == nullptr) return "encoded";
-  EXPECT_EQ(error->kind, ErrorKind::malformed);
-  return error->message;
+  return test::refusal_of(Client::shared().encode_draco(mesh));
 }
 
 void expect_exact(const MeshToEncode& source) {
@@ -116,9 +108,7 @@ void expect_exact(const MeshToEncode& source) {
     EXPECT_EQ(encoded.mesh.attributes[i].normalized, source.attributes[i].normalized);
     EXPECT_EQ(encoded.mesh.attributes[i].quantization_step, 0);
   }
-  const DracoResult again = Client::shared().decode_draco(encoded.bytes);
-  ASSERT_TRUE(std::holds_alternative<DracoMesh>(again));
-  const DracoMesh& decoded = std::get<DracoMesh>(again);
+  const DracoMesh decoded = test::value_of(Client::shared().decode_draco(encoded.bytes));
   EXPECT_TRUE(std::ranges::equal(decoded.indices, encoded.mesh.indices));
 }
 

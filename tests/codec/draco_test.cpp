@@ -9,6 +9,7 @@
 
 #include "codec/client.hpp"
 #include "codec/support/draco_encoder.hpp"
+#include "codec/support/results.hpp"
 #include "model/packed_bytes.hpp"
 
 namespace gltfx::codec {
@@ -30,22 +31,9 @@ DracoResult decode_draco(const std::string& bytes) {
   return Client::shared().decode_draco(draco_bytes(bytes));
 }
 
-// The mesh, or an empty one and a failed test with the reason.
-DracoMesh mesh_of(const std::string& bytes) {
-  DracoResult result = decode_draco(bytes);
-  if (const auto* error = std::get_if<DecodeError>(&result)) {
-    ADD_FAILURE() << error->message;
-    return {};
-  }
-  return std::get<DracoMesh>(std::move(result));
-}
+DracoMesh mesh_of(const std::string& bytes) { return test::value_of(decode_draco(bytes)); }
 
-DecodeError draco_error(const std::string& bytes) {
-  DracoResult result = decode_draco(bytes);
-  if (const auto* error = std::get_if<DecodeError>(&result)) return *error;
-  ADD_FAILURE() << "decoded";
-  return {};
-}
+DecodeError draco_error(const std::string& bytes) { return test::error_of(decode_draco(bytes)); }
 
 // Whether a worker got the bytes, with any result.
 bool was_asked(const DracoResult& result) {

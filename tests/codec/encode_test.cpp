@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "codec/client.hpp"
+#include "codec/support/results.hpp"
 
 namespace gltfx::codec {
 namespace {
@@ -44,12 +45,7 @@ Image decode_again(std::span<const std::byte> file, ImageFormat format) {
   request.bytes = file;
   request.format = format;
   request.pixels = true;
-  ImageResult result = Client::shared().decode_image(request);
-  if (const auto* error = std::get_if<DecodeError>(&result)) {
-    ADD_FAILURE() << error->message;
-    return {};
-  }
-  return std::get<Image>(std::move(result));
+  return test::value_of(Client::shared().decode_image(request));
 }
 
 bool equal(std::span<const std::byte> a, std::span<const std::byte> b) {

@@ -6,6 +6,7 @@
 #include "codec/client.hpp"
 #include "codec/support/jpeg_bytes.hpp"
 #include "codec/support/png_encoder.hpp"
+#include "codec/support/results.hpp"
 #include "container/base64.hpp"
 
 namespace gltfx::codec {
@@ -49,21 +50,12 @@ ImageResult decode(const std::string& bytes, const Wanted& wanted = {}) {
   return Client::shared().decode_image(request);
 }
 
-// The image, or an empty one and a failed test with the reason.
 Image image_of(const std::string& bytes, const Wanted& wanted = {}) {
-  ImageResult result = decode(bytes, wanted);
-  if (const auto* error = std::get_if<DecodeError>(&result)) {
-    ADD_FAILURE() << error->message;
-    return {};
-  }
-  return std::get<Image>(std::move(result));
+  return test::value_of(decode(bytes, wanted));
 }
 
 DecodeError error_of(const std::string& bytes, const Wanted& wanted = {}) {
-  ImageResult result = decode(bytes, wanted);
-  if (const auto* error = std::get_if<DecodeError>(&result)) return *error;
-  ADD_FAILURE() << "decoded";
-  return {};
+  return test::error_of(decode(bytes, wanted));
 }
 
 std::string text(std::span<const std::byte> bytes) {

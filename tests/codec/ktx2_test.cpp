@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "codec/client.hpp"
+#include "codec/support/results.hpp"
 #include "sanitized.hpp"
 
 namespace gltfx::codec {
@@ -40,19 +41,11 @@ ImageResult decode_ktx2_file(const std::string& bytes, bool pixels, std::uint32_
 
 Image ktx2_image(const std::string& bytes, std::uint32_t level = 0,
                  ImageFormat format = ImageFormat::ktx2) {
-  ImageResult result = decode_ktx2_file(bytes, true, level, format);
-  if (const auto* error = std::get_if<DecodeError>(&result)) {
-    ADD_FAILURE() << error->message;
-    return {};
-  }
-  return std::get<Image>(std::move(result));
+  return test::value_of(decode_ktx2_file(bytes, true, level, format));
 }
 
 DecodeError ktx2_error(const std::string& bytes, bool pixels = true, std::uint32_t level = 0) {
-  ImageResult result = decode_ktx2_file(bytes, pixels, level);
-  if (const auto* error = std::get_if<DecodeError>(&result)) return *error;
-  ADD_FAILURE() << "decoded";
-  return {};
+  return test::error_of(decode_ktx2_file(bytes, pixels, level));
 }
 
 // Values of a channel; opaque if there is no alpha.

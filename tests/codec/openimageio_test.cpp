@@ -13,6 +13,7 @@
 
 #include "codec/client.hpp"
 #include "codec/support/foreign_files.hpp"
+#include "codec/support/results.hpp"
 
 namespace gltfx::codec {
 namespace {
@@ -31,19 +32,11 @@ ImageRequest foreign_request(const std::string& bytes, ImageFormat format) {
 }
 
 Image foreign_image(const ImageRequest& request) {
-  ImageResult result = Client::shared().decode_image(request);
-  if (const auto* error = std::get_if<DecodeError>(&result)) {
-    ADD_FAILURE() << error->message;
-    return {};
-  }
-  return std::get<Image>(std::move(result));
+  return test::value_of(Client::shared().decode_image(request));
 }
 
 DecodeError foreign_error(const ImageRequest& request) {
-  const ImageResult result = Client::shared().decode_image(request);
-  if (const auto* error = std::get_if<DecodeError>(&result)) return *error;
-  ADD_FAILURE() << "decoded";
-  return {};
+  return test::error_of(Client::shared().decode_image(request));
 }
 
 std::string jp2_file() {
@@ -177,19 +170,16 @@ TEST(OpenImageIo, AForeignImageBecomesAPng) {
   const std::string bytes = test::tga_file();
   TranscodeRequest request;
   request.image = foreign_request(bytes, ImageFormat::tga);
-  const EncodeResult result = Client::shared().transcode_image(request);
-  const auto* file = std::get_if<EncodedImage>(&result);
-  ASSERT_NE(file, nullptr);
-  EXPECT_EQ(file->raster, (Raster{4, 2, 4, 8}));
+  const EncodedImage file = test::value_of(Client::shared().transcode_image(request));
+  EXPECT_EQ(file.raster, (Raster{4, 2, 4, 8}));
   ImageRequest again;
-  again.bytes = file->bytes;
+  again.bytes = file.bytes;
   again.pixels = true;
   const Image image = foreign_image(again);
   EXPECT_EQ(std::memcmp(image.pixels.data(), kForeignTexels.data(), 32), 0);
   request.image.resize.max_side = 2;
-  const EncodeResult small = Client::shared().transcode_image(request);
-  ASSERT_TRUE(std::holds_alternative<EncodedImage>(small));
-  EXPECT_EQ(std::get<EncodedImage>(small).raster, (Raster{2, 1, 4, 8}));
+  const EncodedImage small = test::value_of(Client::shared().transcode_image(request));
+  EXPECT_EQ(small.raster, (Raster{2, 1, 4, 8}));
   ImageRequest pixels = request.image;
   EXPECT_EQ(foreign_image(pixels).width, 2U);
 }

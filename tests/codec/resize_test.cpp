@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "codec/client.hpp"
+#include "codec/support/results.hpp"
 
 namespace gltfx::codec {
 namespace {
@@ -47,18 +48,11 @@ std::vector<std::byte> png_of(const Picture& picture) {
     bytes.push_back(static_cast<std::byte>(value));
     if (picture.raster.bits == 16) bytes.push_back(static_cast<std::byte>(value >> 8U));
   }
-  const auto result = Client::shared().encode_image({EncodedFormat::png, picture.raster, 0, bytes});
-  const auto* file = std::get_if<EncodedImage>(&result);
-  if (file == nullptr) return {};
-  return {file->bytes.begin(), file->bytes.end()};
+  return test::png_file(picture.raster, bytes);
 }
 
 Picture picture_of(const ImageResult& result) {
-  if (const auto* error = std::get_if<DecodeError>(&result)) {
-    ADD_FAILURE() << error->message;
-    return {};
-  }
-  const Image& image = *std::get_if<Image>(&result);
+  const Image image = test::value_of(result);
   Picture picture{{image.width, image.height, image.channels, image.bits}, {}};
   const std::size_t size = image.bits / 8;
   for (std::size_t i = 0; i < image.pixels.size(); i += size) {
@@ -274,20 +268,16 @@ TEST(Resize, FloatsStayFloats) {
 std::vector<float> shrunk_floats(const Raster& raster, const std::vector<float>& values,
                                  const Resize& how) {
   const auto bytes = std::as_bytes(std::span(values));
-  const auto encoded =
-      Client::shared().encode_image({EncodedFormat::exr, raster, 0, {bytes.data(), bytes.size()}});
-  const auto* file = std::get_if<EncodedImage>(&encoded);
-  if (file == nullptr) return {};
+  const EncodedImage file = test::value_of(
+      Client::shared().encode_image({EncodedFormat::exr, raster, 0, {bytes.data(), bytes.size()}}));
   ImageRequest request;
-  request.bytes = file->bytes;
+  request.bytes = file.bytes;
   request.format = ImageFormat::openexr;
   request.pixels = true;
   request.resize = how;
-  const ImageResult result = Client::shared().decode_image(request);
-  if (const auto* error = std::get_if<DecodeError>(&result)) ADD_FAILURE() << error->message;
-  const auto* image = std::get_if<Image>(&result);
-  std::vector<float> small(image == nullptr ? 0 : image->pixels.size() / sizeof(float));
-  if (!small.empty()) std::memcpy(small.data(), image->pixels.data(), small.size() * sizeof(float));
+  const Image image = test::value_of(Client::shared().decode_image(request));
+  std::vector<float> small(image.pixels.size() / sizeof(float));
+  if (!small.empty()) std::memcpy(small.data(), image.pixels.data(), small.size() * sizeof(float));
   return small;
 }
 
