@@ -2,8 +2,9 @@
 #include "image/foreign.hpp"
 
 #include <array>
+#include <initializer_list>
 
-#include "image/header.hpp"
+#include "image/cursor.hpp"
 
 namespace gltfx::image {
 namespace {
@@ -28,27 +29,6 @@ constexpr std::array kMarks{
     Mark{"\xff\x4f\xff\x51"sv, ForeignFormat::jpeg2000},
 };
 
-unsigned byte_at(std::string_view bytes, std::size_t at) {
-  return static_cast<unsigned char>(bytes[at]);
-}
-unsigned word_at(std::string_view bytes, std::size_t at) {
-  return byte_at(bytes, at) | byte_at(bytes, at + 1) << 8U;
-}
-
-bool is_bmp(std::string_view bytes) {
-  if (bytes.size() < 26 || !bytes.starts_with("BM")) return false;
-  // The size of the second header defines its version.
-  for (const unsigned size : {12U, 16U, 40U, 52U, 56U, 64U, 108U, 124U}) {
-    if (word_at(bytes, 14) == size && word_at(bytes, 16) == 0) return true;
-  }
-  return false;
-}
-
-bool is_pnm(std::string_view bytes) {
-  return bytes.size() > 3 && bytes[0] == 'P' && "123456Ff"sv.find(bytes[1]) != bytes.npos &&
-         " \t\r\n#"sv.find(bytes[2]) != bytes.npos;
-}
-
 bool is_one_of(unsigned value, std::initializer_list<unsigned> values) {
   for (const unsigned each : values) {
     if (each == value) return true;
@@ -56,27 +36,50 @@ bool is_one_of(unsigned value, std::initializer_list<unsigned> values) {
   return false;
 }
 
-bool is_tga(std::string_view bytes) {
+bool is_bmp(Cursor file) {
+  if (file.left() < 26 || !file.at("BM")) return false;
+  file.skip(14);
+  // The size of the second header tells which version it is.
+  return is_one_of(file.le32(), {12, 16, 40, 52, 56, 64, 108, 124});
+}
+
+bool is_pnm(Cursor file) {
+  if (file.left() <= 3 || !file.at("P")) return false;
+  file.skip(1);
+  const char kind = static_cast<char>(file.u8());
+  const char separator = static_cast<char>(file.u8());
+  return "123456Ff"sv.find(kind) != std::string_view::npos &&
+         " \t\r\n#"sv.find(separator) != std::string_view::npos;
+}
+
+bool is_tga(Cursor file) {
   constexpr std::size_t kHeader = 18;
-  if (bytes.size() <= kHeader) return false;
-  const unsigned map = byte_at(bytes, 1);
-  const unsigned type = byte_at(bytes, 2);
-  const unsigned kind = type & 7U;  // the value is 8 greater if packed
+  const std::size_t file_size = file.left();
+  if (file_size <= kHeader) return false;
+  const unsigned id_size = file.u8();
+  const unsigned map = file.u8();
+  const unsigned type = file.u8();
+  const unsigned kind = type & 7U;  // 8 more: packed
   if (map > 1 || !is_one_of(type, {1, 2, 3, 9, 10, 11})) return false;
-  const unsigned colors = word_at(bytes, 5);
-  const unsigned color_bits = byte_at(bytes, 7);
-  const unsigned bits = byte_at(bytes, 16);
+  file.skip(2);  // the first colour
+  const unsigned colors = file.le16();
+  const unsigned color_bits = file.u8();
+  file.skip(4);  // the origin
+  const std::uint64_t width = file.le16();
+  const std::uint64_t height = file.le16();
+  const unsigned bits = file.u8();
+  const unsigned flags = file.u8();
   if (kind == 1 && (map == 0 || colors == 0 || !is_one_of(bits, {8, 16}))) return false;
   if (kind == 2 && !is_one_of(bits, {15, 16, 24, 32})) return false;
   if (kind == 3 && !is_one_of(bits, {8, 16})) return false;
   if (map == 1 && !is_one_of(color_bits, {15, 16, 24, 32})) return false;
-  const std::uint64_t texels = std::uint64_t{word_at(bytes, 12)} * word_at(bytes, 14);
-  if (texels == 0 || (byte_at(bytes, 17) & 0xC0U) != 0) return false;
-  std::uint64_t size = kHeader + byte_at(bytes, 0);
+  const std::uint64_t texels = width * height;
+  if (texels == 0 || (flags & 0xC0U) != 0) return false;
+  std::uint64_t size = kHeader + id_size;
   if (map == 1) size += std::uint64_t{colors} * ((color_bits + 7) / 8);
   // Packed: at least two bytes for 128 texels.
   size += type == kind ? texels * ((bits + 7) / 8) : (texels + 127) / 128 * 2;
-  return bytes.size() >= size;
+  return file_size >= size;
 }
 
 }  // namespace
@@ -89,13 +92,13 @@ std::string_view foreign_name(ForeignFormat format) {
 
 std::optional<ForeignFormat> sniff_foreign(std::span<const std::byte> bytes) {
   if (sniff(bytes).known) return std::nullopt;
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const Cursor file(bytes);
   for (const Mark& mark : kMarks) {
-    if (text.starts_with(mark.bytes)) return mark.format;
+    if (file.at(mark.bytes)) return mark.format;
   }
-  if (is_bmp(text)) return ForeignFormat::bmp;
-  if (is_pnm(text)) return ForeignFormat::pnm;
-  if (is_tga(text)) return ForeignFormat::tga;
+  if (is_bmp(file)) return ForeignFormat::bmp;
+  if (is_pnm(file)) return ForeignFormat::pnm;
+  if (is_tga(file)) return ForeignFormat::tga;
   return std::nullopt;
 }
 
