@@ -30,8 +30,8 @@ Answer answer_to(const Job& job, const Packet& packet, const Decode& decode) {
   });
 }
 
-// Keeps freed memory for the next payload: requesting new
-// pages from the system would take a tenth of the time.
+// Keeps freed memory for the next payload: requesting new pages from the system takes 10 % of the
+// time of a job.
 // NOLINTBEGIN(concurrency-mt-unsafe): called before there are threads
 void keep_memory() {
   ::mallopt(M_ARENA_MAX, 1);  // arenas of threads reserve address space
