@@ -28,7 +28,11 @@ constexpr float kLeastLength = 1e-3F;
 class Resizer {
  public:
   Resizer(const Raster& raster, std::span<const std::byte> texels, const Resize& how)
-      : from_(raster), texels_(texels), how_(how), to_(smaller(raster, how.max_side)) {
+      : from_(raster),
+        texels_(texels),
+        how_(how),
+        to_(smaller(raster, how.max_side)),
+        cutoff_(cutoff()) {
     if (raster.bits == 32) return;
     const std::size_t full = full_value();
     for (std::size_t i = 0; i <= full; ++i) {
@@ -100,7 +104,7 @@ class Resizer {
     for (std::size_t i = 0; i < to.size(); i += from_.channels) {
       float& alpha = to[i + from_.channels - 1];
       alpha = alpha > 0 ? std::min(alpha, 1.0F) : 0;  // a float may be no number
-      if (alpha >= cutoff().shows) ++shown_;
+      if (alpha >= cutoff_.shows) ++shown_;
       if (!weighs()) continue;
       for (std::size_t c = 0; c < colors(); ++c) to[i + c] *= alpha;
     }
@@ -135,10 +139,10 @@ class Resizer {
         values[i * to_.channels + c] /= alpha;
       }
     }
-    const bool divides = how_.alpha_cutoff > 0 && cutoff().shows > 0 && cutoff().shows <= 1;
+    const bool divides = how_.alpha_cutoff > 0 && cutoff_.shows > 0 && cutoff_.shows <= 1;
     if (divides) {
       const auto all = static_cast<double>(std::uint64_t{from_.width} * from_.height);
-      keep_coverage(texels, static_cast<double>(shown_) / all, cutoff());
+      keep_coverage(texels, static_cast<double>(shown_) / all, cutoff_);
     }
     if (!weighs()) return;
     const float least = from_.bits == 32 ? 0 : 0.5F / static_cast<float>(full_value());
@@ -175,8 +179,9 @@ class Resizer {
   std::span<const std::byte> texels_;
   Resize how_;
   Raster to_;
-  std::vector<float> plain_, light_;  ///< by integer: its number, and the number as linear light
-  std::uint64_t shown_ = 0;           ///< texels of the input at or above the cutoff
+  Cutoff cutoff_;
+  std::vector<float> plain_, light_;  ///< of each integer: its number, and that of its light
+  std::uint64_t shown_ = 0;           ///< texels of the input that are not below the cutoff
 };
 
 }  // namespace
