@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
-#include <new>
 #include <optional>
 #include <string>
 #include <thread>
@@ -69,15 +68,12 @@ struct Selection {
 
 // Two channels that are not grey and alpha become red and green, with blue 0.
 Selection select(const OIIO::ImageSpec& spec) {
-  const bool alpha = spec.alpha_channel == spec.nchannels - 1 || spec.alpha_channel == 3;
   if (spec.nchannels == 1) return {1, 1};
-  if (spec.nchannels == 2) return {2, alpha ? 2U : 3U};
-  return spec.nchannels > 3 && alpha && spec.alpha_channel == 3 ? Selection{4, 4} : Selection{3, 3};
+  if (spec.nchannels == 2) return {2, spec.alpha_channel == 1 ? 2U : 3U};
+  return spec.nchannels > 3 && spec.alpha_channel == 3 ? Selection{4, 4} : Selection{3, 3};
 }
 
-bool is_float(OIIO::TypeDesc type) { return type.is_floating_point(); }
-
-// Widens rows of two channels to three, from the end, so that no unread values are overwritten.
+// Widens rows of two channels to three, from the end, so that nothing is written over too early.
 void widen(std::span<std::byte> pixels, std::size_t texels, std::size_t size) {
   for (std::size_t i = texels; i-- > 0;) {
     std::memmove(pixels.data() + i * 3 * size, pixels.data() + i * 2 * size, 2 * size);
@@ -123,7 +119,8 @@ std::optional<DecodeError> find_obstacle(const OIIO::ImageSpec& spec, const Job&
   if (spec.get_string_attribute("textureformat") == "CubeFace Environment") {
     return unusual("It is a cube map.");
   }
-  if (is_float(spec.format) && !job.floats) return unusual("It holds floating-point values.");
+  if (spec.format.is_floating_point() && !job.floats)
+    return unusual("It holds floating-point values.");
   const auto texels =
       static_cast<std::uint64_t>(spec.width) * static_cast<std::uint64_t>(spec.height);
   if (texels > job.max_pixels) return too_many_texels();
@@ -137,7 +134,7 @@ Answer read(const Input& input, const OIIO::ImageSpec& spec, const Job& job, con
   image.width = static_cast<std::uint32_t>(spec.width);
   image.height = static_cast<std::uint32_t>(spec.height);
   image.channels = selection.to;
-  image.bits = is_float(spec.format) ? 32 : spec.format.size() > 1 ? 16 : 8;
+  image.bits = spec.format.is_floating_point() ? 32 : spec.format.size() > 1 ? 16 : 8;
   std::span<std::byte> pixels = create_pixels(image, job, output);
   std::vector<std::byte> own;
   if (pixels.empty()) {
