@@ -21,4 +21,7 @@ using Decode = std::function<Answer(const Job&, std::span<const std::byte>, cons
 Answer decode_safely(const Decode& decode, const Job& job, std::span<const std::byte> bytes,
                      const Output& output);
 
+/// Writes a file that an encoder has made to the output; an error without memory for it.
+Answer hand_over(std::span<const std::byte> file, const Output& output);
+
 }  // namespace gltfx::codec

@@ -17,10 +17,6 @@ constexpr std::size_t kAlignment = 8;
 
 std::size_t aligned(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
 
-std::size_t value_size(const DracoAttribute& attribute) {
-  return std::size_t{attribute.components} * component_size(attribute.component);
-}
-
 bool ids_repeat(const DracoMesh& mesh) {
   std::vector<std::uint32_t> ids;
   for (const DracoAttribute& attribute : mesh.attributes) ids.push_back(attribute.id);

@@ -81,6 +81,10 @@ bool format_holds(const Job& job, const Raster& raster);
 
 /// Bytes of one component, 0 for `other`.
 unsigned component_size(Component component);
+/// Bytes of one value of an attribute, 0 for components of type `other`.
+inline std::size_t value_size(const DracoAttribute& attribute) {
+  return std::size_t{attribute.components} * component_size(attribute.component);
+}
 
 /// Bytes of a result: the indices, then the values of each attribute, each at a multiple of eight.
 /// Nothing if the size exceeds 64 bits.
@@ -94,8 +98,7 @@ template <typename Use>
 void for_each_values(const DracoMesh& mesh, Use&& use) {
   std::uint64_t offset = (std::uint64_t{mesh.faces} * 12 + 7) / 8 * 8;
   for (const DracoAttribute& attribute : mesh.attributes) {
-    const std::uint64_t size =
-        std::uint64_t{mesh.points} * attribute.components * component_size(attribute.component);
+    const std::uint64_t size = std::uint64_t{mesh.points} * value_size(attribute);
     use(offset, size);
     offset += (size + 7) / 8 * 8;
   }

@@ -150,10 +150,8 @@ Answer write_result(draco::MeshDecoder& decoder, const draco::Mesh& decoded, con
   std::int32_t index = 0;
   for_each_values(mesh, [&](std::uint64_t offset, std::uint64_t length) {
     const DracoAttribute& attribute = mesh.attributes[static_cast<std::size_t>(index)];
-    const std::size_t value =
-        std::size_t{attribute.components} * component_size(attribute.component);
-    sound = sound &&
-            write_values(*decoded.attribute(index), value, mesh.points, to.subspan(offset, length));
+    sound = sound && write_values(*decoded.attribute(index), value_size(attribute), mesh.points,
+                                  to.subspan(offset, length));
     ++index;
   });
   return sound ? Answer(std::move(mesh)) : Answer(malformed("The attributes have no values."));

@@ -2,9 +2,6 @@
 #include "draco_encode.hpp"
 
 #include <array>
-#include <cstring>
-#include <memory>
-#include <new>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -45,7 +42,7 @@ struct Values {
 // separate value.
 Values distinct_values(const DracoAttribute& attribute, std::uint32_t points,
                        const std::vector<bool>& alone) {
-  const std::size_t size = attribute.values.size() / points;
+  const std::size_t size = value_size(attribute);
   const auto* bytes = reinterpret_cast<const char*>(attribute.values.data());
   Values values;
   values.of_points.resize(points);
@@ -75,7 +72,7 @@ std::vector<bool> find_collapsed(const DracoMesh& mesh, const Values& positions)
 }
 
 void add(draco::Mesh& to, const DracoAttribute& attribute, const Values& values) {
-  const std::size_t size = attribute.values.size() / to.num_points();
+  const std::size_t size = value_size(attribute);
   draco::GeometryAttribute description;
   description.Init(kind_of(attribute.use), nullptr, static_cast<std::uint8_t>(attribute.components),
                    type_of(attribute.component), attribute.normalized,
@@ -130,12 +127,7 @@ Answer encode_draco(std::span<const std::byte> payload, const Output& output) {
   if (!status.ok()) return DecodeError{ErrorKind::malformed, status.error_msg_string()};
   const bool shorter = encode(mesh, 0, slow).ok() && slow.size() < quick.size();
   const draco::EncoderBuffer& best = shorter ? slow : quick;
-  const std::span<std::byte> to = output(best.size());
-  if (to.size() < best.size()) throw std::bad_alloc();
-  std::memcpy(to.data(), best.data(), best.size());
-  EncodedImage encoded;
-  encoded.size = best.size();
-  return encoded;
+  return hand_over(std::as_bytes(std::span(best.data(), best.size())), output);
 }
 
 }  // namespace gltfx::codec

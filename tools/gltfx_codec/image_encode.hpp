@@ -10,10 +10,7 @@
 
 namespace gltfx::codec {
 
-/// Writes a finished file to the output. Throws std::bad_alloc.
-Answer hand_over(std::span<const std::byte> file, const Output& output);
-
-// Each function encodes the texels that `job.raster` describes; the format is already checked.
+// Each encodes the texels that `job.raster` describes; formats and forms have been checked.
 
 // With `job.options.smallest`, encoding takes longer and results in fewer bytes.
 

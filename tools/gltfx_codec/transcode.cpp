@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transcode.hpp"
 
-#include <algorithm>
 #include <cstring>
-#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,15 +13,6 @@
 #include "resize.hpp"
 
 namespace gltfx::codec {
-
-Answer hand_over(std::span<const std::byte> file, const Output& output) {
-  const std::span<std::byte> to = output(file.size());
-  if (to.size() < file.size() || file.empty()) throw std::bad_alloc();
-  std::memcpy(to.data(), file.data(), file.size());
-  EncodedImage image;
-  image.size = file.size();
-  return image;
-}
 
 namespace {
 
@@ -75,6 +64,7 @@ DecodedResult texels_of(const Job& job, std::span<const std::byte> bytes) {
   }
   Job inner = job;
   inner.pixels = true;
+  inner.normals = false;  // no statistics of these texels are used
   Answer answer = decode(inner, bytes, [&](std::uint64_t size) {
     decoded.texels.bytes.resize(static_cast<std::size_t>(size));
     return std::span(decoded.texels.bytes);
