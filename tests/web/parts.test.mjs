@@ -2,7 +2,7 @@
 // Parts of the page that need no browser and no engine: contents of archives and of drops.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { isFixable, toUpgrade } from "../../tools/web/assets.mjs";
+import { isFixable, nameOfGlb, toUpgrade } from "../../tools/web/assets.mjs";
 import { groupsOf, openFolder } from "../../tools/web/files.mjs";
 import { fromDrop, titleOf } from "../../tools/web/dropped.mjs";
 import { crc32, readZip, writeZip } from "../../tools/web/zip.mjs";
@@ -97,6 +97,10 @@ test("what can be done with an asset", () => {
   assert.equal(toUpgrade(asset), 1);
   assert.equal(isFixable({ ...asset, findings: [{}] }), false);
   assert.equal(toUpgrade({ ...asset, upgrade: [] }), 0);
+  const taken = new Map([["a.b/c.glb", 0]]);
+  assert.equal(nameOfGlb("a.b/c.gltf", new Map()), "a.b/c.glb");
+  assert.equal(nameOfGlb("a.b/c.glb", taken), "a.b/c-2.glb");
+  assert.equal(nameOfGlb("a.b/c", taken), "a.b/c-2.glb");
 });
 
 test("an archive that is written is read again", async () => {

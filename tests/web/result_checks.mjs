@@ -220,6 +220,10 @@ async function downloadsAreThoseOfTheProgram(one, url, native) {
   await changesAreThoseOfTheProgram(one, page, native, "upgrade", "upgraded", 2);
   await ended(page);
   await changesAreThoseOfTheProgram(one, page, native, "fix", "fixed", 2);
+  await ended(page);
+  const packed = await download(one, page, "#get-packed");
+  assert.equal(packed.name, "packed.zip");
+  assert.ok(packed.bytes.includes(Buffer.from("glTF\x02\0\0\0")));
   assert.deepEqual(page.complaints, []);
   await page.close();
 }

@@ -12,7 +12,7 @@ globalThis.report = { rules: Object.create(null) }; // the rules with findings, 
 let checks = null;
 let title = "";
 let done = 0;
-const changes = { fixed: 0, upgraded: 0 }; // assets that have some
+const changes = { fixed: 0, upgraded: 0, packed: 0 }; // assets that have some
 let paths = []; // of all assets
 let leftOut = []; // {path, why, isArchive, mayHideAssets}
 let address = ""; // of the last file that was made
@@ -41,7 +41,7 @@ function begin(dropped) {
   if (dropped.length === 0) return say("Nothing in it can be read.", true);
   checks?.stop();
   title = titleOf(dropped);
-  done = changes.fixed = changes.upgraded = 0;
+  done = changes.fixed = changes.upgraded = changes.packed = 0;
   paths = [];
   leftOut = [];
   clear();
@@ -79,6 +79,7 @@ function hear(said) {
     Object.assign(report.rules, said.rules);
     if (isFixable(said.asset)) ++changes.fixed;
     if (toUpgrade(said.asset) > 0) ++changes.upgraded;
+    if (said.asset.readable) ++changes.packed;
     ++done;
     add(said.asset);
     showProgress();
@@ -159,7 +160,7 @@ function start() {
   startList();
   startFields();
   byId("stop").addEventListener("click", () => stop("Stopped."));
-  for (const kind of ["html", "sarif", "fixed", "upgraded"]) {
+  for (const kind of ["html", "sarif", "fixed", "upgraded", "packed"]) {
     byId(`get-${kind}`).addEventListener("click", () => {
       showBusy("Writing");
       checks.make(kind, title);

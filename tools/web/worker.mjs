@@ -3,10 +3,10 @@
 // of its build.
 //
 //   in   {open: [{path, file}], wasm}            out  {assets, leftOut}, {asset, rules}..., {checked: true}
-//   in   {make: "html" | "sarif" | "fixed" | "upgraded"}  out  {made: Blob, name} or {made: null, why}
+//   in   {make: "html" | "sarif" | "fixed" | "upgraded" | "packed"}  out  {made: Blob, name} or {made: null, why}
 import { createEngine } from "../npm/wasm/engine.mjs";
 import loader from "gltfx-wasm.mjs";
-import { isFixable, toUpgrade } from "./assets.mjs";
+import { isFixable, nameOfGlb, toUpgrade } from "./assets.mjs";
 import { groupsOf, openFolder, Reading } from "./files.mjs";
 import { writeZip } from "./zip.mjs";
 
@@ -103,9 +103,29 @@ async function change(verb, name) {
     for (const [path, bytes] of done.written) written.set(path, bytes);
   }
   if (written.size === 0) throw new Error("no file changes");
-  const files = [...written];
+  return filesOf([...written], name);
+}
+
+function filesOf(files, name) {
   if (files.length > 1) return { made: writeZip(files), name: `${name}.zip` };
   return { made: new Blob([files[0][1]]), name: files[0][0].split("/").pop() };
+}
+
+/** One GLB of each asset, as small as it becomes without loss. */
+async function pack() {
+  const files = new Map();
+  let why = "";
+  for (const path of folder.assets) {
+    try {
+      const done = await run("convert", [path], (place) => ["-o", `${place}/packed.glb`, "--shrink"]);
+      const bytes = done.written.get(`${done.place}/packed.glb`);
+      if (bytes) files.set(nameOfGlb(path, files), bytes);
+    } catch (error) {
+      why ||= error.message;
+    }
+  }
+  if (files.size === 0) throw new Error(why || "no asset can be packed");
+  return filesOf([...files], "packed");
 }
 
 const MAKERS = {
@@ -127,6 +147,7 @@ const MAKERS = {
   },
   fixed: () => change("fix", "fixed"),
   upgraded: () => change("upgrade", "upgraded"),
+  packed: pack,
 };
 
 async function make(kind, title) {
