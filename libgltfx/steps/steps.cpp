@@ -3,8 +3,9 @@
 
 namespace gltfx::steps {
 
+StepDescription weld_step();
 StepDescription container_step();
 
-std::vector<StepDescription> steps() { return {container_step()}; }
+std::vector<StepDescription> steps() { return {weld_step(), container_step()}; }
 
 }  // namespace gltfx::steps

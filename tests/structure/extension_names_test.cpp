@@ -37,6 +37,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/model/variants.cpp", "chooses the material of a primitive by what was asked for"},
     {"libgltfx/schema/extension_names.cpp",
      "names that have no schema, so that none is taken for a misspelt one"},
+    {"libgltfx/steps/vertex_numbers.cpp",
+     "ids of features are numbers of vertices where members that name other ids are absent"},
     {"libgltfx/steps/upgrade/convert_scattering.cpp",
      "computes the values of one extension from those of two, and from which successor is chosen"},
     {"libgltfx/steps/upgrade/convert_specular_glossiness.cpp",

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "steps/step_data.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "container/opened_files.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements) {
+  container::OpenedFiles files(input.asset.resolver());
+  const std::vector<bool> images(elements.count(model::RootArray::images), false);
+  return model::load_resources(input.asset.container(), files, elements, input.asset.views(),
+                               input.options.jobs, &images)
+      .data;
+}
+
+// Each byte once, and some more.
+std::uint64_t readable_bytes(const model::ResourceData& resources) {
+  std::uint64_t bytes = std::uint64_t{64} << 20U;
+  for (const auto& buffer : resources.buffers) {
+    if (buffer) bytes += 2 * buffer->size();
+  }
+  return bytes;
+}
+
+}  // namespace
+
+StepData::StepData(const StepInput& of)
+    : input(of),
+      document(of.asset.document()),
+      elements(document),
+      graph(document, of.schemas),
+      resources(load_buffers(of, elements)),
+      budget(readable_bytes(resources)) {}
+
+std::string StepData::open(std::uint32_t index, std::optional<model::AccessorData>& data) const {
+  const model::Accessor& accessor = views().accessors[index];
+  if (accessor.sparse != json::kNoNode) return "has a sparse accessor";
+  if (document.find(accessor.node, "extensions") != json::kNoNode)
+    return "has an accessor with an extension";
+  const model::BufferView* view = views().view_of(accessor);
+  if (!view) return "has an accessor without a buffer view";
+  if (resources.decoded(*view)) return "is compressed; decode it first: --compress none";
+  if (document.find(view->node, "extensions") != json::kNoNode)
+    return "has a buffer view with an extension";
+  if (model::is_matrix(accessor.format.type)) return "has an accessor with matrices";
+  data =
+      model::AccessorData::open(elements, views(), resources, accessor, model::Malformed::unusable);
+  if (!data) return "has data that cannot be read";
+  if (!budget.take(checked_mul(data->count(), model::packed_stride(data->format())))) {
+    data.reset();
+    return "shares its bytes with too many others";
+  }
+  return {};
+}
+
+StepChanges::StepChanges(const StepData& data)
+    : buffer(data.input.asset),
+      additions(data.document),
+      editor(data.document),
+      contents(data.input.asset, data.graph, data.resources, buffer, additions, editor) {}
+
+Result<change::Change> StepChanges::finish() {
+  if (auto trouble = contents.store()) return *std::move(trouble);
+  change::Change change;
+  change.edits = editor.take();
+  change.additions = std::move(additions);
+  buffer.add_to(change);
+  return change;
+}
+
+std::string packed_bytes(const model::AccessorData& data) {
+  std::string bytes(model::packed_stride(data.format()) * data.count(), '\0');
+  std::uint64_t next = 0;
+  data.read(reinterpret_cast<std::byte*>(bytes.data()), 0, static_cast<std::size_t>(data.count()),
+            next);
+  return bytes;
+}
+
+}  // namespace gltfx::steps

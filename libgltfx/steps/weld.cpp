@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+// Vertices of a primitive that are equal in all bits become one (glTF 2.0 section 3.7.2).
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/hash.hpp"
+#include "graph/unknown_indices.hpp"
+#include "report/wording.hpp"
+#include "steps/storage.hpp"
+#include "steps/vertex_sets.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+// The vertex that takes the place of each, in new numbers, and which of the old ones stay.
+struct Merging {
+  std::vector<std::uint32_t> numbers;  ///< by old number
+  std::vector<std::uint32_t> kept;     ///< old numbers, in order
+};
+
+// All bits of vertices, each as one record.
+struct Records {
+  std::size_t size = 0;  ///< of one
+  std::string bytes;
+
+  std::string_view of(std::uint32_t vertex) const {
+    return std::string_view(bytes).substr(vertex * size, size);
+  }
+};
+
+Records records_of(const OpenedVertices& vertices) {
+  Records records;
+  for (const VertexColumn& column : vertices.columns)
+    records.size += model::packed_stride(column.data.format());
+  records.bytes.resize(records.size * vertices.count);
+  std::size_t offset = 0;
+  for (const VertexColumn& column : vertices.columns) {
+    const std::size_t size = model::packed_stride(column.data.format());
+    const std::string bytes = packed_bytes(column.data);
+    for (std::size_t i = 0; i < vertices.count; ++i)
+      std::memcpy(records.bytes.data() + i * records.size + offset, bytes.data() + i * size, size);
+    offset += size;
+  }
+  return records;
+}
+
+using Hashed = std::pair<std::uint64_t, std::uint32_t>;  // hash, vertex
+
+// Equal records of one hash side by side, each time in the order of their vertices.
+void order_by_bytes(const Records& records, Hashed* begin, Hashed* end) {
+  const bool same = std::all_of(begin, end, [&](const Hashed& each) {
+    return records.of(each.second) == records.of(begin->second);
+  });
+  if (same) return;
+  std::stable_sort(begin, end, [&](const Hashed& a, const Hashed& b) {
+    return records.of(a.second) < records.of(b.second);
+  });
+}
+
+// Sorting takes n log n steps, whatever the hashes are.
+Merging merge(const Records& records, std::uint32_t count) {
+  std::vector<Hashed> sorted;
+  sorted.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) sorted.emplace_back(hash_bytes(records.of(i)).low, i);
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint32_t> first(count);
+  for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
+    while (end < count && sorted[end].first == sorted[begin].first) ++end;
+    order_by_bytes(records, sorted.data() + begin, sorted.data() + end);
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool again =
+          i > begin && records.of(sorted[i - 1].second) == records.of(sorted[i].second);
+      first[sorted[i].second] = again ? first[sorted[i - 1].second] : sorted[i].second;
+    }
+  }
+  Merging merging;
+  merging.numbers.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (first[i] == i) {
+      merging.numbers[i] = static_cast<std::uint32_t>(merging.kept.size());
+      merging.kept.push_back(i);
+    } else {
+      merging.numbers[i] = merging.numbers[first[i]];
+    }
+  }
+  return merging;
+}
+
+class Welder {
+ public:
+  explicit Welder(const StepInput& input) : data_(input), changes_(data_), numbers_(data_) {}
+
+  Result<StepOutcome> run() {
+    for (const VertexSet& set : find_vertex_sets(data_)) {
+      std::string why = set.obstacle.empty() ? weld(set) : set.obstacle;
+      if (!why.empty()) row().left.push_back({place_of(data_, set), std::move(why)});
+    }
+    if (merged_ == 0) return std::move(outcome_);
+    if (std::string why = find_doubt(data_.graph, "accessors"); !why.empty()) {
+      row().refused = {{{}, std::move(why)}};
+      return std::move(outcome_);
+    }
+    auto change = changes_.finish();
+    if (!change) return change.error();
+    outcome_.change = *std::move(change);
+    row().what = fmt::format("{} {} merged in {}", merged_, merged_ == 1 ? "vertex" : "vertices",
+                             report::counted(primitives_, "primitive"));
+    return std::move(outcome_);
+  }
+
+ private:
+  ConvertStep& row() { return outcome_.row; }
+
+  // Why a set is left, or nothing.
+  std::string weld(const VertexSet& set) {
+    OpenedVertices vertices;
+    if (std::string why = open_vertices(data_, set, vertices); !why.empty()) return why;
+    const auto count = static_cast<std::uint32_t>(vertices.count);
+    const Records records = records_of(vertices);
+    const Merging merging = merge(records, count);
+    const std::uint64_t merged = count - merging.kept.size();
+    if (merged == 0) return {};
+    if (std::string why = find_loss(set, merging, records.size); !why.empty()) return why;
+    std::vector<std::vector<std::uint32_t>> lists;
+    for (const IndexList& list : vertices.indices) {
+      auto numbers = renumbered(list, merging);
+      if (numbers.empty()) return "has an index without a vertex";
+      lists.push_back(std::move(numbers));
+    }
+    if (std::string why = numbers_.find(set); !why.empty()) {
+      row().refused.push_back({place_of(data_, set), std::move(why)});
+      return {};
+    }
+    store(set, vertices, merging, lists);
+    merged_ += merged;
+    primitives_ += set.primitives.size();
+    return {};
+  }
+
+  // Bytes that indices take where there are none yet, against those of merged vertices.
+  static std::string find_loss(const VertexSet& set, const Merging& merging, std::size_t size) {
+    constexpr std::uint64_t kTextOfIndices = 200;
+    bool is_new = false;
+    for (const model::Primitive* primitive : set.primitives) {
+      if (primitive->indices) continue;
+      if (primitive->mode == model::Mode::points) return "has points without indices";
+      is_new = true;
+    }
+    if (!is_new) return {};
+    const std::uint64_t count = merging.numbers.size();
+    const std::uint64_t saved = (count - merging.kept.size()) * size;
+    const std::uint64_t cost = count * model::component_size(index_type(merging)) + kTextOfIndices;
+    return saved > cost ? std::string() : "would take more bytes with indices";
+  }
+
+  // The greatest number of a type restarts a primitive, or is not allowed.
+  static model::ComponentType index_type(const Merging& merging) {
+    return merging.kept.size() <= UINT16_MAX ? model::ComponentType::uint16
+                                             : model::ComponentType::uint32;
+  }
+
+  // Empty: an index has no vertex.
+  static std::vector<std::uint32_t> renumbered(const IndexList& list, const Merging& merging) {
+    std::vector<std::uint32_t> indices = read_index_list(list.data);
+    const std::uint32_t restart = restart_index(list.data);
+    for (std::uint32_t& index : indices) {
+      if (index < merging.numbers.size() && index != restart) {
+        index = merging.numbers[index];
+      } else if (index != restart) {
+        return {};
+      }
+    }
+    return indices;
+  }
+
+  void store(const VertexSet& set, const OpenedVertices& vertices, const Merging& merging,
+             const std::vector<std::vector<std::uint32_t>>& lists) {
+    for (const VertexColumn& column : vertices.columns) {
+      const std::size_t size = model::packed_stride(column.data.format());
+      const std::string old = packed_bytes(column.data);
+      std::string bytes;
+      bytes.reserve(size * merging.kept.size());
+      for (const std::uint32_t vertex : merging.kept) bytes.append(old, vertex * size, size);
+      changes_.contents.set(column.accessor, {std::move(bytes), merging.kept.size(), false,
+                                              model::ViewTarget::vertices});
+    }
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      const model::AccessorData& data = vertices.indices[i].data;
+      changes_.contents.set(vertices.indices[i].accessor,
+                            {index_bytes(lists[i], data.format().component), data.count(), true,
+                             model::ViewTarget::indices});
+    }
+    std::string added;  // of all that have none
+    for (const model::Primitive* primitive : set.primitives) {
+      if (primitive->indices) continue;
+      if (added.empty()) added = std::to_string(add_indices(merging));
+      changes_.editor.append_member(primitive->node, "indices", added);
+    }
+  }
+
+  std::uint64_t add_indices(const Merging& merging) {
+    const model::ComponentType type = index_type(merging);
+    std::string bytes = index_bytes(merging.numbers, type);
+    const std::size_t length = bytes.size();
+    const std::uint64_t view = changes_.additions.add_element(
+        "bufferViews",
+        fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{},"target":34963}})",
+                    changes_.buffer.index(), changes_.buffer.add(std::move(bytes)), length));
+    return changes_.additions.add_element(
+        "accessors",
+        fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"SCALAR"}})", view,
+                    static_cast<unsigned>(type), merging.numbers.size()));
+  }
+
+  const StepData data_;
+  StepChanges changes_;
+  VertexNumbers numbers_;
+  StepOutcome outcome_;
+  std::uint64_t merged_ = 0;
+  std::uint64_t primitives_ = 0;
+};
+
+}  // namespace
+
+StepDescription weld_step();
+StepDescription weld_step() {
+  return {"weld",
+          "makes vertices of a primitive one that are equal in all bits",
+          "all corners in their order, with all attributes and morph targets",
+          "nothing",
+          [](const ConvertOptions& options) { return options.weld || options.shrink; },
+          [](const StepInput& input) { return Welder(input).run(); }};
+}
+
+}  // namespace gltfx::steps
