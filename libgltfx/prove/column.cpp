@@ -19,6 +19,9 @@ constexpr std::size_t kBlock = 1024;  // elements
 double angle(const Element& a, const Element& b) {
   const model::Vector3 p{a[0], a[1], a[2]};
   const model::Vector3 q{b[0], b[1], b[2]};
+  // A vector of length 0 has no direction, and atan2(0, 0) is 0.
+  const bool turns = model::dot(p, p) > 0;
+  if (turns != (model::dot(q, q) > 0)) return std::numeric_limits<double>::infinity();
   const model::Vector3 across = model::cross(p, q);
   const double sine = std::sqrt(model::dot(across, across));
   const double degrees = std::atan2(sine, model::dot(p, q)) * 180 / std::numbers::pi;
@@ -45,6 +48,8 @@ double distance(Metric metric, const Element& a, const Element& b, unsigned comp
   const unsigned vector = metric == Metric::component ? 0 : std::min(components, 3U);
   double greatest = 0;
   for (unsigned i = vector; i < components; ++i) greatest = std::max(greatest, apart(a[i], b[i]));
+  // A difference of w is not in degrees.
+  if (metric == Metric::direction && greatest > 0) return std::numeric_limits<double>::infinity();
   if (metric == Metric::euclidean) {
     double square = 0;
     for (unsigned i = 0; i < vector; ++i) square += std::pow(apart(a[i], b[i]), 2);

@@ -22,8 +22,10 @@ double apart(double a, double b);
 /// How the distance of two elements is measured.
 enum class Metric : std::uint8_t {
   component,  ///< the greatest difference of a component
-  euclidean,  ///< distance of the first three components; other components as `component`
-  direction,  ///< angle in degrees between the same; other components as `component`
+  euclidean,  ///< of the first three components
+  /// The angle in degrees between those; infinite where another component differs, or only one of
+  /// the two has a direction.
+  direction,
 };
 double distance(Metric metric, const Element& a, const Element& b, unsigned components);
 

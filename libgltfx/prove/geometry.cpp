@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prove/geometry.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -56,9 +55,11 @@ Farthest farthest_corner(const PrimitivePair& pair, const Sequences& corners, co
   for (std::size_t i = 0; i < corners.ours.size(); ++i) {
     const std::uint32_t here = corners.ours[i];
     const std::uint32_t there = corners.theirs[i];
-    if (here >= pair.ours.vertices) continue;
+    const bool reads_here = here < pair.ours.vertices;
+    const bool reads_there = there < pair.theirs.vertices;
+    if (!reads_here && !reads_there) continue;
     const double away =
-        there < pair.theirs.vertices ? apart(here, there) : std::numeric_limits<double>::infinity();
+        reads_here && reads_there ? apart(here, there) : std::numeric_limits<double>::infinity();
     if (away > found.distance) found = {away, i};
   }
   return found;

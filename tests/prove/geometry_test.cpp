@@ -194,6 +194,42 @@ TEST(GeometryMeaning, DirectionsAreAngles) {
   EXPECT_TRUE(same(with_normals(0, 1), with_normals(0, 0.5F), request)) << "the same direction";
 }
 
+TEST(GeometryMeaning, AVectorWithoutDirectionIsFarFromOneWithDirection) {
+  const auto with_normal = [](float z) {
+    const std::vector<float> normals{0, 0, z, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+    return square().attribute("NORMAL", "VEC3", 5126, raw(normals), 4);
+  };
+  MeaningRequest request;
+  request.tolerance.direction = 180;
+  EXPECT_TRUE(same(with_normal(1), with_normal(-1), request));
+  EXPECT_FALSE(same(with_normal(1), with_normal(0), request));
+  EXPECT_TRUE(same(with_normal(0), with_normal(-0.0F)));
+}
+
+TEST(GeometryMeaning, TheSignOfATangentIsExact) {
+  const auto with_tangents = [](float x, float w) {
+    std::vector<float> tangents;
+    for (int i = 0; i < 4; ++i) tangents.insert(tangents.end(), {x, 0, 1, w});
+    return square().attribute("TANGENT", "VEC4", 5126, raw(tangents), 4);
+  };
+  MeaningRequest request;
+  request.tolerance.direction = 5;
+  EXPECT_TRUE(same(with_tangents(0, 1), with_tangents(0.05F, 1), request));
+  EXPECT_FALSE(same(with_tangents(0, 1), with_tangents(0, -1), request));
+}
+
+TEST(GeometryMeaning, ARestartIsNoVertex) {
+  const std::vector<float> row{0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0};
+  const auto strips = [&](const std::vector<std::uint16_t>& indices) {
+    OnePrimitive made = OnePrimitive().positions(row).indices(indices).mode(5);
+    made.json()["extensionsUsed"] = {"EXT_mesh_primitive_restart"};
+    return made;
+  };
+  const OnePrimitive two = strips({0, 1, 2, 0xFFFF, 3, 4, 5});
+  EXPECT_TRUE(same(two, two));
+  EXPECT_FALSE(same(two, strips({0, 1, 2, 3, 3, 4, 5})));
+}
+
 TEST(GeometryMeaning, OfTheSceneAllowsOtherTransforms) {
   std::vector<float> half = kSquare;
   for (float& value : half) value /= 2;
