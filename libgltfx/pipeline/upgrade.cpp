@@ -76,6 +76,7 @@ class Verifier {
       : before_(before),
         schemas_(schemas),
         verify_(options.verify),
+        jobs_(options.jobs),
         obstacle_(options.verify ? find_undrawn(actions) : std::string()) {
     if (!options.verify || !obstacle_.empty()) return;
     pictures_.emplace(before, options.root, schemas, options.jobs);
@@ -91,27 +92,38 @@ class Verifier {
           "the new file would have the new error {}; fix the findings of 'gltfx validate' first",
           found.error);
     }
-    if (verify_) {
-      // No upgrade moves a vertex. Small pictures would not show each.
-      const prove::Meaning meaning =
-          prove::compare_meshes(before_.asset(), after.asset(), *schemas_, {});
-      if (!meaning.same()) {
-        const prove::Difference& first = meaning.differences.front();
-        return fmt::format("the geometry would change: {} {} (--verify)", first.pointer,
-                           first.what);
-      }
-    }
-    report.not_verified = obstacle_;
-    if (!pictures_ || !obstacle_.empty()) return std::nullopt;
+    if (!verify_) return std::nullopt;
+    std::string unread;
+    if (auto why = find_moved(after, unread)) return why;
+    report.not_verified = obstacle_.empty() ? unread : obstacle_;
+    if (!obstacle_.empty()) return std::nullopt;
     std::string difference = pictures_->find_difference(after);
-    report.verified = difference.empty();
-    return report.verified ? std::nullopt : std::optional(difference + " (--verify)");
+    if (!difference.empty()) return difference + " (--verify)";
+    report.verified = unread.empty();
+    return std::nullopt;
   }
 
  private:
+  // How the geometry would change, or nothing. No upgrade moves a vertex, and small pictures would
+  // not show each. `unread`: the first part that could not be compared, without full stop.
+  std::optional<std::string> find_moved(const ValidatedAsset& after, std::string& unread) const {
+    prove::MeaningRequest request;
+    request.jobs = jobs_;
+    const prove::Meaning meaning =
+        prove::compare_meshes(before_.asset(), after.asset(), *schemas_, request);
+    if (!meaning.unread.empty()) {
+      unread = meaning.unread.front();
+      unread.pop_back();
+    }
+    if (meaning.same()) return std::nullopt;
+    const prove::Difference& first = meaning.differences.front();
+    return fmt::format("the geometry would change: {} {} (--verify)", first.pointer, first.what);
+  }
+
   const ValidatedAsset& before_;
   const SchemaSet& schemas_;
   bool verify_;
+  unsigned jobs_;
   std::string obstacle_;  // why there are no pictures
   std::optional<PictureCheck> pictures_;
 };

@@ -108,6 +108,18 @@ TEST_F(UpgradeVerifyTest, SaysSoWhereNothingCanBeCompared) {
               HasSubstr("not verified: gltfx does not draw ADOBE_materials_thin_transparency"));
 }
 
+TEST_F(UpgradeVerifyTest, SaysWhatCannotBeRead) {
+  auto poster = nlohmann::json::parse(content("poster.gltf"));
+  poster["meshes"][0]["primitives"][0]["attributes"]["_ID"] = poster["accessors"].size();
+  poster["accessors"].push_back(
+      {{"bufferView", 0}, {"componentType", 5126}, {"count", 1000000}, {"type", "SCALAR"}});
+  folder_.write("poster.gltf", poster.dump(2));
+  const Outcome outcome = here({"poster.gltf", "--verify", "--check"});
+  EXPECT_THAT(outcome.out, HasSubstr("not verified: /meshes/0/primitives/0/attributes/_ID cannot "
+                                     "be read\n"));
+  EXPECT_THAT(outcome.out, Not(HasSubstr("  verified")));
+}
+
 TEST_F(UpgradeVerifyTest, IsPartOfTheJson) {
   folder_.write("leaf.gltf", kLegacy);
   const Outcome outcome =

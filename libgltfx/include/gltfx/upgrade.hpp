@@ -87,8 +87,8 @@ struct UpgradeReport : EditOutcome {
   std::vector<std::string> new_warnings;
   /// Extensions whose last object was removed, so that the lists no longer name them.
   std::vector<std::string> names_removed;
-  bool verified = false;     ///< the picture before and after is the same
-  std::string not_verified;  ///< why there is none to compare, without full stop; else empty
+  bool verified = false;     ///< the picture before and after is the same, and all vertices
+  std::string not_verified;  ///< what could not be compared, without full stop; else empty
   std::string orphans_kept;  ///< why they stay although `prune` is set, without full stop
 
   /// Number of requested upgrades of legacy objects.
