@@ -220,10 +220,10 @@ class Rounds {
     auto trial = judge(std::move(planned));
     if (trial) {
       accept(*std::move(trial));
-    } else {
+    } else if (!made.empty()) {
       resolve(made, shared, trial.error().message);
     }
-    return true;
+    return trial || !made.empty();
   }
 
   // The extensions that the plan declares.
