@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "model/pose.hpp"
 #include "prove/curves.hpp"
 #include "prove/differences.hpp"
 #include "prove/geometry.hpp"
@@ -20,7 +21,25 @@ bool has_root_object(const model::OpenedAsset& opened) {
   return !document.empty() && document.is_object(document.root());
 }
 
-/// A mesh at a node, in both assets.
+// Compares both assets where `before` has a text. `compare` takes both sides
+// and the differences.
+template <class Compare>
+Meaning compare_sides(const model::OpenedAsset& before, const model::OpenedAsset& after,
+                      const schema::Set& schemas, Scope scope, const MeaningRequest& request,
+                      const Compare& compare) {
+  Differences found(request.most);
+  if (!has_root_object(before)) return {};
+  if (has_root_object(after)) {
+    const Side ours(before, schemas, scope, request.jobs);
+    const Side theirs(after, schemas, scope, request.jobs);
+    compare(ours, theirs, found);
+  } else {
+    found.add("", "is no glTF any more");
+  }
+  return found.take();
+}
+
+/// A mesh at a node, before and after.
 struct PlacedMesh {
   Pair node;
   const model::Mesh* ours = nullptr;
@@ -41,6 +60,12 @@ std::vector<PlacedMesh> placed_meshes(const Side& before, const Side& after,
   return placed;
 }
 
+// By node, from its space to that of the scene.
+std::vector<model::Affine> world_of(const Side& side) {
+  const model::SceneRoots roots = model::choose_scene(side.asset(), side.views());
+  return model::compute_pose(side.asset(), side.views(), roots).world;
+}
+
 void compare_geometry(const Side& before, const Side& after, const NodePairs& nodes,
                       const std::vector<Pair>& primitives, const MeaningRequest& request,
                       Differences& found) {
@@ -55,13 +80,16 @@ void compare_geometry(const Side& before, const Side& after, const NodePairs& no
     const bool positions = !in_place.contains(pair.ours);
     compare_primitives(before, after, pair.ours, pair.theirs, request, positions, found);
   }
+  if (placed.empty()) return;
+  const std::vector<model::Affine> here = world_of(before);
+  const std::vector<model::Affine> there = world_of(after);
   for (const PlacedMesh& each : placed) {
     const auto& ours = each.ours->primitives;
     const auto& theirs = each.theirs->primitives;
     for (std::size_t i = 0; i < std::min(ours.size(), theirs.size()); ++i) {
       if (ours[i].node == json::kNoNode || theirs[i].node == json::kNoNode) continue;
-      compare_placed(before, after, {ours[i].node, before.world()[before.index(each.node.ours)]},
-                     {theirs[i].node, after.world()[after.index(each.node.theirs)]}, each.node.ours,
+      compare_placed(before, after, {ours[i].node, here[before.index(each.node.ours)]},
+                     {theirs[i].node, there[after.index(each.node.theirs)]}, each.node.ours,
                      request, found);
     }
   }
@@ -71,54 +99,43 @@ void compare_geometry(const Side& before, const Side& after, const NodePairs& no
 
 Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAsset& after,
                         const schema::Set& schemas, const MeaningRequest& request) {
-  Differences found(request.most);
-  if (!has_root_object(before)) return {};
-  if (!has_root_object(after)) {
-    found.add("", "is no longer glTF");
-    return found.take();
-  }
-  const Side ours(before, schemas, request.jobs);
-  const Side theirs(after, schemas, request.jobs);
-  const NodePairs nodes(ours, theirs);
-  const Payloads payloads = ObjectWalk(ours, theirs, nodes, request, found).run();
-  compare_geometry(ours, theirs, nodes, payloads.primitives, request, found);
-  for (const Pair& pair : payloads.channels) {
-    compare_curves(ours, theirs, pair, request.tolerance.animation, found);
-  }
-  if (request.images != ImageComparison::none) {
+  const bool images = request.images != ImageComparison::none;
+  const auto compare = [&](const Side& ours, const Side& theirs, Differences& found) {
+    const NodePairs nodes(ours, theirs);
+    const Payloads payloads = ObjectWalk(ours, theirs, nodes, request, found).run();
+    compare_geometry(ours, theirs, nodes, payloads.primitives, request, found);
+    for (const Pair& pair : payloads.channels) {
+      compare_curves(ours, theirs, pair, request.tolerance.animation, found);
+    }
+    if (!images) return;
     for (const Pair& pair : payloads.images) {
       compare_images(ours, theirs, pair, request.images, found);
     }
-  }
-  return found.take();
+  };
+  return compare_sides(before, after, schemas, images ? Scope::all : Scope::without_images, request,
+                       compare);
 }
 
 Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsset& after,
                        const schema::Set& schemas, const MeaningRequest& request) {
-  Differences found(request.most);
-  if (!has_root_object(before)) return {};
-  if (!has_root_object(after)) {
-    found.add("", "is no longer glTF");
-    return found.take();
-  }
-  const Side ours(before, schemas, request.jobs);
-  const Side theirs(after, schemas, request.jobs);
-  const auto& here = ours.views().meshes;
-  const auto& there = theirs.views().meshes;
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    if (here[i].node == json::kNoNode) continue;
-    if (i >= there.size() || there[i].primitives.size() != here[i].primitives.size()) {
-      found.add(ours.pointer(here[i].node), "has another number of primitives");
-      continue;
+  const auto compare = [&](const Side& ours, const Side& theirs, Differences& found) {
+    const auto& here = ours.views().meshes;
+    const auto& there = theirs.views().meshes;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (here[i].node == json::kNoNode) continue;
+      if (i >= there.size() || there[i].primitives.size() != here[i].primitives.size()) {
+        found.add(ours.pointer(here[i].node), "has another number of primitives");
+        continue;
+      }
+      for (std::size_t k = 0; k < here[i].primitives.size(); ++k) {
+        const json::NodeId one = here[i].primitives[k].node;
+        const json::NodeId other = there[i].primitives[k].node;
+        if (one == json::kNoNode || other == json::kNoNode) continue;
+        compare_primitives(ours, theirs, one, other, request, true, found);
+      }
     }
-    for (std::size_t k = 0; k < here[i].primitives.size(); ++k) {
-      const json::NodeId one = here[i].primitives[k].node;
-      const json::NodeId other = there[i].primitives[k].node;
-      if (one == json::kNoNode || other == json::kNoNode) continue;
-      compare_primitives(ours, theirs, one, other, request, true, found);
-    }
-  }
-  return found.take();
+  };
+  return compare_sides(before, after, schemas, Scope::meshes, request, compare);
 }
 
 }  // namespace gltfx::prove

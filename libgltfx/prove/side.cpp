@@ -42,23 +42,26 @@ std::unordered_set<json::NodeId> find_tables(const graph::Graph& graph) {
 }
 
 model::LoadedResources load(const model::OpenedAsset& opened, const model::Asset& asset,
-                            unsigned jobs) {
+                            Scope scope, unsigned jobs) {
   container::OpenedFiles files(opened.resolver());
-  return model::load_resources(opened.container(), files, asset, opened.views(), jobs);
+  const std::vector<bool> images(asset.count(model::RootArray::images), scope == Scope::all);
+  return model::load_resources(opened.container(), files, asset, opened.views(), jobs, &images);
 }
 
 }  // namespace
 
-Side::Side(const model::OpenedAsset& opened, const schema::Set& set, unsigned jobs)
+Side::Side(const model::OpenedAsset& opened, const schema::Set& set, Scope scope, unsigned jobs)
     : opened_(opened),
       asset_(opened.document()),
-      graph_(opened.document(), set),
-      loaded_(load(opened, asset_, jobs)),
-      source_{asset_, opened.views(), loaded_.data, draco_},
-      pose_(
-          model::compute_pose(asset_, opened.views(), model::choose_scene(asset_, opened.views()))),
-      links_(read_links(graph_)),
-      tables_(find_tables(graph_)) {
+      loaded_(load(opened, asset_, scope, jobs)),
+      source_{asset_, opened.views(), loaded_.data, draco_} {
+  if (scope == Scope::meshes) {
+    tree_.emplace(opened.document());
+  } else {
+    graph_.emplace(opened.document(), set);
+    links_ = read_links(*graph_);
+    tables_ = find_tables(*graph_);
+  }
   draco_.add_all(asset_, opened.views(), loaded_.data);
   draco_.decode(codec::Client::shared(), jobs);
 }
@@ -77,8 +80,8 @@ bool Side::affords_implied(std::uint64_t count) const {
 }
 
 schema::TypeId Side::type(json::NodeId object) const {
-  const schema::TypeId type = graph_.type(object);
-  return type == schema::kNone ? type : graph_.set().type(type).origin;
+  const schema::TypeId type = graph_->type(object);
+  return type == schema::kNone ? type : graph_->set().type(type).origin;
 }
 
 }  // namespace gltfx::prove

@@ -12,7 +12,6 @@
 #include "model/draco.hpp"
 #include "model/geometry.hpp"
 #include "model/opened_asset.hpp"
-#include "model/pose.hpp"
 #include "model/resource_data.hpp"
 #include "prove/storage.hpp"
 #include "schema/set.hpp"
@@ -27,12 +26,19 @@ struct Link {
   const graph::PointerText* pointer = nullptr;  ///< null: an index
 };
 
-/// Opens all data that the asset refers to. Neither copied nor moved: its parts refer to each
-/// other. Not thread-safe.
+/// What is opened of an asset.
+enum class Scope : std::uint8_t {
+  meshes,          ///< what primitives refer to
+  without_images,  ///< all but images
+  all,
+};
+
+/// Opens what the asset refers to. Neither copied nor moved: its parts refer to each other. Not
+/// thread-safe.
 class Side {
  public:
   /// Precondition: the text has a root object.
-  Side(const model::OpenedAsset& opened, const schema::Set& set, unsigned jobs);
+  Side(const model::OpenedAsset& opened, const schema::Set& set, Scope scope, unsigned jobs);
   Side(const Side&) = delete;
   Side& operator=(const Side&) = delete;
 
@@ -40,21 +46,21 @@ class Side {
   const model::Asset& asset() const { return asset_; }
   const model::Views& views() const { return opened_.views(); }
   const model::ResourceData& resources() const { return loaded_.data; }
-  const graph::Graph& graph() const { return graph_; }
-  const graph::Tree& tree() const { return graph_.tree(); }
+  const graph::Tree& tree() const { return graph_ ? graph_->tree() : *tree_; }
   const model::GeometrySource& source() const { return source_; }
-  /// By node, from its space to the space of the scene.
-  const std::vector<model::Affine>& world() const { return pose_.world; }
 
-  /// The reference at that value, or null.
+  // Not for Scope::meshes, down to is_table():
+  const graph::Graph& graph() const { return *graph_; }
+  /// The reference that stands there, or null.
   const Link* link(json::NodeId value, std::uint64_t element = 0) const;
   /// The schema type of an object, under its original name; kNone: no schema describes it.
   schema::TypeId type(json::NodeId object) const;
   /// Whether elements of an array are the targets of references, so that their order has no
   /// meaning.
   bool is_table(json::NodeId array) const { return tables_.count(array) != 0; }
-  /// Whether elements without stored bytes, such as zeros of a sparse accessor, may be read: a few
-  /// million per asset, for all accessors together.
+
+  /// Whether elements that take no bytes, such as zeros below a sparse accessor, may be read: a few
+  /// million for the asset, however many accessors have them.
   bool affords_implied(std::uint64_t count) const;
   std::string pointer(json::NodeId value) const { return tree().pointer(value); }
   /// The position of an element of a root array.
@@ -63,11 +69,11 @@ class Side {
  private:
   const model::OpenedAsset& opened_;
   const model::Asset asset_;
-  const graph::Graph graph_;
+  std::optional<graph::Tree> tree_;    ///< nothing: that of the graph
+  std::optional<graph::Graph> graph_;  ///< nothing: Scope::meshes
   model::LoadedResources loaded_;
   model::DracoMeshes draco_;
   const model::GeometrySource source_;
-  model::Pose pose_;
   std::vector<Link> links_;  ///< by place
   std::unordered_set<json::NodeId> tables_;
   mutable std::uint64_t implied_left_ = std::uint64_t{1} << 22U;

@@ -5,6 +5,7 @@
 
 #include "prove/edited_asset.hpp"
 #include "prove/images.hpp"
+#include "prove/side.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -176,6 +177,19 @@ TEST(BrokenMeaning, OfAnyTwoIsTold) {
       compare_meshes(open(paths[i]), open(other), *schema::builtin_set(), {});
     }
   }
+}
+
+TEST(Side, OpensWhatIsAskedFor) {
+  const model::OpenedAsset opened = EditedAsset::load(kFixtures / "good/pebble.gltf").open();
+  const auto has_image = [&](Scope scope) {
+    const Side side(opened, *schema::builtin_set(), scope, 1);
+    EXPECT_EQ(side.resources().images.size(), side.asset().count(model::RootArray::images));
+    EXPECT_EQ(side.pointer(side.views().meshes[0].node), "/meshes/0");
+    return side.resources().images[0].bytes.has_value();
+  };
+  EXPECT_TRUE(has_image(Scope::all));
+  EXPECT_FALSE(has_image(Scope::without_images));
+  EXPECT_FALSE(has_image(Scope::meshes));
 }
 
 TEST(MeshMeaning, DoesNotLookAtOtherObjects) {
