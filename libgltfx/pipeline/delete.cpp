@@ -123,7 +123,7 @@ std::optional<Draft> delete_in(EditedAsset opened, const DeleteOptions& options,
     return std::nullopt;
   }
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
-  const ValidatedAsset before(std::move(opened.asset), prove::default_validation(schemas));
+  const ValidatedAsset before(std::move(opened.asset), validate::default_validation(schemas));
   return DeleteRun(before, opened.state, options, schemas, folders, report).run();
 }
 

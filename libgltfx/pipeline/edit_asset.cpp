@@ -14,7 +14,7 @@
 #include "change/rewrite.hpp"
 #include "json/lines.hpp"
 #include "model/asset.hpp"
-#include "prove/findings.hpp"
+#include "rules/validated_asset.hpp"
 
 namespace gltfx {
 namespace {
@@ -138,7 +138,7 @@ std::optional<Draft> carry_out(const EditedFile& file, change::Change change, co
                            in_place ? std::string() : file.options.output);
   auto draft = change::apply(old, change, std::move(now), place);
   if (!draft) return refuse(draft.error().message);
-  ValidateOptions validation = prove::default_validation(file.schemas);
+  ValidateOptions validation = validate::default_validation(file.schemas);
   validation.jobs = file.jobs;
   validate::ValidatedAsset after(*std::move(draft), validation);
   if (auto why = proof(after)) return refuse(*std::move(why));

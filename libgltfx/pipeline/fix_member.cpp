@@ -152,7 +152,7 @@ bool FixMember::is_worse_with(const NewContents& contents) const {
   const validate::ValidatedAsset now(std::move(before), validation());
   const validate::ValidatedAsset then({path(), old_->asset.container(), std::move(resolver)},
                                       validation());
-  return !prove::more_findings(prove::FindingCounts(now.report()), then.report()).empty();
+  return !prove::more_findings(prove::CodeCounts(now.report()), then.report()).empty();
 }
 
 FixReport FixMember::take_report() { return std::move(report_); }

@@ -282,7 +282,7 @@ class Rounds {
     const Names names = declared(planned);
     forget_document();
     ValidatedAsset next(*std::move(changed), fix_validation(schemas_, asked_));
-    const auto worse = prove::more_findings(prove::FindingCounts(asset_.report()), next.report(),
+    const auto worse = prove::more_findings(prove::CodeCounts(asset_.report()), next.report(),
                                             least_that_counts(planned));
     // What could not be read could not be found.
     if (!worse.empty() && (was_read || next.asset().document().empty())) {

@@ -90,7 +90,7 @@ class Proposals {
   }
 
  private:
-  const prove::FindingCounts& before() {
+  const prove::CodeCounts& before() {
     if (!before_) {
       const model::OpenedAsset& asset = validated_.asset();
       const ValidatedAsset again({asset.name(), asset.container(), asset.resolver()}, validation_);
@@ -103,7 +103,7 @@ class Proposals {
   const std::vector<bool>& planned_;
   std::shared_ptr<const schema::Set> schemas_;
   ValidateOptions validation_;
-  std::optional<prove::FindingCounts> before_;
+  std::optional<prove::CodeCounts> before_;
 };
 
 void propose(Proposals proposals, FileReport& report) {

@@ -32,7 +32,7 @@ class Embedding {
   Embedding(EditedAsset opened, const SchemaSet& schemas, std::string png)
       : state_(opened.state),
         schemas_(schemas),
-        before_(std::move(opened.asset), prove::default_validation(schemas)),
+        before_(std::move(opened.asset), validate::default_validation(schemas)),
         png_(std::make_shared<const std::string>(std::move(png))) {}
 
   Result<Draft> run(const EditOptions& options) {

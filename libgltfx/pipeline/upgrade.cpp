@@ -20,6 +20,7 @@
 #include "pipeline/planned_upgrade.hpp"
 #include "prove/findings.hpp"
 #include "prove/meaning.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
 #include "steps/upgrade/ambiguity.hpp"
 #include "steps/upgrade/plan.hpp"
@@ -130,7 +131,7 @@ class Verifier {
 
 // With findings only: nothing else is to be held beside the new document.
 ValidatedAsset validated(OpenedAsset asset, const SchemaSet& schemas) {
-  ValidatedAsset validated(std::move(asset), prove::default_validation(schemas));
+  ValidatedAsset validated(std::move(asset), validate::default_validation(schemas));
   validated.forget_views();
   validated.forget_info();
   return validated;

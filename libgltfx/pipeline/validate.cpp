@@ -93,7 +93,7 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
   change.edits = plan.change.edits;
   auto fixed = change::apply(asset, change);
   if (!fixed) return;
-  const validate::ValidatedAsset after(*std::move(fixed), prove::default_validation(schemas));
+  const validate::ValidatedAsset after(*std::move(fixed), validate::default_validation(schemas));
   if (!prove::new_findings(validated, after, schemas).error.empty()) return;
   validated.propose(*finding, proposed_fix(description_of(plan), asset, plan.change.edits));
 }

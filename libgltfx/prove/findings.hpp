@@ -18,14 +18,13 @@
 
 namespace gltfx::prove {
 
-/// Numbers of findings by code. The codes must have static storage.
-class FindingCounts {
+/// Numbers of findings by code. Codes live as long as the program.
+class CodeCounts {
  public:
-  FindingCounts() = default;
-  explicit FindingCounts(const FileReport& report);
+  explicit CodeCounts(const FileReport& report);
 
  private:
-  friend std::vector<struct MoreFindings> more_findings(const FindingCounts& before,
+  friend std::vector<struct MoreFindings> more_findings(const CodeCounts& before,
                                                         const FileReport& after, Severity least);
   /// By severity: the findings of this severity or above.
   using Counts = std::array<std::uint64_t, 4>;
@@ -39,8 +38,8 @@ struct MoreFindings {
   std::uint64_t count = 0;              ///< number of additional findings
 };
 
-/// By code. Findings of a severity below `least` do not count.
-std::vector<MoreFindings> more_findings(const FindingCounts& before, const FileReport& after,
+/// By code. Those that are quieter than `least` do not count.
+std::vector<MoreFindings> more_findings(const CodeCounts& before, const FileReport& after,
                                         Severity least = Severity::hint);
 
 /// Findings that an asset did not have before, or has more often now, by code.
@@ -59,8 +58,5 @@ NewFindings new_findings(const validate::ValidatedAsset& before,
 /// The same for an asset that is not validated yet. It is validated if `after` has findings.
 NewFindings new_findings(const model::OpenedAsset& before, const validate::ValidatedAsset& after,
                          const std::shared_ptr<const schema::Set>& schemas);
-
-/// Default options for one of many files.
-ValidateOptions default_validation(const std::shared_ptr<const schema::Set>& schemas);
 
 }  // namespace gltfx::prove

@@ -42,4 +42,11 @@ ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, FileReport report,
       report_(std::move(report)),
       by_default_(validates_by_default(options)) {}
 
+ValidateOptions default_validation(const std::shared_ptr<const schema::Set>& schemas) {
+  ValidateOptions options;
+  options.jobs = 1;
+  options.schemas = schemas;
+  return options;
+}
+
 }  // namespace gltfx::validate

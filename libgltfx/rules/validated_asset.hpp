@@ -51,4 +51,7 @@ class ValidatedAsset {
   bool by_default_;
 };
 
+/// Default options for one of many files.
+ValidateOptions default_validation(const std::shared_ptr<const schema::Set>& schemas);
+
 }  // namespace gltfx::validate

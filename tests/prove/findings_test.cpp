@@ -28,7 +28,7 @@ FileReport report(const std::vector<std::tuple<const char*, Severity, std::uint6
 
 std::vector<MoreFindings> more(const FileReport& before, const FileReport& after,
                                Severity least = Severity::hint) {
-  return more_findings(FindingCounts(before), after, least);
+  return more_findings(CodeCounts(before), after, least);
 }
 
 TEST(MoreFindings, AreCountedByCode) {
@@ -61,7 +61,7 @@ TEST(NewFindings, AreErrorsAndWarningsOfTheDefaultProfile) {
   const auto schemas = schema::builtin_set();
   const auto validated = [&](const char* text) {
     return validate::ValidatedAsset(test::EditedAsset::made(text).open(),
-                                    default_validation(schemas));
+                                    validate::default_validation(schemas));
   };
   const auto sound = validated(R"({"asset": {"version": "2.0"}})");
   const auto wrong = validated(R"({"asset": {"version": "2.0"}, "scene": 3})");
