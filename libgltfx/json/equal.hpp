@@ -10,9 +10,8 @@ namespace gltfx::json {
 
 /// Numbers are compared by their exact value and sign, half surrogates as they are written, objects
 /// independent of the order of their members (the last of those with one name counts). Values whose
-/// equality is not certain count as different. Iterative; linear in both values. Both are values,
-/// or keys, of
-/// `document`.
+/// equality is not certain count as different. Iterative; linear in both values. Both arguments are
+/// values, or keys, of `document`.
 bool equal(const Document& document, NodeId one, NodeId other);
 /// The same for a value of another document, `theirs`.
 bool equal(const Document& ours, NodeId one, const Document& theirs, NodeId other);

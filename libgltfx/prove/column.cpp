@@ -84,9 +84,7 @@ std::optional<Column> Column::make(const Side& side, std::uint32_t accessor,
 }
 
 std::optional<Column> Column::open(const Side& side, std::uint32_t accessor) {
-  return make(side, accessor,
-              AccessorData::open(side.asset(), side.views(), side.resources(),
-                                 side.views().accessors[accessor], model::Malformed::unusable));
+  return make(side, accessor, side.open(accessor));
 }
 
 std::optional<Column> Column::open(const Side& side, const model::PrimitiveData& data,

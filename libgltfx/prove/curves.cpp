@@ -38,8 +38,7 @@ struct Motion {
 
 std::optional<AccessorData> open(const Side& side, const std::optional<std::uint32_t>& accessor) {
   if (!accessor) return std::nullopt;
-  auto data = AccessorData::open(side.asset(), side.views(), side.resources(),
-                                 side.views().accessors[*accessor], model::Malformed::unusable);
+  auto data = side.open(*accessor);
   const bool affordable = data && (!data->implied() || side.affords_implied(data->count()));
   return affordable ? std::move(data) : std::nullopt;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "prove/differences.hpp"
-#include "prove/object_walk.hpp"
 #include "prove/side.hpp"
 
 namespace gltfx::prove {

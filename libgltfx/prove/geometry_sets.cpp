@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstring>
+#include <iterator>
 #include <limits>
 #include <string_view>
 #include <tuple>

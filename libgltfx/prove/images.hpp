@@ -2,11 +2,11 @@
 /// Compares the contents of images.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "codec/client.hpp"
 #include "prove/differences.hpp"
-#include "prove/object_walk.hpp"
 #include "prove/side.hpp"
 
 namespace gltfx::prove {

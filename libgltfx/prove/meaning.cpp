@@ -50,12 +50,12 @@ struct PlacedMesh {
 std::vector<PlacedMesh> placed_meshes(const Side& before, const Side& after,
                                       const NodePairs& nodes) {
   std::vector<PlacedMesh> placed;
-  for (const auto& [ours, theirs] : nodes.all()) {
-    const model::Node& here = before.views().nodes[before.index(ours)];
-    const model::Node& there = after.views().nodes[after.index(theirs)];
+  for (const Pair& node : nodes.all()) {
+    const model::Node& here = before.views().nodes[before.index(node.ours)];
+    const model::Node& there = after.views().nodes[after.index(node.theirs)];
     if (!here.mesh || !there.mesh || here.skin || there.skin) continue;
     placed.push_back(
-        {{ours, theirs}, &before.views().meshes[*here.mesh], &after.views().meshes[*there.mesh]});
+        {node, &before.views().meshes[*here.mesh], &after.views().meshes[*there.mesh]});
   }
   return placed;
 }

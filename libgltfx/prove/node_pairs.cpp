@@ -55,7 +55,7 @@ void NodePairs::add(json::NodeId ours, json::NodeId theirs) {
   if (theirs_.contains(ours) || ours_.contains(theirs)) return;
   theirs_.emplace(ours, theirs);
   ours_.emplace(theirs, ours);
-  pairs_.emplace_back(ours, theirs);
+  pairs_.push_back({ours, theirs});
 }
 
 void NodePairs::add_lists(const std::vector<json::NodeId>& ours,

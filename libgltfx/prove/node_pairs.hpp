@@ -3,7 +3,6 @@
 #pragma once
 
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "prove/side.hpp"
@@ -17,7 +16,7 @@ class NodePairs {
   /// children in order. Iterative; linear.
   NodePairs(const Side& before, const Side& after);
 
-  const std::vector<std::pair<json::NodeId, json::NodeId>>& all() const { return pairs_; }
+  const std::vector<Pair>& all() const { return pairs_; }
   bool matches(json::NodeId ours, json::NodeId theirs) const {
     const auto found = theirs_.find(ours);
     return found != theirs_.end() && found->second == theirs;
@@ -30,10 +29,10 @@ class NodePairs {
 
   const Side& before_;
   const Side& after_;
-  std::vector<std::pair<json::NodeId, json::NodeId>> pairs_;
-  std::size_t done_ = 0;                                   ///< number of pairs with paired children
-  std::unordered_map<json::NodeId, json::NodeId> theirs_;  ///< by node of `before`
-  std::unordered_map<json::NodeId, json::NodeId> ours_;    ///< by node of `after`
+  std::vector<Pair> pairs_;
+  std::size_t done_ = 0;                                   ///< pairs whose children are paired
+  std::unordered_map<json::NodeId, json::NodeId> theirs_;  ///< by ours
+  std::unordered_map<json::NodeId, json::NodeId> ours_;    ///< by theirs
 };
 
 }  // namespace gltfx::prove

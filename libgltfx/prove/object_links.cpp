@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "json/equal.hpp"
 #include "model/texture.hpp"
 #include "prove/column.hpp"
 #include "prove/object_walk.hpp"
+#include "prove/primitive_pair.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -128,11 +128,10 @@ void ObjectWalk::compare_accessor_members(const Pair& pair) {
   };
   const auto join_lists = [&](const std::vector<model::Attribute>& here,
                               const std::vector<model::Attribute>& there) {
-    std::map<std::string_view, const model::Attribute*> by_name;
-    for (const model::Attribute& attribute : there) by_name[attribute.name] = &attribute;
+    const auto others = by_name(there);
     for (const model::Attribute& attribute : here) {
-      const auto other = by_name.find(attribute.name);
-      if (other != by_name.end()) join(attribute.accessor, other->second->accessor);
+      const auto other = others.find(attribute.name);
+      if (other != others.end()) join(attribute.accessor, other->second->accessor);
     }
   };
   const model::Primitive ours = model::read_primitive(before_.asset(), pair.ours);

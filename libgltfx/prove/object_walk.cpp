@@ -7,14 +7,17 @@
 #include <fmt/format.h>
 
 #include "json/equal.hpp"
-#include "model/texture.hpp"
 
 namespace gltfx::prove {
 namespace {
 
 constexpr std::string_view kExtensions = "extensions";
 
-// Members that objects of all types may have.
+bool is_transform(std::string_view name) {
+  return name == "matrix" || name == "rotation" || name == "scale" || name == "translation";
+}
+
+// What objects of all types have, whatever they store.
 bool is_said_of_all(std::string_view name) {
   return name == "name" || name == "extras" || name == kExtensions;
 }
@@ -77,7 +80,7 @@ Payloads ObjectWalk::run() {
   const std::size_t here = before_.asset().count(model::RootArray::nodes);
   const std::size_t there = after_.asset().count(model::RootArray::nodes);
   if (here != there) found_.add("/nodes", fmt::format("has {} nodes in place of {}", there, here));
-  for (const auto& [ours, theirs] : nodes_.all()) open_.push_back({ours, theirs});
+  open_.insert(open_.end(), nodes_.all().begin(), nodes_.all().end());
   drain();
   if (!request_.unused_may_go) compare_unused();
   return std::move(payloads_);
@@ -187,7 +190,7 @@ bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_
   const bool curves = request_.animations == AnimationComparison::curves;
   if (type == types_.sampler && curves) return !is_one_of({"input", "interpolation", "output"});
   if (type == types_.node && may_move(object) && &side == &before_) {
-    return !is_one_of({"matrix", "rotation", "scale", "translation"});
+    return !is_transform(name);
   }
   return true;
 }
@@ -220,10 +223,7 @@ void ObjectWalk::compare_objects(const Pair& pair) {
   const schema::TypeId type = before_.type(pair.ours);
   Members theirs = members(after_, pair.theirs);
   if (type == types_.node && may_move(pair.ours)) {
-    std::erase_if(theirs, [](const auto& member) {
-      const std::string_view name = member.first;
-      return name == "matrix" || name == "rotation" || name == "scale" || name == "translation";
-    });
+    std::erase_if(theirs, [](const auto& member) { return is_transform(member.first); });
   }
   compare_members(pair, members(before_, pair.ours), theirs);
   if (type == types_.texture) compare_textures(pair);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -19,15 +20,9 @@
 
 namespace gltfx::prove {
 
-/// A value of `before` and one of `after`.
-struct Pair {
-  json::NodeId ours = json::kNoNode;
-  json::NodeId theirs = json::kNoNode;
-};
-
-/// Classes of values that must be equal: values in one class are not compared again, so there are
-/// no more comparisons than values (J. Hopcroft and R. Karp, A Linear Algorithm for Testing
-/// Equivalence of Finite Automata, 1971).
+/// Values that are to be equal, as classes: what is in one class need not be compared again, so
+/// that there are no more comparisons than values (J. Hopcroft and R. Karp, A Linear Algorithm for
+/// Testing Equivalence of Finite Automata, 1971).
 class EqualValues {
  public:
   /// Merges the classes of two values; false: they were in one class already.

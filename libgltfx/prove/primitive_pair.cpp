@@ -2,9 +2,7 @@
 #include "prove/primitive_pair.hpp"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
-#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,14 +14,6 @@ using model::Attribute;
 using model::Mode;
 using model::Primitive;
 using model::PrimitiveData;
-
-using ByName = std::map<std::string_view, const Attribute*>;
-
-ByName by_name(const std::vector<Attribute>& attributes) {
-  ByName names;
-  for (const Attribute& attribute : attributes) names[attribute.name] = &attribute;
-  return names;
-}
 
 /// One side of a pair.
 struct Opened {
@@ -78,8 +68,8 @@ class PairReader {
 
   void read_attributes(const std::vector<Attribute>& before, const std::vector<Attribute>& after,
                        std::optional<std::size_t> target) {
-    const ByName here = by_name(before);
-    const ByName there = by_name(after);
+    const auto here = by_name(before);
+    const auto there = by_name(after);
     for (const auto& [name, attribute] : here) {
       const auto other = there.find(name);
       if (other == there.end()) {
@@ -164,6 +154,12 @@ std::vector<std::uint32_t> Corners::assembled() const {
   for (const auto& each : geometry.triangles) list.insert(list.end(), each.begin(), each.end());
   for (const auto& each : geometry.segments) list.insert(list.end(), each.begin(), each.end());
   return list;
+}
+
+std::map<std::string_view, const Attribute*> by_name(const std::vector<Attribute>& attributes) {
+  std::map<std::string_view, const Attribute*> names;
+  for (const Attribute& attribute : attributes) names[attribute.name] = &attribute;
+  return names;
 }
 
 std::optional<PrimitivePair> open_pair(const Side& before, const Side& after, json::NodeId ours,

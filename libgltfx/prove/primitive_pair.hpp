@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/geometry.hpp"
@@ -44,9 +46,12 @@ struct PrimitivePair {
   Corners ours, theirs;
 };
 
-/// Opens the readable parts. Reports attributes that only one primitive has, and parts that cannot
-/// be read in `after`; nothing if there is nothing left to compare. `ours`, `theirs`: objects of
-/// primitives.
+/// Attributes by name; of those with one name the last.
+std::map<std::string_view, const model::Attribute*> by_name(
+    const std::vector<model::Attribute>& attributes);
+
+/// Opens what can be read. What only one has, or cannot be read in `after`, is told; nothing where
+/// there is no more to compare. `ours`, `theirs`: objects of primitives.
 std::optional<PrimitivePair> open_pair(const Side& before, const Side& after, json::NodeId ours,
                                        json::NodeId theirs, Differences& found);
 

@@ -79,6 +79,11 @@ bool Side::affords_implied(std::uint64_t count) const {
   return true;
 }
 
+std::optional<model::AccessorData> Side::open(std::uint32_t accessor) const {
+  return model::AccessorData::open(asset_, views(), resources(), views().accessors[accessor],
+                                   model::Malformed::unusable);
+}
+
 schema::TypeId Side::type(json::NodeId object) const {
   const schema::TypeId type = graph_->type(object);
   return type == schema::kNone ? type : graph_->set().type(type).origin;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graph/graph.hpp"
+#include "model/accessor_data.hpp"
 #include "model/draco.hpp"
 #include "model/geometry.hpp"
 #include "model/opened_asset.hpp"
@@ -17,6 +18,12 @@
 #include "schema/set.hpp"
 
 namespace gltfx::prove {
+
+/// A value of `before` and one of `after`.
+struct Pair {
+  json::NodeId ours = json::kNoNode;
+  json::NodeId theirs = json::kNoNode;
+};
 
 /// A number or string that refers to a value, or is a JSON pointer.
 struct Link {
@@ -62,6 +69,8 @@ class Side {
   /// Whether elements that take no bytes, such as zeros below a sparse accessor, may be read: a few
   /// million for the asset, however many accessors have them.
   bool affords_implied(std::uint64_t count) const;
+  /// The stored elements of an accessor; nothing when they cannot be read.
+  std::optional<model::AccessorData> open(std::uint32_t accessor) const;
   std::string pointer(json::NodeId value) const { return tree().pointer(value); }
   /// The position of an element of a root array.
   std::uint32_t index(json::NodeId element) const { return tree().position(element); }

@@ -63,6 +63,10 @@ class Fixing {
   json::NodeId node_around(Span place) const { return validate::node_around(document_, place); }
   /// The object or array that holds a value or key; json::kNoNode for the root.
   json::NodeId parent(json::NodeId node) { return tree().parent(node); }
+  /// The name of the member with that value, or empty.
+  std::string_view member_name(json::NodeId value) {
+    return tree().is_member(value) ? tree().name(value) : std::string_view();
+  }
   /// True if no fix has changed the value in this run yet; marks it as changed.
   bool claim(json::NodeId node);
   /// Whether a fix has changed the value in this run.

@@ -17,14 +17,6 @@
 namespace gltfx::validate {
 namespace {
 
-// The name of the member with that value, or empty.
-std::string_view member_name(Fixing& fixing, json::NodeId value) {
-  const json::NodeId object = fixing.parent(value);
-  const bool member = object != json::kNoNode && fixing.document().is_object(object);
-  return member ? fixing.document().key(fixing.document().node(value - 1).next)
-                : std::string_view();
-}
-
 // `place` is the name of an extension's object. An unknown name may be misspelt, or not an
 // extension.
 bool declare(Fixing& fixing, Span place) {
@@ -84,7 +76,7 @@ bool remove_empty(Fixing& fixing, Span place) {
   const json::NodeId value = fixing.node_at(place);
   if (value == json::kNoNode) return false;
   if (write_bound(fixing, value)) return true;
-  const auto needed = std::find(kNeeded.begin(), kNeeded.end(), member_name(fixing, value));
+  const auto needed = std::find(kNeeded.begin(), kNeeded.end(), fixing.member_name(value));
   if (needed != kNeeded.end()) return false;
   return fixing.remove_member(value);
 }
@@ -111,11 +103,11 @@ bool remove_repeat(Fixing& fixing, Span place) {
   if (node == json::kNoNode) return false;
   const json::Document& document = fixing.document();
   if (document.kind(node) == json::Kind::number_array) {
-    if (!is_set(member_name(fixing, node))) return false;
+    if (!is_set(fixing.member_name(node))) return false;
     return fixing.is_claimed(node) || fixing.replace(node, without_repeats(document, node));
   }
   const json::NodeId list = fixing.parent(node);
-  if (list == json::kNoNode || !is_set(member_name(fixing, list))) return false;
+  if (list == json::kNoNode || !is_set(fixing.member_name(list))) return false;
   if (document.is_string(node)) return remove_repeated_names(fixing, list);
   if (!fixing.claim(node)) return false;
   fixing.editor().remove(list, node);

@@ -34,23 +34,17 @@ const schema::Shape* shape_of(Fixing& fixing, json::NodeId value) {
   return id == schema::kNone ? nullptr : &fixing.schemas().shape(id);
 }
 
-// The name of the member with that value, or empty.
-std::string_view name_of_member(Fixing& fixing, json::NodeId value) {
-  const graph::Tree& tree = fixing.tree();
-  return tree.is_member(value) ? tree.name(value) : std::string_view();
-}
-
 bool is_required_member(Fixing& fixing, json::NodeId value) {
   const schema::TypeId type = fixing.graph().type(fixing.parent(value));
   const schema::Property* property =
       type == schema::kNone ? nullptr
-                            : fixing.schemas().find_property(type, name_of_member(fixing, value));
+                            : fixing.schemas().find_property(type, fixing.member_name(value));
   return property != nullptr && property->required;
 }
 
 // Programs write null for absent values.
 bool remove_null(Fixing& fixing, json::NodeId value) {
-  const std::string_view name = name_of_member(fixing, value);
+  const std::string_view name = fixing.member_name(value);
   if (name.empty() || is_required_member(fixing, value)) return false;
   if (name != "extensions" && shape_of(fixing, value) == nullptr) return false;
   return fixing.remove_member(value);
@@ -169,7 +163,7 @@ bool correct_range(Fixing& fixing, Span place) {
   const json::NodeId node = fixing.node_around(place);
   if (node == json::kNoNode) return false;
   if (write_bound(fixing, node)) return true;
-  const std::string_view name = name_of_member(fixing, node);
+  const std::string_view name = fixing.member_name(node);
   const json::NodeId object = fixing.parent(node);
   const std::uint32_t index = fixing.index_of(object);
   const auto& views = fixing.views().buffer_views;
@@ -187,7 +181,7 @@ struct Moves {
 
 bool move_member(Fixing& fixing, json::NodeId value, const schema::Home& home) {
   auto& moves = fixing.table<Moves>();
-  const std::string name(name_of_member(fixing, value));
+  const std::string name(fixing.member_name(value));
   const std::string text(fixing.document().raw(value));
   const json::NodeId object = fixing.parent(value);
   if (home.object == json::kNoNode) {
