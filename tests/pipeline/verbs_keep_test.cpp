@@ -17,7 +17,7 @@
 #include "graph/graph.hpp"
 #include "graph/orphans.hpp"
 #include "pipeline/open_asset.hpp"
-#include "prove/meaning.hpp"
+#include "prove/edited_asset.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -28,19 +28,10 @@ using container::test::TempFolder;
 using model::OpenedAsset;
 using testing::AnyOf;
 using testing::EndsWith;
+using testing::IsEmpty;
 using testing::StartsWith;
 
 const fs::path kFixtures = fs::path(GLTFX_SOURCE_DIR) / "fixtures";
-
-std::vector<fs::path> assets_in(const char* folder) {
-  std::vector<fs::path> assets;
-  for (const auto& entry : fs::recursive_directory_iterator(kFixtures / folder)) {
-    const std::string ending = entry.path().extension().native();
-    if (ending == ".gltf" || ending == ".glb") assets.push_back(entry.path());
-  }
-  std::sort(assets.begin(), assets.end());
-  return assets;
-}
 
 OpenedAsset opened(const fs::path& path) { return *open_asset(path.native(), {}); }
 
@@ -49,13 +40,6 @@ prove::Meaning compare(const fs::path& before, const fs::path& after, bool unuse
   request.images = prove::ImageComparison::bytes;
   request.unused_may_go = unused_may_go;
   return prove::compare_meaning(opened(before), opened(after), *schema::builtin_set(), request);
-}
-
-std::string text_of(const prove::Meaning& meaning) {
-  std::string text;
-  for (const prove::Difference& one : meaning.differences)
-    text += one.pointer + " " + one.what + "\n";
-  return text;
 }
 
 // JSON pointers of materials, meshes, textures and their like without any reference.
@@ -83,16 +67,22 @@ class EachGoodAsset : public testing::Test {
   template <class Write>
   std::size_t expect_same(const Write& write, bool unused_may_go = false) {
     std::size_t changed = 0;
-    for (const fs::path& path : assets_in("good")) {
+    for (const fs::path& path : test::assets_in(kFixtures / "good", test::Depth::tree)) {
       const TempFolder folder;
       const fs::path output = folder.path() / "out" / path.filename();
       const EditOutcome outcome = write(path, output);
       if (!outcome.written) continue;
+      ++written_;
       changed += outcome.changes ? 1 : 0;
-      EXPECT_EQ(text_of(compare(path, outcome.written_to, unused_may_go)), "") << path;
+      const prove::Meaning meaning = compare(path, outcome.written_to, unused_may_go);
+      EXPECT_EQ(test::text(meaning), "") << path;
+      EXPECT_THAT(meaning.unread, IsEmpty()) << path;
+      EXPECT_EQ(meaning.more, 0U) << path;
     }
     return changed;
   }
+
+  std::size_t written_ = 0;  // of all
 };
 
 TEST_F(EachGoodAsset, MeansTheSameAfterFixes) {
@@ -101,6 +91,7 @@ TEST_F(EachGoodAsset, MeansTheSameAfterFixes) {
     options.output = output.native();
     return fix_file(path.native(), options);
   });
+  EXPECT_GE(written_, 20U);
 }
 
 // The asset as one text, with a material and a sampler that nothing refers to.
@@ -150,14 +141,17 @@ TEST_F(EachGoodAsset, MeansTheSameInEachContainer) {
 // An upgrade changes legacy objects, what shows them and what points to them, and nothing else.
 TEST(EachLegacyAsset, DiffersInItsLegacyObjectsAloneAfterAnUpgrade) {
   std::size_t changed = 0;
-  for (const fs::path& path : assets_in("legacy")) {
+  for (const fs::path& path : test::assets_in(kFixtures / "legacy", test::Depth::tree)) {
     const TempFolder folder;
     UpgradeOptions options;
     options.output = (folder.path() / path.filename()).native();
     const UpgradeReport report = upgrade_file(path.native(), options);
     if (!report.written || !report.changes) continue;
     ++changed;
-    for (const prove::Difference& one : compare(path, report.written_to, true).differences) {
+    const prove::Meaning meaning = compare(path, report.written_to, true);
+    EXPECT_THAT(meaning.unread, IsEmpty()) << path;
+    EXPECT_EQ(meaning.more, 0U) << path;
+    for (const prove::Difference& one : meaning.differences) {
       EXPECT_THAT(one.pointer,
                   AnyOf(StartsWith("/materials"), StartsWith("/textures"), StartsWith("/images"),
                         StartsWith("/extensions"), StartsWith("/asset/extensions"),

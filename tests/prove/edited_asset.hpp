@@ -107,11 +107,16 @@ inline std::string text(const prove::Meaning& meaning) {
   return all;
 }
 
-inline std::vector<std::filesystem::path> assets_in(const std::filesystem::path& folder) {
+enum class Depth { folder, tree };
+
+inline std::vector<std::filesystem::path> assets_in(const std::filesystem::path& folder,
+                                                    Depth depth = Depth::folder) {
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string extension = entry.path().extension();
-    if (extension == ".gltf" || extension == ".glb") paths.push_back(entry.path());
+  std::filesystem::recursive_directory_iterator entries(folder);
+  for (auto at = begin(entries); at != end(entries); ++at) {
+    if (depth == Depth::folder) at.disable_recursion_pending();
+    const std::string extension = at->path().extension();
+    if (extension == ".gltf" || extension == ".glb") paths.push_back(at->path());
   }
   std::sort(paths.begin(), paths.end());
   return paths;

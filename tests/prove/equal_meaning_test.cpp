@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Fixtures in other storage: renumbered, shared, packed. They have the same meaning.
-#include <functional>
+/// Fixtures that are stored otherwise: renumbered, shared, packed. They mean the same.
 #include <map>
 
 #include <gmock/gmock.h>

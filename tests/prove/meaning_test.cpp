@@ -3,7 +3,6 @@
 #include "prove/meaning.hpp"
 
 #include <functional>
-#include <numeric>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +17,6 @@ using test::EditedAsset;
 using test::Json;
 using test::text;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 const std::filesystem::path kGood = std::filesystem::path(GLTFX_SOURCE_DIR) / "fixtures/good";
 

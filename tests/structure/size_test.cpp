@@ -68,12 +68,17 @@ std::size_t fields_in(std::string line) {
   static const std::regex declaration(
       R"re(^ *(?!using |friend |static |return |typedef |enum |struct )[\w:][\w: *&]* \**\w+)re"
       R"re((\[.*\])?( = [^,;]*)?(, \w+( = [^,;]*)?)*; *$)re");
-  static const std::regex nested(R"(<[^<>]*>|\{[^{}]*\}|\([^()]*\))");
+  static const std::regex angled(R"(<[^<>]*>)");
+  static const std::regex nested(R"(\{[^{}]*\}|\([^()]*\))");
+  const auto strip = [&line](const std::regex& what) {
+    for (std::string before; before != line;) {
+      before = line;
+      line = std::regex_replace(line, what, "");
+    }
+  };
+  strip(angled);                                  // std::function<void(int)> is no function
   if (line.find('(') < line.find('=')) return 0;  // a function
-  for (std::string before; before != line;) {
-    before = line;
-    line = std::regex_replace(line, nested, "");
-  }
+  strip(nested);
   if (!std::regex_match(line, declaration)) return 0;
   return 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
 }
@@ -92,8 +97,9 @@ std::vector<Class> classes_of(std::string_view text) {
     while (!open.empty() && indent <= open.back().first && line[indent] == '}') open.pop_back();
     std::smatch match;
     const bool inside = !open.empty() && indent == open.back().first + 2;
-    if (inside && all[open.back().second].is_struct && fields_in(line) > 0) {
-      all[open.back().second].members += fields_in(line);
+    const bool in_struct = inside && all[open.back().second].is_struct;
+    if (const std::size_t fields = in_struct ? fields_in(line) : 0; fields > 0) {
+      all[open.back().second].members += fields;
     } else if (inside && std::regex_match(line, match, members)) {
       const std::string more = match[2];
       all[open.back().second].members +=
@@ -173,10 +179,11 @@ TEST(Size, MembersOfAStructAreCounted) {
   const std::string text =
       "struct A {\n  int a = 0, b = 0;  ///< both\n  std::map<int, int> c = {};\n  float d[3];\n"
       "  using E = int;\n  bool f(int g) const { return g > 0; }\n  std::string h{};\n"
-      "  static constexpr int kI = 1;\n  const Path* j = g(1, 2);\n  friend bool k(A, A);\n};\n";
+      "  static constexpr int kI = 1;\n  const Path* j = g(1, 2);\n  friend bool k(A, A);\n"
+      "  std::function<void(int)> l;\n  std::vector<int> m() const;\n};\n";
   const std::vector<Class> found = classes_of(text);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].members, 6U);
+  EXPECT_EQ(found[0].members, 7U);
 }
 
 TEST(Size, TheMedianFileAndFunctionAreShort) {
