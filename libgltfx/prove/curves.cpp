@@ -43,13 +43,25 @@ std::optional<AccessorData> open(const Side& side, const std::optional<std::uint
   return affordable ? std::move(data) : std::nullopt;
 }
 
-std::optional<Motion> open_motion(const Side& side, json::NodeId channel) {
+/// A channel and its sampler, which are in one animation.
+struct Sampled {
+  const model::AnimationChannel* channel = nullptr;
+  const model::AnimationSampler* sampler = nullptr;
+};
+
+std::optional<Sampled> find_sampled(const Side& side, json::NodeId channel) {
   const json::NodeId animation = side.tree().root_element(channel);
   if (animation == json::kNoNode) return std::nullopt;
   const model::Animation& all = side.views().animations[side.index(animation)];
   const std::size_t position = side.index(channel);
   if (position >= all.channels.size() || !all.channels[position].sampler) return std::nullopt;
-  const model::AnimationSampler& sampler = all.samplers[*all.channels[position].sampler];
+  return Sampled{&all.channels[position], &all.samplers[*all.channels[position].sampler]};
+}
+
+std::optional<Motion> open_motion(const Side& side, json::NodeId channel) {
+  const auto found = find_sampled(side, channel);
+  if (!found) return std::nullopt;
+  const model::AnimationSampler& sampler = *found->sampler;
   if (sampler.interpolation == model::Interpolation::unknown) return std::nullopt;
   auto times = open(side, sampler.input);
   auto values = open(side, sampler.output);
@@ -57,9 +69,8 @@ std::optional<Motion> open_motion(const Side& side, json::NodeId channel) {
   const std::uint64_t frames = times->count() * values_per_keyframe(sampler.interpolation);
   const std::uint64_t width = values->count() / frames;
   if (width == 0) return std::nullopt;
-  Motion motion{{*std::move(times), *std::move(values), sampler.interpolation},
-                width,
-                all.channels[position].path};
+  Motion motion{
+      {*std::move(times), *std::move(values), sampler.interpolation}, width, found->channel->path};
   return motion.at(motion.time(0)).empty() ? std::nullopt : std::optional(std::move(motion));
 }
 
@@ -109,6 +120,17 @@ Worst farthest_apart(const Motion& ours, const Motion& theirs) {
 }
 
 }  // namespace
+
+std::string curve_key(const Side& side, json::NodeId channel) {
+  const auto found = find_sampled(side, channel);
+  // One that has no sampler is like no other.
+  if (!found) return fmt::format("channel {}", channel);
+  const model::AnimationSampler& sampler = *found->sampler;
+  const auto number = [](const auto& accessor) { return accessor ? std::int64_t{*accessor} : -1; };
+  return fmt::format("{} {} {} {}", static_cast<int>(found->channel->path),
+                     static_cast<int>(sampler.interpolation), number(sampler.input),
+                     number(sampler.output));
+}
 
 void compare_curves(const Side& before, const Side& after, const Pair& pair, double tolerance,
                     Differences& found) {

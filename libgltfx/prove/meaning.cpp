@@ -60,6 +60,11 @@ std::vector<PlacedMesh> placed_meshes(const Side& before, const Side& after,
   return placed;
 }
 
+std::string key_of(const Side& before, const Side& after, const Pair& primitives, bool positions) {
+  return (positions ? "+" : "-") + storage_key(before, primitives.ours) + "|" +
+         storage_key(after, primitives.theirs);
+}
+
 // By node, from its space to that of the scene.
 std::vector<model::Affine> world_of(const Side& side) {
   const model::SceneRoots roots = model::choose_scene(side.asset(), side.views());
@@ -76,8 +81,10 @@ void compare_geometry(const Side& before, const Side& after, const NodePairs& no
   for (const PlacedMesh& each : placed) {
     for (const model::Primitive& primitive : each.ours->primitives) in_place.insert(primitive.node);
   }
+  Compared compared;
   for (const Pair& pair : primitives) {
     const bool positions = !in_place.contains(pair.ours);
+    if (!compared.add(key_of(before, after, pair, positions))) continue;
     compare_primitives(before, after, pair.ours, pair.theirs, request, positions, found);
   }
   if (placed.empty()) return;
@@ -104,7 +111,9 @@ Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAss
     const NodePairs nodes(ours, theirs);
     const Payloads payloads = ObjectWalk(ours, theirs, nodes, request, found).run();
     compare_geometry(ours, theirs, nodes, payloads.primitives, request, found);
+    Compared curves;
     for (const Pair& pair : payloads.channels) {
+      if (!curves.add(curve_key(ours, pair.ours) + "|" + curve_key(theirs, pair.theirs))) continue;
       compare_curves(ours, theirs, pair, request.tolerance.animation, found);
     }
     if (!images) return;
@@ -121,6 +130,7 @@ Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsse
   const auto compare = [&](const Side& ours, const Side& theirs, Differences& found) {
     const auto& here = ours.views().meshes;
     const auto& there = theirs.views().meshes;
+    Compared compared;
     for (std::size_t i = 0; i < here.size(); ++i) {
       if (here[i].node == json::kNoNode) continue;
       if (i >= there.size() || there[i].primitives.size() != here[i].primitives.size()) {
@@ -131,6 +141,7 @@ Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsse
         const json::NodeId one = here[i].primitives[k].node;
         const json::NodeId other = there[i].primitives[k].node;
         if (one == json::kNoNode || other == json::kNoNode) continue;
+        if (!compared.add(key_of(ours, theirs, {one, other}, true))) continue;
         compare_primitives(ours, theirs, one, other, request, true, found);
       }
     }

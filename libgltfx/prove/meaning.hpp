@@ -89,12 +89,12 @@ struct Meaning {
   bool same() const { return differences.empty(); }
 };
 
-/// Compares two assets, which may have any errors: a part of `before` that cannot be read is left
-/// out; if it can be read only in `before`, that is a difference. Reads all buffers (mapped), and
-/// decodes Draco and meshopt, and images if requested. Holds the two texts, decoded streams, and
-/// one primitive or image at a time in memory. Takes time n log n in the size of the assets and of
-/// the data of primitives, counted once per reference. If `before` has no text, nothing is
-/// compared; if only `after` has none, that is a difference.
+/// Compares two assets. They may be broken in any way: what cannot be read in `before` is left out,
+/// what can be read there and not in `after` is a difference. Reads all buffers (mapped), decodes
+/// Draco and meshopt, and images where that is asked for; takes memory for the two texts and one
+/// primitive or image at a time, and for decoded streams. Time grows with the size of the assets, n
+/// log n; what several primitives or channels share is compared, and told, once. Without a text
+/// there is nothing to compare: that is a difference if `before` has one.
 Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAsset& after,
                         const schema::Set& schemas, const MeaningRequest& request);
 

@@ -162,6 +162,32 @@ std::map<std::string_view, const Attribute*> by_name(const std::vector<Attribute
   return names;
 }
 
+std::string storage_key(const Side& side, json::NodeId object) {
+  const Primitive primitive = model::read_primitive(side.asset(), object);
+  const auto draco = model::read_draco(side.asset(), primitive);
+  std::string key =
+      fmt::format("{} {} {} {};", primitive.mode ? static_cast<int>(*primitive.mode) : -1,
+                  primitive.indices_node != json::kNoNode,
+                  primitive.indices ? std::int64_t{*primitive.indices} : -1,
+                  draco ? std::int64_t{draco->buffer_view} : -1);
+  const auto add = [&](const std::vector<Attribute>& attributes) {
+    for (const Attribute& one : attributes) {
+      const auto id = draco ? model::draco_id(side.asset(), *draco, one.name) : std::nullopt;
+      // Names have any characters: their lengths tell where they end.
+      key += fmt::format("{}:{} {} ", one.name.size(), one.name,
+                         one.accessor ? std::int64_t{*one.accessor} : -1);
+      key += id ? fmt::format("{},", *id) : std::string(",");
+    }
+    key += ';';
+  };
+  add(primitive.attributes);
+  key += primitive.targets_are_broken ? "broken" : "";
+  for (const json::NodeId target : primitive.targets) {
+    add(model::read_attributes(side.asset(), target));
+  }
+  return key;
+}
+
 std::optional<PrimitivePair> open_pair(const Side& before, const Side& after, json::NodeId ours,
                                        json::NodeId theirs, Differences& found) {
   const Opened here(before, ours);

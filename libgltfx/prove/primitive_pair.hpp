@@ -50,6 +50,9 @@ struct PrimitivePair {
 std::map<std::string_view, const model::Attribute*> by_name(
     const std::vector<model::Attribute>& attributes);
 
+/// What a primitive draws, by the numbers of what it refers to.
+std::string storage_key(const Side& side, json::NodeId primitive);
+
 /// Opens what can be read. What only one has, or cannot be read in `after`, is told; nothing where
 /// there is no more to compare. `ours`, `theirs`: objects of primitives.
 std::optional<PrimitivePair> open_pair(const Side& before, const Side& after, json::NodeId ours,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "graph/graph.hpp"
@@ -23,6 +24,17 @@ namespace gltfx::prove {
 struct Pair {
   json::NodeId ours = json::kNoNode;
   json::NodeId theirs = json::kNoNode;
+};
+
+/// Payloads that were compared, by all that the outcome depends on: what many objects share is
+/// compared once.
+class Compared {
+ public:
+  /// Whether it is new.
+  bool add(std::string key) { return keys_.insert(std::move(key)).second; }
+
+ private:
+  std::unordered_set<std::string> keys_;
 };
 
 /// A number or string that refers to a value, or is a JSON pointer.
