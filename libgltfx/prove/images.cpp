@@ -83,6 +83,10 @@ std::optional<TexelDifference> compare_texels(const codec::Image& ours,
   return found.steps > 0 ? std::optional(found) : std::nullopt;
 }
 
+std::string distance_text(const TexelDifference& difference, bool floats) {
+  return fmt::format("is {:.6g}{} away", difference.steps, floats ? "" : " of 255 steps");
+}
+
 void compare_images(const Side& before, const Side& after, const Pair& pair,
                     ImageComparison comparison, Differences& found) {
   const std::string place = before.pointer(pair.ours);
@@ -113,8 +117,8 @@ void compare_images(const Side& before, const Side& after, const Pair& pair,
   if (!difference) return;
   found.measure("texel", difference->steps, place);
   found.add(place,
-            fmt::format("has a texel {}, {} that is {:.6g} of 255 steps away", difference->x,
-                        difference->y, difference->steps),
+            fmt::format("has a texel {}, {} that {}", difference->x, difference->y,
+                        distance_text(*difference, a.bits == 32)),
             difference->steps);
 }
 

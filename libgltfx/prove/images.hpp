@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "codec/client.hpp"
 #include "prove/differences.hpp"
@@ -16,6 +17,8 @@ struct TexelDifference {
   std::uint32_t x = 0, y = 0;
   double steps = 0;  ///< in steps of 255; for floats the plain difference
 };
+/// "is 1 of 255 steps away"; `floats`: of images with those.
+std::string distance_text(const TexelDifference& difference, bool floats);
 
 /// Compares decoded images with pixels. Grey counts as three equal channels, missing alpha as
 /// opaque; nothing if all texels are equal. Precondition: images of the same size, both or neither

@@ -111,7 +111,16 @@ TEST(Texels, AreComparedAsColors) {
   EXPECT_TRUE(compare_texels(grey, image(3, 8, "\x10\x10\x10\x20\x20\x23"s)));
 }
 
-// The image of a fixture: with the same texels in another file, and with other texels.
+TEST(Texels, OfFloatsAreNoSteps) {
+  const std::string ones{"\0\0\x80\x3f\0\0\x80\x3f", 8};
+  const std::string halves{"\0\0\x80\x3f\0\0\0\x3f", 8};
+  const auto far = compare_texels(image(1, 32, ones), image(1, 32, halves));
+  ASSERT_TRUE(far);
+  EXPECT_EQ(distance_text(*far, true), "is 0.5 away");
+  EXPECT_EQ(distance_text(*far, false), "is 0.5 of 255 steps away");
+}
+
+// The image of a fixture as the same texels in another file, and as another picture.
 TEST(ImageMeaning, IsWhatTexelsShow) {
   const EditedAsset before = EditedAsset::load(kFixtures / "good/pebble.gltf");
   const auto with = [&](const std::string& bytes) {
