@@ -68,44 +68,72 @@ void ObjectWalk::follow(const Place& place, const Pair& pair) {
   if (is_pointed && (partner_there != pair.theirs || partner_here != pair.ours)) {
     return differ(place, "leads to another object, and a JSON pointer distinguishes the two");
   }
-  if (!known_.contents.join(pair)) return;
+  const std::pair told(pair.ours, pair.theirs);
+  if (known_.contents.are_joined(pair) || known_.unread.contains(told)) return;
+  if (compare_payloads(place, pair)) {
+    known_.contents.join(pair);
+  } else {
+    known_.unread.insert(told);
+  }
   if (type == types_.accessor) {
-    compare_accessors(place, pair);
     if (known_.accessor_members.join(pair)) open_.push_back(pair);
-  } else if (type == types_.buffer_view) {
-    compare_views(place, pair);
-  } else if (type != types_.buffer) {
+  } else if (type != types_.buffer_view && type != types_.buffer) {
     if (type == types_.image) payloads_.images.push_back(pair);
     open_.push_back(pair);
   }
 }
 
-void ObjectWalk::compare_accessors(const Place& place, const Pair& pair) {
-  const auto ours = Column::open(before_, before_.index(pair.ours));
-  if (!ours) return found_.leave_out(before_.pointer(pair.ours), "cannot be read");
-  const auto theirs = Column::open(after_, after_.index(pair.theirs));
-  if (!theirs) return differ(place, "leads to an accessor that can no longer be read");
-  if (ours->count() != theirs->count() || ours->components() != theirs->components()) {
-    return differ(place, fmt::format("leads to {} elements of {} components in place of {} of {}",
-                                     theirs->count(), theirs->components(), ours->count(),
-                                     ours->components()));
-  }
-  const Farthest far = farthest(Metric::component, *ours, *theirs);
-  if (far.distance == 0) return;
-  differ(place, fmt::format("leads to an element {} that is {:.6g} away", far.at, far.distance),
-         far.distance);
+bool ObjectWalk::compare_payloads(const Place& place, const Pair& pair) {
+  const schema::TypeId type = before_.type(pair.ours);
+  if (type == types_.accessor) return compare_accessors(place, pair);
+  if (type == types_.buffer_view) return compare_views(place, pair);
+  const auto has_bytes = [](const Side& side, json::NodeId image) {
+    return side.resources().images[side.index(image)].bytes.has_value();
+  };
+  return type != types_.image || (has_bytes(before_, pair.ours) && has_bytes(after_, pair.theirs));
 }
 
-void ObjectWalk::compare_views(const Place& place, const Pair& pair) {
+bool ObjectWalk::compare_accessors(const Place& place, const Pair& pair) {
+  const auto ours = Column::open(before_, before_.index(pair.ours));
+  if (!ours) {
+    found_.leave_out(before_.pointer(pair.ours), "cannot be read");
+    return false;
+  }
+  const auto theirs = Column::open(after_, after_.index(pair.theirs));
+  if (!theirs) {
+    differ(place, "leads to an accessor that cannot be read any more");
+    return false;
+  }
+  if (ours->count() != theirs->count() || ours->components() != theirs->components()) {
+    differ(place,
+           fmt::format("leads to {} elements of {} components in place of {} of {}",
+                       theirs->count(), theirs->components(), ours->count(), ours->components()));
+    return true;
+  }
+  const Farthest far = farthest(Metric::component, *ours, *theirs);
+  if (far.distance == 0) return true;
+  differ(place, fmt::format("leads to an element {} that is {:.6g} away", far.at, far.distance),
+         far.distance);
+  return true;
+}
+
+bool ObjectWalk::compare_views(const Place& place, const Pair& pair) {
   const auto bytes = [](const Side& side, json::NodeId node) {
     const model::BufferView& view = side.views().buffer_views[side.index(node)];
     return side.resources().part(side.document(), view, 0, view.byte_length.value_or(0));
   };
   const auto ours = bytes(before_, pair.ours);
-  if (!ours) return found_.leave_out(before_.pointer(pair.ours), "cannot be read");
+  if (!ours) {
+    found_.leave_out(before_.pointer(pair.ours), "cannot be read");
+    return false;
+  }
   const auto theirs = bytes(after_, pair.theirs);
-  if (!theirs) return differ(place, "leads to bytes that can no longer be read");
+  if (!theirs) {
+    differ(place, "leads to bytes that cannot be read any more");
+    return false;
+  }
   if (!container::same_bytes(*ours, *theirs)) differ(place, "leads to other bytes");
+  return true;
 }
 
 // Compares the images that a reader of all formats shows.
@@ -166,19 +194,42 @@ void ObjectWalk::compare_unused() {
   for (const schema::TargetArray& array : after_.graph().checked().targets) {
     if (after_.is_table(array.node)) arrays[array.pointer].theirs = array.node;
   }
-  for (const auto& [pointer, pair] : arrays) {
-    std::vector<json::NodeId> here, there;
-    if (pair.ours != json::kNoNode) here = unused(before_, pair.ours, known_.reached_here);
-    if (pair.theirs != json::kNoNode) there = unused(after_, pair.theirs, known_.reached_there);
-    if (here.size() != there.size()) {
-      found_.add(std::string(pointer),
-                 fmt::format("has {} elements that nothing refers to in place of {}", there.size(),
-                             here.size()));
-    }
-    for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) {
-      follow({here[i]}, {here[i], there[i]});
-    }
-    drain();
+  for (const auto& [pointer, pair] : arrays) compare_unused(std::string(pointer), pair);
+  // What is compared may have more of them.
+  for (std::size_t i = 0; i < local_tables_.size(); ++i) {
+    const auto [owner, pair] = local_tables_[i];
+    compare_unused(before_.pointer(pair.ours == json::kNoNode ? owner : pair.ours), pair);
+  }
+}
+
+void ObjectWalk::compare_unused(const std::string& pointer, const Pair& arrays) {
+  std::vector<json::NodeId> here, there;
+  if (arrays.ours != json::kNoNode) here = unused(before_, arrays.ours, known_.reached_here);
+  if (arrays.theirs != json::kNoNode) there = unused(after_, arrays.theirs, known_.reached_there);
+  if (here.size() != there.size()) {
+    found_.add(pointer, fmt::format("has {} elements that nothing refers to in place of {}",
+                                    there.size(), here.size()));
+  }
+  for (std::size_t i = 0; i < std::min(here.size(), there.size()); ++i) {
+    follow({here[i]}, {here[i], there[i]});
+  }
+  drain();
+}
+
+void ObjectWalk::note_local_tables(const Pair& pair) {
+  const json::Document& here = before_.document();
+  const json::Document& there = after_.document();
+  for (const auto member : here.members(pair.ours)) {
+    if (!local_here_.contains(member.value)) continue;
+    const json::NodeId other = there.find(pair.theirs, here.key(member.key_id));
+    const bool both = local_there_.contains(other);
+    local_tables_.push_back({pair.ours, {member.value, both ? other : json::kNoNode}});
+  }
+  for (const auto member : there.members(pair.theirs)) {
+    if (!local_there_.contains(member.value)) continue;
+    const json::NodeId other = here.find(pair.ours, there.key(member.key_id));
+    if (local_here_.contains(other)) continue;
+    local_tables_.push_back({pair.ours, {json::kNoNode, member.value}});
   }
 }
 

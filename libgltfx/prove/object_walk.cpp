@@ -30,6 +30,15 @@ std::unordered_set<json::NodeId> pointed(const Side& side) {
   return values;
 }
 
+// Whose elements only their owner refers to, such as the samplers of an animation.
+std::unordered_set<json::NodeId> local_tables(const Side& side) {
+  std::unordered_set<json::NodeId> tables;
+  for (const schema::TargetArray& array : side.graph().checked().local_targets) {
+    if (side.is_table(array.node)) tables.insert(array.node);
+  }
+  return tables;
+}
+
 std::unordered_set<json::NodeId> moved_nodes(const Side& side) {
   std::unordered_set<json::NodeId> nodes;
   const auto& all = side.asset().elements(model::RootArray::nodes);
@@ -59,6 +68,10 @@ bool EqualValues::join(const Pair& pair) {
   return ours != theirs;
 }
 
+bool EqualValues::are_joined(const Pair& pair) {
+  return find(pair.ours) == find((std::uint64_t{1} << 32U) | pair.theirs);
+}
+
 ObjectWalk::ObjectWalk(const Side& before, const Side& after, const NodePairs& nodes,
                        const MeaningRequest& request, Differences& found)
     : before_(before),
@@ -71,6 +84,8 @@ ObjectWalk::ObjectWalk(const Side& before, const Side& after, const NodePairs& n
   known_.pointed_here = pointed(before);
   known_.pointed_there = pointed(after);
   known_.moved = moved_nodes(before);
+  local_here_ = local_tables(before);
+  local_there_ = local_tables(after);
 }
 
 Payloads ObjectWalk::run() {
@@ -226,6 +241,7 @@ void ObjectWalk::compare_objects(const Pair& pair) {
     std::erase_if(theirs, [](const auto& member) { return is_transform(member.first); });
   }
   compare_members(pair, members(before_, pair.ours), theirs);
+  if (!request_.unused_may_go) note_local_tables(pair);
   if (type == types_.texture) compare_textures(pair);
   if (type == types_.primitive) {
     payloads_.primitives.push_back(pair);

@@ -27,6 +27,7 @@ class EqualValues {
  public:
   /// Merges the classes of two values; false: they were in one class already.
   bool join(const Pair& pair);
+  bool are_joined(const Pair& pair);
 
  private:
   std::uint64_t find(std::uint64_t value);
@@ -73,12 +74,16 @@ class ObjectWalk {
   void compare_links(const Place& place, const Link& ours, const Link* theirs);
   void compare_pointers(const Place& place, const Link& ours, const Link& theirs);
   void follow(const Place& place, const Pair& pair);
-  void compare_accessors(const Place& place, const Pair& pair);
-  void compare_views(const Place& place, const Pair& pair);
+  // Whether both could be read.
+  bool compare_payloads(const Place& place, const Pair& pair);
+  bool compare_accessors(const Place& place, const Pair& pair);
+  bool compare_views(const Place& place, const Pair& pair);
   void compare_textures(const Pair& pair);
   void compare_accessor_members(const Pair& pair);
   void compare_declared(std::string_view list);
+  void note_local_tables(const Pair& pair);
   void compare_unused();
+  void compare_unused(const std::string& pointer, const Pair& arrays);
   std::vector<json::NodeId> unused(const Side& side, json::NodeId array,
                                    const std::unordered_set<json::NodeId>& reached) const;
 
@@ -93,9 +98,13 @@ class ObjectWalk {
   const Names storage_;
   std::deque<Pair> open_;
   Payloads payloads_;
-  /// Results for values so far.
+  std::unordered_set<json::NodeId> local_here_, local_there_;  ///< tables outside of the root
+  /// Such tables with their owners in `before`; kNoNode: only the other one has it.
+  std::vector<std::pair<json::NodeId, Pair>> local_tables_;
+  /// What is known of values so far.
   struct {
     EqualValues contents, accessor_members;
+    std::set<std::pair<json::NodeId, json::NodeId>> unread;  ///< pairs that nothing says are equal
     std::unordered_set<json::NodeId> reached_here, reached_there;
     /// Values that pointers lead to keep their identity, as nodes do: the first partner counts.
     std::unordered_set<json::NodeId> pointed_here, pointed_there;

@@ -143,6 +143,53 @@ TEST(EqualMeaning, ObjectsThatAPointerTellsApartAreNotOne) {
   EXPECT_FALSE(test::compare(before, elsewhere, pruned).same());
 }
 
+// Four samplers whose outputs are these accessors: one that cannot be read, (0, 0) and (0, 5).
+EditedAsset sampled(const std::vector<int>& outputs) {
+  const float values[4] = {0, 0, 0, 5};
+  EditedAsset asset = EditedAsset::made(R"({
+    "asset": {"version": "2.0"}, "nodes": [{}], "animations": [{}],
+    "bufferViews": [{"buffer": 0, "byteLength": 16}],
+    "accessors": [
+      {"bufferView": 0, "componentType": 5126, "count": 900, "type": "SCALAR"},
+      {"bufferView": 0, "componentType": 5126, "count": 2, "type": "SCALAR"},
+      {"bufferView": 0, "byteOffset": 8, "componentType": 5126, "count": 2, "type": "SCALAR"}]})",
+                                        {reinterpret_cast<const char*>(values), sizeof(values)});
+  Json& animation = asset.json["animations"][0];
+  for (const int output : outputs) {
+    const std::size_t sampler = animation["samplers"].size();
+    animation["samplers"].push_back({{"input", 1}, {"output", output}});
+    animation["channels"].push_back(
+        {{"sampler", sampler}, {"target", {{"node", 0}, {"path", "weights"}}}});
+  }
+  return asset;
+}
+
+TEST(EqualMeaning, WhatCannotBeReadMakesNoTwoEqual) {
+  EXPECT_TRUE(test::compare(sampled({0, 0, 1, 1}), sampled({1, 2, 1, 1})).same());
+  EXPECT_FALSE(test::compare(sampled({0, 0, 1, 1}), sampled({1, 2, 1, 2})).same());
+}
+
+TEST(EqualMeaning, UnusedSamplersStay) {
+  EditedAsset before = sampled({1, 2});
+  before.json["animations"][0]["channels"].erase(1);
+  EditedAsset after = before;
+  EXPECT_TRUE(test::compare(before, after).same());
+  after.json["animations"][0]["samplers"][1]["interpolation"] = "STEP";
+  EXPECT_FALSE(test::compare(before, after).same());
+  after.json["animations"][0]["samplers"].erase(1);
+  EXPECT_THAT(test::text(test::compare(before, after)),
+              testing::HasSubstr("/animations/0/samplers has 0 elements"));
+  EXPECT_FALSE(test::compare(after, before).same());
+  MeaningRequest pruned;
+  pruned.unused_may_go = true;
+  EXPECT_TRUE(test::compare(before, after, pruned).same());
+  before.json["animations"] = Json::parse("[{}]");
+  after = before;
+  after.json["animations"][0]["samplers"] = Json::parse(R"([{"input": 1, "output": 1}])");
+  EXPECT_FALSE(test::compare(before, after).same());
+  EXPECT_FALSE(test::compare(after, before).same());
+}
+
 TEST(EqualMeaning, EqualNodesAreNotOne) {
   EditedAsset before = EditedAsset::made(R"({
     "asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
