@@ -196,8 +196,8 @@ void ObjectWalk::compare_unused() {
   }
   for (const auto& [pointer, pair] : arrays) compare_unused(std::string(pointer), pair);
   // What is compared may have more of them.
-  for (std::size_t i = 0; i < local_tables_.size(); ++i) {
-    const auto [owner, pair] = local_tables_[i];
+  for (std::size_t i = 0; i < local_.pairs.size(); ++i) {
+    const auto [owner, pair] = local_.pairs[i];
     compare_unused(before_.pointer(pair.ours == json::kNoNode ? owner : pair.ours), pair);
   }
 }
@@ -220,16 +220,16 @@ void ObjectWalk::note_local_tables(const Pair& pair) {
   const json::Document& here = before_.document();
   const json::Document& there = after_.document();
   for (const auto member : here.members(pair.ours)) {
-    if (!local_here_.contains(member.value)) continue;
+    if (!local_.here.contains(member.value)) continue;
     const json::NodeId other = there.find(pair.theirs, here.key(member.key_id));
-    const bool both = local_there_.contains(other);
-    local_tables_.push_back({pair.ours, {member.value, both ? other : json::kNoNode}});
+    const bool both = local_.there.contains(other);
+    local_.pairs.push_back({pair.ours, {member.value, both ? other : json::kNoNode}});
   }
   for (const auto member : there.members(pair.theirs)) {
-    if (!local_there_.contains(member.value)) continue;
+    if (!local_.there.contains(member.value)) continue;
     const json::NodeId other = here.find(pair.ours, there.key(member.key_id));
-    if (local_here_.contains(other)) continue;
-    local_tables_.push_back({pair.ours, {json::kNoNode, member.value}});
+    if (local_.here.contains(other)) continue;
+    local_.pairs.push_back({pair.ours, {json::kNoNode, member.value}});
   }
 }
 

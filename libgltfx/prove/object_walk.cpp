@@ -84,8 +84,8 @@ ObjectWalk::ObjectWalk(const Side& before, const Side& after, const NodePairs& n
   known_.pointed_here = pointed(before);
   known_.pointed_there = pointed(after);
   known_.moved = moved_nodes(before);
-  local_here_ = local_tables(before);
-  local_there_ = local_tables(after);
+  local_.here = local_tables(before);
+  local_.there = local_tables(after);
 }
 
 Payloads ObjectWalk::run() {

@@ -98,9 +98,12 @@ class ObjectWalk {
   const Names storage_;
   std::deque<Pair> open_;
   Payloads payloads_;
-  std::unordered_set<json::NodeId> local_here_, local_there_;  ///< tables outside of the root
-  /// Such tables with their owners in `before`; kNoNode: only the other one has it.
-  std::vector<std::pair<json::NodeId, Pair>> local_tables_;
+  /// Tables outside of the root.
+  struct {
+    std::unordered_set<json::NodeId> here, there;
+    /// With their owners in `before`; kNoNode: only the other one has it.
+    std::vector<std::pair<json::NodeId, Pair>> pairs;
+  } local_;
   /// What is known of values so far.
   struct {
     EqualValues contents, accessor_members;
