@@ -59,6 +59,12 @@ Hash128 hash_of(Hash128* corners, std::size_t arity) {
       std::string_view(reinterpret_cast<const char*>(corners), arity * sizeof(Hash128)));
 }
 
+// Such a triangle or segment shows nothing, whether its equal corners are one vertex or several.
+bool has_repeat(const Hash128* corners, std::size_t arity) {
+  return (arity > 1 && corners[0] == corners[1]) ||
+         (arity > 2 && (corners[1] == corners[2] || corners[0] == corners[2]));
+}
+
 std::vector<Shown> sorted(const PrimitivePair& pair, const Corners& corners,
                           Column Stream::*column) {
   Vertices vertices(pair, column);
@@ -81,6 +87,7 @@ std::vector<Shown> sorted(const PrimitivePair& pair, const Corners& corners,
   for (std::size_t i = 0; i + arity <= list.size(); i += arity) {
     std::array<Hash128, 3> hashes{};
     for (std::size_t k = 0; k < arity; ++k) hashes[k] = vertex_hash(list[i + k]);
+    if (has_repeat(hashes.data(), arity)) continue;
     shown.push_back({hash_of(hashes.data(), arity), i / arity});
   }
   std::sort(shown.begin(), shown.end(), [](const Shown& a, const Shown& b) {

@@ -144,6 +144,18 @@ TEST(GeometryMeaning, OrderMayBeFree) {
   EXPECT_TRUE(same(lines, pairs, in_any_order()));
 }
 
+TEST(GeometryMeaning, TrianglesOfEqualCornersAreNone) {
+  std::vector<float> corners;  // the last triangle is a line, by vertices of its own
+  for (const std::size_t i : {0U, 1U, 2U, 0U, 2U, 3U, 0U, 1U, 1U}) {
+    for (std::size_t k = 0; k < 3; ++k) corners.push_back(kSquare[i * 3 + k]);
+  }
+  const OnePrimitive apart = OnePrimitive().positions(corners);
+  const OnePrimitive merged =
+      OnePrimitive().positions(kSquare).indices<std::uint8_t>({0, 1, 2, 0, 2, 3, 0, 1, 1});
+  EXPECT_TRUE(same(apart, merged, in_any_order()));
+  EXPECT_TRUE(same(apart, square(), in_any_order()));
+}
+
 TEST(GeometryMeaning, NumbersAreComparedAsDecoded) {
   const auto colored = [](const std::string& bytes, int component, bool normalized) {
     return square().attribute("COLOR_0", "VEC4", component, bytes, 4, normalized);
