@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: Apache-2.0
+// Triangles and vertices in an order that suits the caches of a GPU.
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "model/material.hpp"
+#include "model/vertex_cache.hpp"
+#include "report/wording.hpp"
+#include "steps/storage.hpp"
+#include "steps/vertex_sets.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+constexpr std::uint32_t kNoNumber = UINT32_MAX;
+
+/// Orders the triangles of lists that share vertices.
+class TriangleOrder {
+ public:
+  explicit TriangleOrder(std::uint64_t vertices)
+      : local_(static_cast<std::size_t>(vertices), kNoNumber) {}
+
+  // Whether the list has another order now. Again on the result, it has not: an order only changes
+  // for one that is better by more than 1 %, until there is none.
+  bool improve(Indices& indices) {
+    constexpr double kWorthwhile = 0.99;
+    bool improved = false;
+    for (;;) {
+      Indices numbers = localized(indices);
+      const double misses = model::cache_miss_ratio(numbers, used_.size());
+      numbers = model::order_for_cache(numbers, used_.size());
+      if (model::cache_miss_ratio(numbers, used_.size()) >= kWorthwhile * misses) return improved;
+      for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = used_[numbers[i]];
+      improved = true;
+    }
+  }
+
+ private:
+  // Vertices numbered by their first use, so that the time is that of the list.
+  Indices localized(const Indices& indices) {
+    Indices numbers;
+    numbers.reserve(indices.size());
+    used_.clear();
+    for (const std::uint32_t index : indices) {
+      if (local_[index] == kNoNumber) {
+        local_[index] = static_cast<std::uint32_t>(used_.size());
+        used_.push_back(index);
+      }
+      numbers.push_back(local_[index]);
+    }
+    for (const std::uint32_t vertex : used_) local_[vertex] = kNoNumber;
+    return numbers;
+  }
+
+  Indices local_;  ///< by vertex; no number between calls
+  Indices used_;   ///< vertices by local number
+};
+
+// Old vertices in the order of their first use; those without a use follow in theirs.
+Indices order_of_use(const std::vector<Indices>& lists, std::uint64_t vertices) {
+  std::vector<bool> is_used(static_cast<std::size_t>(vertices));
+  Indices order;
+  order.reserve(is_used.size());
+  const auto use = [&](std::uint32_t vertex) {
+    if (is_used[vertex]) return;
+    is_used[vertex] = true;
+    order.push_back(vertex);
+  };
+  for (const Indices& list : lists) std::for_each(list.begin(), list.end(), use);
+  for (std::uint32_t i = 0; i < vertices; ++i) use(i);
+  return order;
+}
+
+class Reorderer {
+ public:
+  explicit Reorderer(const StepInput& input)
+      : data_(input),
+        changes_(data_),
+        numbers_(data_),
+        materials_(data_.document.find(data_.document.root(), "materials")) {}
+
+  Result<StepOutcome> run() {
+    for (const VertexSet& set : find_vertex_sets(data_)) {
+      std::string why = set.obstacle.empty() ? reorder(set) : set.obstacle;
+      if (!why.empty()) outcome_.row.left.push_back({place_of(data_, set), std::move(why)});
+    }
+    if (primitives_ == 0) return std::move(outcome_);
+    if (std::string why = find_doubt(data_.graph, "accessors"); !why.empty()) {
+      outcome_.row.refused = {{{}, std::move(why)}};
+      return std::move(outcome_);
+    }
+    auto change = changes_.finish();
+    if (!change) return change.error();
+    outcome_.change = *std::move(change);
+    outcome_.freedom.vertex_order = true;
+    outcome_.row.what = report::counted(primitives_, "primitive");
+    return std::move(outcome_);
+  }
+
+ private:
+  // Why a set is left, or nothing.
+  std::string reorder(const VertexSet& set) {
+    for (const model::Primitive* primitive : set.primitives) {
+      if (primitive->mode != model::Mode::triangles) return "has primitives that are no triangles";
+      if (!primitive->indices) return "has triangles without indices";
+      if (is_blended(*primitive)) return "is blended: the order of its triangles is to be seen";
+    }
+    OpenedVertices vertices;
+    if (std::string why = open_vertices(data_, set, vertices); !why.empty()) return why;
+    std::vector<Indices> lists;
+    for (const IndexList& list : vertices.indices) {
+      lists.push_back(read_index_list(list.data));
+      if (lists.back().size() % 3 != 0) return "has a triangle with missing corners";
+      for (const std::uint32_t index : lists.back()) {
+        if (index >= vertices.count) return "has an index without a vertex";
+      }
+    }
+    TriangleOrder triangles(vertices.count);
+    bool changed = false;
+    for (Indices& list : lists) changed |= triangles.improve(list);
+    const Indices order = order_of_use(lists, vertices.count);
+    changed |= !std::is_sorted(order.begin(), order.end());
+    if (!changed) return {};
+    if (std::string why = numbers_.find(set); !why.empty()) {
+      outcome_.row.refused.push_back({place_of(data_, set), std::move(why)});
+      return {};
+    }
+    store(vertices, order, std::move(lists));
+    primitives_ += set.primitives.size();
+    return {};
+  }
+
+  // With any material that the primitive can get.
+  bool is_blended(const model::Primitive& primitive) {
+    bool found = false;
+    data_.graph.each_use_in(primitive.node, [&](const graph::Use& use) {
+      if (data_.graph.tree().parent(use.target) != materials_) return;
+      const auto [known, is_new] = blended_.try_emplace(use.target);
+      if (is_new) known->second = is_blended(data_.graph.tree().position(use.target));
+      found |= known->second;
+    });
+    return found;
+  }
+  bool is_blended(std::uint32_t material) const {
+    const model::Material read = model::read_material(data_.elements, material);
+    return read.alpha_mode == model::AlphaMode::blend ||
+           read.of(MaterialParameter::transmission)[0] > 0;
+  }
+
+  void store(const OpenedVertices& vertices, const Indices& order, std::vector<Indices> lists) {
+    for (const VertexColumn& column : vertices.columns) {
+      const std::size_t size = model::packed_stride(column.data.format());
+      const std::string old = packed_bytes(column.data);
+      std::string bytes;
+      bytes.reserve(old.size());
+      for (const std::uint32_t vertex : order) bytes.append(old, vertex * size, size);
+      changes_.contents.set(column.accessor,
+                            {std::move(bytes), vertices.count, false, model::ViewTarget::vertices});
+    }
+    Indices numbers(order.size());
+    for (std::uint32_t i = 0; i < order.size(); ++i) numbers[order[i]] = i;
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      for (std::uint32_t& index : lists[i]) index = numbers[index];
+      const model::AccessorData& data = vertices.indices[i].data;
+      changes_.contents.set(vertices.indices[i].accessor,
+                            {index_bytes(lists[i], data.format().component), data.count(), true,
+                             model::ViewTarget::indices});
+    }
+  }
+
+  const StepData data_;
+  StepChanges changes_;
+  VertexNumbers numbers_;
+  const json::NodeId materials_;  ///< the array
+  StepOutcome outcome_;
+  std::unordered_map<json::NodeId, bool> blended_;  ///< by material
+  std::uint64_t primitives_ = 0;
+};
+
+}  // namespace
+
+StepDescription reorder_step();
+StepDescription reorder_step() {
+  return {"reorder",
+          "orders triangles and vertices for the caches of a GPU",
+          "all triangles with all attributes and morph targets, and their winding",
+          "the order of triangles and vertices",
+          [](const ConvertOptions& options) { return options.reorder || options.shrink; },
+          [](const StepInput& input) { return Reorderer(input).run(); }};
+}
+
+}  // namespace gltfx::steps
