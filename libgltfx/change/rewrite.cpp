@@ -22,9 +22,15 @@ void append_little_endian(std::string& out, std::uint64_t value) {
   }
 }
 
-// Removes the padding of the old chunk; the new chunk gets its own.
+// Removes the padding of the old chunk; the new chunk gets its own. White space that is not all
+// blanks stays longer than padding is: it would be taken for that.
 std::string_view without_padding(std::string_view json) {
-  for (std::size_t i = 1; i < kAlignment && json.ends_with(' '); ++i) json.remove_suffix(1);
+  const std::size_t end = json.find_last_not_of(" \t\r\n") + 1;
+  const bool blank = json.find_first_not_of(' ', end) == std::string_view::npos;
+  const std::size_t least = blank ? end : end + kAlignment;
+  for (std::size_t i = 1; i < kAlignment && json.ends_with(' ') && json.size() > least; ++i) {
+    json.remove_suffix(1);
+  }
   return json;
 }
 

@@ -71,6 +71,20 @@ TEST(GlbRewrite, WrongLengthsAreMended) {
   }
 }
 
+// Up to three characters of white space are padding, which must be blanks.
+TEST(GlbRewrite, ALineBreakAtTheEndDoesNotBecomePadding) {
+  for (const char* text : {"[12]\n   ", "[1]\n    ", "[]\n     ", "{}\n         "}) {
+    std::string again = rewritten(file("{}", ""), text);
+    for (int i = 0; i < 3; ++i) {
+      const Container opened = container::open_bytes(Bytes::from_string(again));
+      again = rewritten(again, std::string(*opened.json));
+    }
+    const Container opened = container::open_bytes(Bytes::from_string(again));
+    EXPECT_GE(opened.json->size() - opened.json->find('\n'), 4U) << text;
+    EXPECT_LE(opened.json->size(), std::string_view(text).size() + 3) << text;
+  }
+}
+
 TEST(GlbRewrite, WhatLiesBehindTheLastChunkStaysUncounted) {
   const std::string sound = file("{}", chunk(container::kChunkBin, "abcd"));
   const std::string fresh = file("[12345]", chunk(container::kChunkBin, "abcd"));
