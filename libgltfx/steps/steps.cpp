@@ -5,8 +5,11 @@ namespace gltfx::steps {
 
 StepDescription weld_step();
 StepDescription reorder_step();
+StepDescription meshopt_step();
 StepDescription container_step();
 
-std::vector<StepDescription> steps() { return {weld_step(), reorder_step(), container_step()}; }
+std::vector<StepDescription> steps() {
+  return {weld_step(), reorder_step(), meshopt_step(), container_step()};
+}
 
 }  // namespace gltfx::steps
