@@ -307,7 +307,7 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderI
   if (!options.verify) {
     return ConvertRun(opened.asset, opened.state, options, schemas, nullptr, folders, report).run();
   }
-  const ValidatedAsset before(std::move(opened.asset), prove::default_validation(schemas));
+  const ValidatedAsset before(std::move(opened.asset), validate::default_validation(schemas));
   const PictureCheck pictures(before, options.root, schemas, options.jobs);
   return ConvertRun(before.asset(), opened.state, options, schemas, &pictures, folders, report)
       .run();
