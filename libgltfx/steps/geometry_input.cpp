@@ -8,21 +8,9 @@
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
-#include "container/opened_files.hpp"
+#include "steps/step_data.hpp"
 
 namespace gltfx::steps {
-namespace {
-
-model::ResourceData load_buffers(const StepInput& input, const model::Asset& asset) {
-  container::OpenedFiles files(input.asset.resolver());
-  const std::vector<bool> no_images(asset.count(model::RootArray::images), false);
-  return model::load_resources(input.asset.container(), files, asset, input.asset.views(),
-                               input.options.jobs, &no_images)
-      .data;
-}
-
-}  // namespace
-
 GeometryInput::GeometryInput(const StepInput& input)
     : asset(input.asset.document()),
       views(input.asset.views()),

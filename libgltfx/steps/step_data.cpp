@@ -9,14 +9,6 @@
 namespace gltfx::steps {
 namespace {
 
-model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements) {
-  container::OpenedFiles files(input.asset.resolver());
-  const std::vector<bool> images(elements.count(model::RootArray::images), false);
-  return model::load_resources(input.asset.container(), files, elements, input.asset.views(),
-                               input.options.jobs, &images)
-      .data;
-}
-
 // Each byte once, and some more.
 std::uint64_t readable_bytes(const model::ResourceData& resources) {
   std::uint64_t bytes = std::uint64_t{64} << 20U;
@@ -27,6 +19,14 @@ std::uint64_t readable_bytes(const model::ResourceData& resources) {
 }
 
 }  // namespace
+
+model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements) {
+  container::OpenedFiles files(input.asset.resolver());
+  const std::vector<bool> images(elements.count(model::RootArray::images), false);
+  return model::load_resources(input.asset.container(), files, elements, input.asset.views(),
+                               input.options.jobs, &images)
+      .data;
+}
 
 StepData::StepData(const StepInput& of)
     : input(of),

@@ -19,6 +19,9 @@
 
 namespace gltfx::steps {
 
+/// The buffers of the asset of a step, without images.
+model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements);
+
 /// The references and the bytes of an asset. Refers to the input.
 struct StepData {
   explicit StepData(const StepInput& input);
