@@ -26,12 +26,10 @@ std::uint64_t stride_of(const BufferView& view, const Accessor& accessor) {
   return view.byte_stride.value_or(model::packed_stride(accessor.format));
 }
 
-// The least or the greatest value of each component, as a JSON array.
+// The least or the greatest value of each component.
 template <class T, class Better>
-std::string bound_text(std::string_view bytes, unsigned components, const Better& better) {
-  std::string text;
-  json::Writer writer(text);
-  writer.begin_array();
+std::vector<double> bound_of(std::string_view bytes, unsigned components, const Better& better) {
+  std::vector<double> bound;
   const std::size_t stride = sizeof(T) * components;
   for (unsigned component = 0; component < components; ++component) {
     T best{};
@@ -40,8 +38,16 @@ std::string bound_text(std::string_view bytes, unsigned components, const Better
       std::memcpy(&value, bytes.data() + at + sizeof(T) * component, sizeof(T));
       if (at == 0 || better(value, best)) best = value;
     }
-    writer.number(static_cast<double>(best));
+    bound.push_back(static_cast<double>(best));
   }
+  return bound;
+}
+
+std::string array_text(const std::vector<double>& numbers) {
+  std::string text;
+  json::Writer writer(text);
+  writer.begin_array();
+  for (const double number : numbers) writer.number(number);
   writer.end_array();
   return text;
 }
@@ -206,15 +212,22 @@ void AccessorContents::declare_bounds(std::uint32_t index, const NewElements& el
   model::with_component_type(accessor.format.component, [&](auto sample) {
     using T = decltype(sample);
     const unsigned components = model::component_count(accessor.format.type);
-    if (accessor.min != json::kNoNode) {
-      editor_.replace(accessor.node, accessor.min,
-                      bound_text<T>(elements.bytes, components, [](T a, T b) { return a < b; }));
-    }
-    if (accessor.max != json::kNoNode) {
-      editor_.replace(accessor.node, accessor.max,
-                      bound_text<T>(elements.bytes, components, [](T a, T b) { return a > b; }));
-    }
+    declare_bound(accessor.node, accessor.min,
+                  bound_of<T>(elements.bytes, components, [](T a, T b) { return a < b; }));
+    declare_bound(accessor.node, accessor.max,
+                  bound_of<T>(elements.bytes, components, [](T a, T b) { return a > b; }));
   });
+}
+
+void AccessorContents::declare_bound(json::NodeId accessor, json::NodeId old,
+                                     const std::vector<double>& bound) {
+  if (old == json::kNoNode) return;
+  std::vector<double> numbers;
+  if (document_.kind(old) == json::Kind::number_array) {
+    for (json::NumberCursor at(document_, old); at.valid(); at.advance())
+      numbers.push_back(at.number().value);
+  }
+  if (numbers != bound) editor_.replace(accessor, old, array_text(bound));
 }
 
 void AccessorContents::set_number(json::NodeId object, std::string_view name, std::uint64_t value) {

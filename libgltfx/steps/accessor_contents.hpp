@@ -22,7 +22,8 @@ namespace gltfx::steps {
 struct NewElements {
   std::string bytes;  ///< `count` elements, each of model::packed_stride()
   std::uint64_t count = 0;
-  bool other_values = false;  ///< the bounds that the accessor declares are computed again
+  /// The bounds that the accessor declares are computed again; those that stay keep their text.
+  bool other_values = false;
   /// Of the view, where the accessor has none yet.
   model::ViewTarget target = model::ViewTarget::none;
 };
@@ -57,6 +58,7 @@ class AccessorContents {
   void store_alone(std::uint32_t accessor, const NewElements& elements);
   void declare(std::uint32_t accessor, std::uint64_t offset);
   void declare_bounds(std::uint32_t accessor, const NewElements& elements);
+  void declare_bound(json::NodeId accessor, json::NodeId old, const std::vector<double>& bound);
   void set_number(json::NodeId object, std::string_view name, std::uint64_t value);
 
   const json::Document& document_;
