@@ -4,12 +4,13 @@
 namespace gltfx::steps {
 
 StepDescription weld_step();
+StepDescription resample_step();
 StepDescription reorder_step();
 StepDescription meshopt_step();
 StepDescription container_step();
 
 std::vector<StepDescription> steps() {
-  return {weld_step(), reorder_step(), meshopt_step(), container_step()};
+  return {weld_step(), resample_step(), reorder_step(), meshopt_step(), container_step()};
 }
 
 }  // namespace gltfx::steps

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+// Keyframes that interpolation between their neighbours gives go (glTF 2.0 section 3.11).
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "model/elements.hpp"
+#include "steps/keyframe_choice.hpp"
+#include "steps/step_data.hpp"
+#include "steps/storage.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+using model::AnimationPath;
+using model::AnimationSampler;
+using model::Interpolation;
+
+/// A sampler and what its channels move.
+struct UsedSampler {
+  const AnimationSampler* sampler = nullptr;
+  bool rotations = false;
+  bool others = false;
+  bool unknown = false;  ///< what an extension moves, or nothing
+};
+
+/// The samplers that give the values of an accessor.
+struct ValueUses {
+  std::uint64_t count = 0;
+  std::optional<std::uint32_t> input;  ///< accessor with their times
+  bool apart = false;                  ///< not all have the same
+
+  void note(const std::optional<std::uint32_t>& other) {
+    apart |= !other || (count > 0 && other != input);
+    input = other;
+    ++count;
+  }
+};
+
+/// All samplers with the same times.
+struct Clip {
+  std::uint32_t input = 0;
+  std::vector<UsedSampler> samplers;
+  std::string obstacle;  ///< empty: there is none
+};
+
+/// The values of a sampler.
+struct Output {
+  std::uint32_t accessor = 0;
+  std::size_t key_size = 0;  ///< bytes of a keyframe
+  std::string bytes;         ///< packed
+};
+
+class Resampler {
+ public:
+  explicit Resampler(const StepInput& input)
+      : data_(input), changes_(data_), uses_(data_.views().accessors.size()) {}
+
+  Result<StepOutcome> run() {
+    find_clips();
+    for (const Clip& clip : clips_) {
+      std::string why = clip.obstacle.empty() ? resample(clip) : clip.obstacle;
+      if (why.empty()) continue;
+      outcome_.row.left.push_back(
+          {data_.pointer(clip.samplers.front().sampler->object), std::move(why)});
+    }
+    if (removed_ == 0) return std::move(outcome_);
+    if (std::string why = find_doubt(data_.graph, "accessors"); !why.empty()) {
+      outcome_.row.refused = {{{}, std::move(why)}};
+      return std::move(outcome_);
+    }
+    auto change = changes_.finish();
+    if (!change) return change.error();
+    outcome_.change = *std::move(change);
+    outcome_.freedom.keyframes = true;
+    outcome_.row.what = fmt::format("{} of {} keyframes removed", removed_, keyframes_);
+    return std::move(outcome_);
+  }
+
+ private:
+  void find_clips() {
+    std::map<std::uint32_t, std::size_t> numbers;
+    for (const model::Animation& animation : data_.views().animations) {
+      for (UsedSampler& used : samplers_of(animation)) {
+        const auto& input = used.sampler->input;
+        if (used.sampler->output) uses_[*used.sampler->output].note(input);
+        if (!input) {
+          clips_.push_back({0, {used}, "has members that cannot be read"});
+          continue;
+        }
+        const auto [place, is_new] = numbers.try_emplace(*input, clips_.size());
+        if (is_new) clips_.push_back({*input, {}, {}});
+        clips_[place->second].samplers.push_back(used);
+      }
+    }
+    for (Clip& clip : clips_) {
+      if (clip.obstacle.empty()) clip.obstacle = obstacle_of(clip);
+    }
+  }
+
+  std::vector<UsedSampler> samplers_of(const model::Animation& animation) const {
+    std::vector<UsedSampler> samplers;
+    for (const AnimationSampler& sampler : animation.samplers)
+      samplers.push_back({&sampler, false, false, false});
+    for (const model::AnimationChannel& channel : animation.channels) {
+      if (!channel.sampler) continue;
+      UsedSampler& used = samplers[*channel.sampler];
+      const bool by_extension = channel.target == json::kNoNode ||
+                                data_.document.find(channel.target, "extensions") != json::kNoNode;
+      if (by_extension || channel.path == AnimationPath::none ||
+          channel.path == AnimationPath::other) {
+        used.unknown = true;
+      } else {
+        (channel.path == AnimationPath::rotation ? used.rotations : used.others) = true;
+      }
+    }
+    return samplers;
+  }
+
+  std::string obstacle_of(const Clip& clip) const {
+    if (data_.graph.users(accessor(clip.input).node).size() != clip.samplers.size())
+      return "shares its times with something else than samplers";
+    for (const UsedSampler& used : clip.samplers) {
+      if (!used.sampler->output || used.sampler->interpolation == Interpolation::unknown)
+        return "has members that cannot be read";
+      if (used.sampler->interpolation == Interpolation::cubic_spline)
+        return "shares its times with CUBICSPLINE, which stays";
+      if (used.unknown) return "moves a property that an extension names";
+      if (!used.rotations && !used.others) return "has no channel";
+      if (used.rotations && used.others) return "moves rotations and other properties alike";
+      const ValueUses& uses = uses_[*used.sampler->output];
+      const auto users = data_.graph.users(accessor(*used.sampler->output).node).size();
+      if (uses.apart || users != uses.count) return "shares its values with something else";
+    }
+    return {};
+  }
+
+  const model::Accessor& accessor(std::uint32_t index) const {
+    return data_.views().accessors[index];
+  }
+
+  // Why a clip is left, or nothing.
+  std::string resample(const Clip& clip) {
+    std::optional<model::AccessorData> data;
+    if (std::string why = data_.open(clip.input, data); !why.empty()) return why;
+    if (data->format() !=
+        model::Format{model::ElementType::scalar, model::ComponentType::float32, false})
+      return "has times that are no numbers of single precision";
+    const std::vector<float> times = numbers_of(*data);
+    if (!increase(times)) return "has times that do not increase";
+    if (times.size() < 3) return {};
+    std::vector<KeyedCurve> curves;
+    std::vector<Output> outputs;
+    for (const UsedSampler& used : clip.samplers) {
+      if (std::string why = open(used, times.size(), curves, outputs); !why.empty()) return why;
+    }
+    const std::vector<std::uint32_t> kept = choose_keyframes(times, curves);
+    keyframes_ += times.size();
+    if (kept.size() == times.size()) return {};
+    removed_ += times.size() - kept.size();
+    store({clip.input, sizeof(float), packed_bytes(*data)}, kept, false);
+    for (const Output& output : outputs) store(output, kept, true);
+    return {};
+  }
+
+  static bool increase(const std::vector<float>& times) {
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      if (!std::isfinite(times[i]) || (i > 0 && times[i] <= times[i - 1])) return false;
+    }
+    return true;
+  }
+
+  static std::vector<float> numbers_of(const model::AccessorData& data) {
+    std::vector<float> numbers;
+    numbers.reserve(static_cast<std::size_t>(data.count()) * data.components());
+    model::for_each_component(
+        data, static_cast<std::size_t>(data.count()),
+        [&](std::size_t, unsigned, float value) { numbers.push_back(value); });
+    return numbers;
+  }
+
+  std::string open(const UsedSampler& used, std::size_t keys, std::vector<KeyedCurve>& curves,
+                   std::vector<Output>& outputs) const {
+    std::optional<model::AccessorData> data;
+    if (std::string why = data_.open(*used.sampler->output, data); !why.empty()) return why;
+    if (data->count() == 0 || data->count() % keys != 0)
+      return "has another number of values than its times ask for";
+    if (used.rotations && (data->components() != 4 || data->count() != keys))
+      return "has rotations that are no quaternions";
+    if (!data_.budget.take(checked_mul(data->count(), sizeof(float) * data->components())))
+      return "shares its bytes with too many others";
+    KeyedCurve curve;
+    curve.values = numbers_of(*data);
+    curve.width = curve.values.size() / keys;
+    curve.kind = used.rotations ? CurveKind::rotation : CurveKind::linear;
+    if (used.sampler->interpolation == Interpolation::step) curve.kind = CurveKind::step;
+    const bool finite = std::all_of(curve.values.begin(), curve.values.end(),
+                                    [](float value) { return std::isfinite(value); });
+    if (!finite) return "has values that are no finite numbers";
+    curves.push_back(std::move(curve));
+    std::string bytes = packed_bytes(*data);
+    outputs.push_back({*used.sampler->output, bytes.size() / keys, std::move(bytes)});
+    return {};
+  }
+
+  void store(const Output& output, const std::vector<std::uint32_t>& kept, bool other_values) {
+    std::string bytes;
+    bytes.reserve(output.key_size * kept.size());
+    for (const std::uint32_t key : kept)
+      bytes.append(output.bytes, key * output.key_size, output.key_size);
+    const std::uint64_t size = model::packed_stride(accessor(output.accessor).format);
+    changes_.contents.set(output.accessor, {std::move(bytes), output.key_size * kept.size() / size,
+                                            other_values, model::ViewTarget::none});
+  }
+
+  const StepData data_;
+  StepChanges changes_;
+  std::vector<ValueUses> uses_;  ///< by accessor
+  std::vector<Clip> clips_;
+  StepOutcome outcome_;
+  std::uint64_t removed_ = 0;
+  std::uint64_t keyframes_ = 0;
+};
+
+}  // namespace
+
+StepDescription resample_step();
+StepDescription resample_step() {
+  return {"resample",
+          "removes keyframes that interpolation between their neighbours gives",
+          "the curves, the first and the last keyframe, and the length of clips",
+          "nothing beyond rounding: one unit in the last place",
+          [](const ConvertOptions& options) { return options.resample || options.shrink; },
+          [](const StepInput& input) { return Resampler(input).run(); }};
+}
+
+}  // namespace gltfx::steps
