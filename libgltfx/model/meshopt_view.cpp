@@ -63,11 +63,10 @@ void decode(DecodedStream& job) {
   job.misfits = meshopt::find_misfits(layout, elements);
   if (job.misfits.count != 0) return;
   meshopt::apply_filter(layout, elements);
-  if (!job.plain) {
-    job.elements = container::Bytes(elements, memory);
-  } else if (is_exact(layout) && job.plain->size() == size) {
-    job.differs = std::memcmp(job.plain->view().data(), elements.data(), size) != 0;
-  }
+  const bool is_copy = job.plain && job.plain->size() == size;
+  if (is_copy && std::memcmp(job.plain->view().data(), elements.data(), size) == 0) return;
+  job.differs = is_copy && is_exact(layout);
+  job.elements = container::Bytes(elements, memory);
 }
 
 // The memory of each view is decided here, in order, so that it does not depend on the number of

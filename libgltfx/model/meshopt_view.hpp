@@ -50,7 +50,7 @@ struct DecodedStream {
   meshopt::DecodeError error = meshopt::DecodeError::none;
   meshopt::Misfits misfits{};
   bool differs = false;         ///< `plain` has other bytes than the stream
-  container::Bytes elements{};  ///< if there is no problem and no plain copy
+  container::Bytes elements{};  ///< if there is no problem and no plain copy with the same bytes
 
   /// Why there are no elements, as the end of a sentence; empty if there are.
   std::string problem() const;

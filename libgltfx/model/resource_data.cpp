@@ -78,10 +78,11 @@ class Loader {
   void decode_views(unsigned jobs) {
     for (DecodedStream& stream : decode_streams(asset_, views_, loaded_.data, jobs)) {
       if (!stream.problem().empty()) note("Buffer view", stream.index, stream.problem());
-      if (stream.plain || stream.elements.empty()) continue;
+      if (stream.elements.empty()) continue;
       const bool rounded = stream.view.layout.filter != meshopt::Filter::none;
-      loaded_.data.decoded_views.emplace(views_.buffer_views[stream.index].node,
-                                         DecodedView{std::move(stream.elements), rounded});
+      auto& views = stream.plain ? loaded_.data.unread_views : loaded_.data.decoded_views;
+      views.emplace(views_.buffer_views[stream.index].node,
+                    DecodedView{std::move(stream.elements), rounded});
     }
   }
 

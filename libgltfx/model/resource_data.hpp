@@ -45,6 +45,8 @@ struct ResourceData {
   std::vector<ImageData> images;  ///< by index
   /// By the node of the buffer view: data that replaces the bytes of the buffer.
   std::unordered_map<json::NodeId, DecodedView> decoded_views;
+  /// Likewise, of those with a plain copy of other bytes, which is read in their place.
+  std::unordered_map<json::NodeId, DecodedView> unread_views;
 
   /// The bytes [offset, offset + length) of a buffer view with their owner, or nothing when they
   /// are not inside the view and inside the bytes of its buffer, or of the decoded data. Accepts

@@ -45,7 +45,11 @@ model::LoadedResources load(const model::OpenedAsset& opened, const model::Asset
                             Scope scope, unsigned jobs) {
   container::OpenedFiles files(opened.resolver());
   const std::vector<bool> images(asset.count(model::RootArray::images), scope == Scope::all);
-  return model::load_resources(opened.container(), files, asset, opened.views(), jobs, &images);
+  auto loaded =
+      model::load_resources(opened.container(), files, asset, opened.views(), jobs, &images);
+  // Readers of the extension use a stream, not the plain copy for other readers.
+  loaded.data.decoded_views.merge(loaded.data.unread_views);
+  return loaded;
 }
 
 }  // namespace
