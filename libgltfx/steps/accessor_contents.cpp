@@ -2,14 +2,12 @@
 #include "steps/accessor_contents.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "json/writer.hpp"
-#include "model/accessor_data.hpp"
+#include "steps/accessor_bounds.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -24,32 +22,6 @@ std::uint64_t aligned(std::uint64_t size) {
 
 std::uint64_t stride_of(const BufferView& view, const Accessor& accessor) {
   return view.byte_stride.value_or(model::packed_stride(accessor.format));
-}
-
-// The least or the greatest value of each component.
-template <class T, class Better>
-std::vector<double> bound_of(std::string_view bytes, unsigned components, const Better& better) {
-  std::vector<double> bound;
-  const std::size_t stride = sizeof(T) * components;
-  for (unsigned component = 0; component < components; ++component) {
-    T best{};
-    for (std::size_t at = 0; at + stride <= bytes.size(); at += stride) {
-      T value{};
-      std::memcpy(&value, bytes.data() + at + sizeof(T) * component, sizeof(T));
-      if (at == 0 || better(value, best)) best = value;
-    }
-    bound.push_back(static_cast<double>(best));
-  }
-  return bound;
-}
-
-std::string array_text(const std::vector<double>& numbers) {
-  std::string text;
-  json::Writer writer(text);
-  writer.begin_array();
-  for (const double number : numbers) writer.number(number);
-  writer.end_array();
-  return text;
 }
 
 }  // namespace
@@ -204,30 +176,7 @@ void AccessorContents::declare(std::uint32_t index, std::uint64_t offset) {
   if (found == set_.end()) return;
   if (found->second.count != accessor.count)
     set_number(accessor.node, "count", found->second.count);
-  if (found->second.other_values) declare_bounds(index, found->second);
-}
-
-void AccessorContents::declare_bounds(std::uint32_t index, const NewElements& elements) {
-  const Accessor& accessor = views_.accessors[index];
-  model::with_component_type(accessor.format.component, [&](auto sample) {
-    using T = decltype(sample);
-    const unsigned components = model::component_count(accessor.format.type);
-    declare_bound(accessor.node, accessor.min,
-                  bound_of<T>(elements.bytes, components, [](T a, T b) { return a < b; }));
-    declare_bound(accessor.node, accessor.max,
-                  bound_of<T>(elements.bytes, components, [](T a, T b) { return a > b; }));
-  });
-}
-
-void AccessorContents::declare_bound(json::NodeId accessor, json::NodeId old,
-                                     const std::vector<double>& bound) {
-  if (old == json::kNoNode) return;
-  std::vector<double> numbers;
-  if (document_.kind(old) == json::Kind::number_array) {
-    for (json::NumberCursor at(document_, old); at.valid(); at.advance())
-      numbers.push_back(at.number().value);
-  }
-  if (numbers != bound) editor_.replace(accessor, old, array_text(bound));
+  if (found->second.other_values) mend_bounds(document_, editor_, accessor, found->second.bytes);
 }
 
 void AccessorContents::set_number(json::NodeId object, std::string_view name, std::uint64_t value) {

@@ -8,6 +8,7 @@
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
+#include "model/accessor_data.hpp"
 #include "steps/step_data.hpp"
 
 namespace gltfx::steps {
@@ -52,6 +53,19 @@ std::optional<std::uint64_t> GeometryInput::end_in_view(const model::Accessor& a
   const bool has_stride = asset.document().find(view->node, "byteStride") != json::kNoNode;
   if (has_stride != view->byte_stride.has_value()) return std::nullopt;
   return *end;
+}
+
+std::optional<std::string> GeometryInput::elements_of(const model::Accessor& accessor) const {
+  const auto data =
+      model::AccessorData::open(asset, views, resources, accessor, model::Malformed::unusable);
+  if (!data || data->implied()) return std::nullopt;
+  const std::size_t size =
+      std::size_t{data->components()} * model::component_size(data->format().component);
+  std::string bytes(static_cast<std::size_t>(data->count()) * size, '\0');
+  std::uint64_t next = 0;
+  data->read(reinterpret_cast<std::byte*>(bytes.data()), 0, static_cast<std::size_t>(data->count()),
+             next);
+  return bytes;
 }
 
 void set_number(const json::Document& document, json::Editor& editor, json::NodeId object,

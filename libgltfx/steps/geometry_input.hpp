@@ -31,6 +31,10 @@ struct GeometryInput {
   /// it, or some bytes are outside of the view.
   std::optional<std::uint64_t> end_in_view(const model::Accessor& accessor) const;
 
+  /// The elements of an accessor, packed without padding, sparse ones replaced. Nothing when they
+  /// cannot be read, or are not stored.
+  std::optional<std::string> elements_of(const model::Accessor& accessor) const;
+
   const model::Asset asset;
   const model::Views& views;
   const graph::Graph graph;

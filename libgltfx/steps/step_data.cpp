@@ -23,9 +23,12 @@ std::uint64_t readable_bytes(const model::ResourceData& resources) {
 model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements) {
   container::OpenedFiles files(input.asset.resolver());
   const std::vector<bool> images(elements.count(model::RootArray::images), false);
-  return model::load_resources(input.asset.container(), files, elements, input.asset.views(),
-                               input.options.jobs, &images)
-      .data;
+  model::ResourceData data = model::load_resources(input.asset.container(), files, elements,
+                                                   input.asset.views(), input.options.jobs, &images)
+                                 .data;
+  // Readers of the extension use a stream, not the plain copy for other readers.
+  data.decoded_views.merge(data.unread_views);
+  return data;
 }
 
 StepData::StepData(const StepInput& of)

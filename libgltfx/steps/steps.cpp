@@ -3,6 +3,7 @@
 
 namespace gltfx::steps {
 
+StepDescription decode_step();
 StepDescription weld_step();
 StepDescription resample_step();
 StepDescription reorder_step();
@@ -10,7 +11,8 @@ StepDescription meshopt_step();
 StepDescription container_step();
 
 std::vector<StepDescription> steps() {
-  return {weld_step(), resample_step(), reorder_step(), meshopt_step(), container_step()};
+  return {decode_step(),  weld_step(),    resample_step(),
+          reorder_step(), meshopt_step(), container_step()};
 }
 
 }  // namespace gltfx::steps

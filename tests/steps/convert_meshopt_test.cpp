@@ -30,7 +30,7 @@ class Meshopt : public testing::Test {
     options.compress = Compression::meshopt;
     return options;
   }
-  const ConvertStep& step() const { return report_.steps.at(0); }
+  const ConvertStep& step() const { return test::step_of(report_, "meshopt"); }
   // The same container.
   StoredAsset converted(AssetText& asset) {
     report_ = convert_file(asset.write(folder_).native(), options(output_));
@@ -106,7 +106,8 @@ TEST_F(Meshopt, AgainNothingChanges) {
   const ConvertReport report = convert_file(output_.native(), options(again));
   EXPECT_FALSE(report.changes);
   EXPECT_EQ(content_of(again), content_of(output_));
-  EXPECT_THAT(texts_of(report.steps[0].left), Contains("/bufferViews/0: it is compressed already"));
+  EXPECT_THAT(texts_of(test::step_of(report, "meshopt").left),
+              Contains("/bufferViews/0: it is compressed already"));
 }
 
 TEST_F(Meshopt, InterleavedVerticesKeepTheirStride) {

@@ -2,6 +2,7 @@
 /// Small assets with geometry, and the bytes that a reader gets of stored ones.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -122,6 +123,15 @@ inline std::vector<std::string> view_bytes(const std::filesystem::path& path) {
     all.emplace_back(bytes ? bytes->text() : "none");
   }
   return all;
+}
+
+/// The row of a step, which ran.
+inline const ConvertStep& step_of(const ConvertReport& report, std::string_view name) {
+  const auto found = std::find_if(report.steps.begin(), report.steps.end(),
+                                  [&](const ConvertStep& step) { return step.step == name; });
+  EXPECT_NE(found, report.steps.end()) << name;
+  static const ConvertStep kNone;
+  return found == report.steps.end() ? kNone : *found;
 }
 
 /// "/pointer: reason" of each note.
