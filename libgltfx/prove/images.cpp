@@ -48,9 +48,25 @@ class Texels {
   const codec::Image& image_;
 };
 
+// Also of formats that glTF does not have. Nothing: of no known format.
+std::optional<codec::ImageRequest> request_for(const model::ResourceData& resources,
+                                               std::size_t image) {
+  const model::ImageData& data = resources.images[image];
+  if (model::is_decodable(data)) return model::image_request(resources, image);
+  const auto foreign = image::sniff_foreign(data.bytes->view());
+  if (data.format || !foreign) return std::nullopt;
+  codec::ImageRequest request;
+  request.bytes = data.bytes->view();
+  request.format = model::codec_format(*foreign);
+  request.origin = resources.origin;
+  return request;
+}
+
+// Precondition: the image has bytes.
 std::variant<codec::Image, std::string> decode(const Side& side, std::size_t image) {
-  if (!model::is_decodable(side.resources().images[image])) return "unknown format";
-  codec::ImageRequest request = model::image_request(side.resources(), image);
+  auto wanted = request_for(side.resources(), image);
+  if (!wanted) return "unknown format";
+  codec::ImageRequest& request = *wanted;
   request.pixels = true;
   codec::ImageResult result = codec::Client::shared().decode_image(request);
   if (auto* error = std::get_if<codec::DecodeError>(&result)) return std::move(error->message);
