@@ -120,6 +120,16 @@ std::vector<std::byte> expand_grey(const Raster& raster, std::span<const std::by
   return expanded;
 }
 
+// Says that a lossless file has an alpha channel, which libwebp leaves out where all is opaque
+// (WebP Lossless Bitstream, "RIFF Header": the bit `alpha_is_used`).
+void keep_alpha(std::span<std::uint8_t> file) {
+  constexpr std::size_t kChunk = 12;
+  constexpr std::size_t kLastOfHeader = 24;
+  constexpr std::uint8_t kAlphaIsUsed = 0x10;
+  if (file.size() <= kLastOfHeader || std::memcmp(file.data() + kChunk, "VP8L", 4) != 0) return;
+  file[kLastOfHeader] |= kAlphaIsUsed;
+}
+
 }  // namespace
 
 Answer decode_webp(const Job& job, std::span<const std::byte> bytes, const Output& output) {
@@ -170,6 +180,7 @@ Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Outp
   const int taken = raster.channels == 4 ? WebPPictureImportRGBA(&picture, bytes, row)
                                          : WebPPictureImportRGB(&picture, bytes, row);
   if (taken == 0 || WebPEncode(&config, &picture) == 0) throw std::bad_alloc();
+  if (raster.channels == 4) keep_alpha({file.mem, file.size});
   return hand_over(std::as_bytes(std::span(file.mem, file.size)), output);
 }
 
