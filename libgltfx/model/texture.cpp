@@ -69,6 +69,10 @@ Texture read_texture(const Asset& asset, json::NodeId object) {
   return texture;
 }
 
+bool is_normal_map(std::string_view slot) {
+  return slot == "normalTexture" || slot.ends_with("NormalTexture");
+}
+
 TextureSlot read_slot(const Asset& asset, const Properties& owner, std::string_view name) {
   TextureSlot slot;
   const Properties info = owner.object(name);

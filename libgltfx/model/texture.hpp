@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "model/asset.hpp"
@@ -47,6 +48,9 @@ struct TextureSlot {
   std::array<float, 2> scale{1, 1};
   bool operator==(const TextureSlot&) const = default;
 };
+
+/// Whether a slot is a normal map, judged by its name: schema files do not state it.
+bool is_normal_map(std::string_view slot);
 
 /// The slot in the member `name`, without a texture when there is none.
 TextureSlot read_slot(const Asset& asset, const Properties& owner, std::string_view name);

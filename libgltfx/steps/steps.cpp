@@ -4,6 +4,7 @@
 namespace gltfx::steps {
 
 StepDescription decode_step();
+StepDescription images_step();
 StepDescription weld_step();
 StepDescription resample_step();
 StepDescription reorder_step();
@@ -11,7 +12,7 @@ StepDescription meshopt_step();
 StepDescription container_step();
 
 std::vector<StepDescription> steps() {
-  return {decode_step(),  weld_step(),    resample_step(),
+  return {decode_step(),  images_step(),  weld_step(),     resample_step(),
           reorder_step(), meshopt_step(), container_step()};
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "model/fields.hpp"
+#include "model/texture.hpp"
 
 namespace gltfx::validate {
 
@@ -31,15 +32,11 @@ std::optional<std::uint64_t> material_of(std::string_view pointer) {
   return end.ec == std::errc() ? std::optional(index) : std::nullopt;
 }
 
-bool is_normal_map(std::string_view property) {
-  return property == "normalTexture" || property.ends_with("NormalTexture");
-}
-
 namespace {
 
 // Directions of anisotropy are also vectors in tangent space.
 bool in_tangent_space(std::string_view property) {
-  return is_normal_map(property) || property == "anisotropyTexture";
+  return model::is_normal_map(property) || property == "anisotropyTexture";
 }
 
 }  // namespace

@@ -31,9 +31,6 @@ class VertexAlpha {
 /// The 12 of "/materials/12/normalTexture", or nothing if the slot is elsewhere.
 std::optional<std::uint64_t> material_of(std::string_view pointer);
 
-/// Whether the slot of that property is a normal map, judged by name: schema files do not state it.
-bool is_normal_map(std::string_view property);
-
 /// pointer of the texture info, or of the extension on it that names the set
 struct TexCoordNeed {
   std::string pointer;  ///< of the texture info, or of the extension on it that names the set

@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
+#include "model/texture.hpp"
 #include "rules/core/material_needs.hpp"
 #include "rules/finding.hpp"
 
@@ -85,7 +86,7 @@ class SlotReader {
     read_material(slot);
     slot.srgb = use.slot->srgb;
     slot.coverage = is_coverage(use);
-    slot.normal_map = is_normal_map(slot.property);
+    slot.normal_map = model::is_normal_map(slot.property);
     slot.channels = ChannelSet(use.slot->channels);
     if (slot.coverage && alpha_mode(slot) == "OPAQUE") slot.channels.remove('a');
     slot.effective = slot.channels;

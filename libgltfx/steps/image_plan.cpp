@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "steps/image_plan.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "container/content.hpp"
+#include "image/ktx2.hpp"
+#include "model/image_codec.hpp"
+#include "steps/image_sources.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+using codec::EncodedFormat;
+using image::Format;
+
+constexpr std::uint32_t kJpegQuality = 90;
+// Of lossless WebP whose values may differ a little: by 2 of 255 at most.
+constexpr std::uint32_t kNearLossless = 60;
+// Of an image whose size is not known before it is decoded.
+constexpr std::uint64_t kMostForeignTexels = std::uint64_t{1} << 26U;
+
+std::optional<EncodedFormat> encoded_format(Format format) {
+  switch (format) {
+    case Format::png:
+      return EncodedFormat::png;
+    case Format::jpeg:
+      return EncodedFormat::jpeg;
+    case Format::webp:
+      return EncodedFormat::webp;
+    default:
+      return std::nullopt;
+  }
+}
+
+Format format_of(ImageTarget target) {
+  if (target == ImageTarget::webp) return Format::webp;
+  return target == ImageTarget::jpeg ? Format::jpeg : Format::png;
+}
+
+void read_known(ImageFile& file) {
+  file.media_type = image::media_type(*file.format);
+  file.name = format_name(*file.format);
+  if (file.format == Format::ktx2) {
+    const image::Ktx2 ktx2 = image::read_ktx2(file.bytes.view());
+    if (ktx2.is_sound()) file.header = image::header_of(ktx2);
+    if (!file.header || !ktx2.is_2d() || !image::has_known_texels(ktx2)) {
+      file.problem = "gltfx does not decode such KTX 2 images";
+    }
+    return;
+  }
+  image::HeaderResult header = image::read_header(file.bytes.view());
+  if (auto* found = std::get_if<image::Header>(&header)) {
+    file.header = std::move(*found);
+    if (!file.header->doubt.empty()) {
+      file.problem = fmt::format("it is broken: {}", file.header->doubt);
+    } else if (file.header->animated) {
+      file.problem = "it is animated";
+    }
+  } else {
+    file.problem = "it is broken";
+  }
+}
+
+void read_other(ImageFile& file) {
+  const container::Content content = container::name_content(file.bytes.text());
+  file.media_type = content.media_type;
+  file.foreign = image::sniff_foreign(file.bytes.view());
+  if (file.foreign) {
+    file.name = image::foreign_name(*file.foreign);
+    return;
+  }
+  file.name = content.name;
+  file.floats = content.media_type == "image/vnd.radiance" || content.media_type == "image/x-exr";
+  file.problem = content.name.empty() ? "it is in an unknown format"
+                                      : fmt::format("it is {}", printable(content.name));
+}
+
+class Planner {
+ public:
+  Planner(const ImageFile& file, const ImageContext& context,
+          const std::function<std::string(std::string_view)>& find_obstacle)
+      : file_(file),
+        options_(context.options),
+        use_(context.use),
+        context_(context),
+        find_obstacle_(find_obstacle) {}
+
+  ImagePlan plan() {
+    choose_target();
+    const bool too_large = is_too_large();
+    const bool again = options_.shrink && file_.format == Format::png;
+    if (!target_ && !too_large && !again) return std::move(plan_);
+    if (file_.floats && target_) {
+      plan_.refused = fmt::format("{}: how bright colors become darker is a choice", file_.problem);
+      return std::move(plan_);
+    }
+    if (!file_.problem.empty()) return leave(file_.problem);
+    if (too_large && !use_.kind && file_.header) {
+      plan_.left.push_back(fmt::format("not resized: {}", use_.doubt));
+    }
+    resized_ = too_large && use_.kind;
+    if (target_) try_target();
+    if (resized_) try_same();
+    if (again && !resized_) add({Format::png, false});
+    return std::move(plan_);
+  }
+
+ private:
+  struct Choice {
+    Format format;
+    bool may_grow;
+  };
+
+  ImagePlan leave(std::string why) {
+    plan_.left.push_back(std::move(why));
+    return std::move(plan_);
+  }
+
+  // The first conversion that applies. Nothing: the format stays.
+  void choose_target() {
+    for (const ImageConversion& conversion : options_.images) {
+      if (conversion.only && conversion.only != use_.kind) continue;
+      const bool legal = conversion.target == ImageTarget::legal;
+      if (legal && context_.allowed) continue;
+      const Format format = format_of(conversion.target);
+      if (file_.format == format) return;
+      // What needs an extension, or is not allowed at all, gets a core format for other readers.
+      const bool stays_core = file_.format && is_core_type(file_.media_type);
+      target_ = {format, legal || !file_.format ||
+                             (!stays_core && is_core_type(image::media_type(format)))};
+      return;
+    }
+  }
+
+  bool is_too_large() const {
+    const std::uint32_t most = options_.texture_size.value_or(0);
+    if (most == 0) return false;
+    if (!file_.header) return file_.foreign.has_value() && target_;
+    return std::max(file_.header->width, file_.header->height) > most;
+  }
+
+  void try_target() {
+    const std::string obstacle = find_obstacle_(image::media_type(target_->format));
+    if (obstacle.empty()) return add(*target_);
+    plan_.left.push_back(fmt::format("not {}: {}", format_name(target_->format), obstacle));
+  }
+
+  // Smaller, in the format that it has.
+  void try_same() {
+    if (file_.format && encoded_format(*file_.format)) return add({*file_.format, true});
+    if (!plan_.attempts.empty()) return;
+    plan_.left.push_back(fmt::format(
+        "not resized: gltfx encodes no {} (--images gives another format)", file_.name));
+  }
+
+  void add(const Choice& choice) {
+    ImageAttempt attempt;
+    attempt.format = choice.format;
+    attempt.may_grow = choice.may_grow;
+    codec::TranscodeRequest& request = attempt.request;
+    request.format = *encoded_format(choice.format);
+    request.image = image_request();
+    request.options.smallest = options_.shrink || choice.format == Format::jpeg;
+    if (choice.format == Format::jpeg) {
+      request.quality = options_.quality.value_or(kJpegQuality);
+      request.options.subsampled = use_.kind == ImageClass::color;
+      attempt.lossy = true;
+    } else if (choice.format == Format::webp && options_.quality && use_.kind) {
+      attempt.lossy = true;
+      if (use_.kind == ImageClass::color) {
+        request.quality = *options_.quality;
+      } else {
+        request.options.near_lossless = kNearLossless;
+      }
+    }
+    const std::string why = find_refusal(attempt);
+    if (why.empty()) return plan_.attempts.push_back(std::move(attempt));
+    plan_.left.push_back(fmt::format("not {}: {}", format_name(choice.format), why));
+  }
+
+  std::string find_refusal(const ImageAttempt& attempt) const {
+    if (attempt.lossy && !use_.kind) return fmt::format("that loses something, and {}", use_.doubt);
+    const bool drops_alpha = attempt.format == Format::jpeg && use_.alpha && file_.header &&
+                             image::can_be_transparent(*file_.header);
+    if (drops_alpha) return "it has none for the alpha that a texture slot reads";
+    const bool wide = file_.header && file_.header->bits > 8;
+    if (!wide || attempt.format == Format::png) return {};
+    if (!attempt.lossy || !options_.quality) {
+      return fmt::format("it has {} bits a channel (--quality makes them 8)", file_.header->bits);
+    }
+    return {};
+  }
+
+  codec::ImageRequest image_request() const {
+    codec::ImageRequest request;
+    request.bytes = file_.bytes.view();
+    request.format =
+        file_.format ? model::codec_format(*file_.format) : model::codec_format(*file_.foreign);
+    request.max_pixels = std::min(
+        request.max_pixels, file_.header ? image::texels_of(*file_.header) : kMostForeignTexels);
+    request.origin = context_.origin;
+    if (!resized_) return request;
+    codec::Resize& resize = request.resize;
+    resize.max_side = *options_.texture_size;
+    resize.kind = use_.kind == ImageClass::color    ? codec::TexelKind::color
+                  : use_.kind == ImageClass::normal ? codec::TexelKind::normal
+                                                    : codec::TexelKind::data;
+    resize.weigh_alpha = use_.coverage;
+    resize.alpha_cutoff = use_.alpha_cutoff;
+    resize.wrap_u = use_.wrap_u;
+    resize.wrap_v = use_.wrap_v;
+    return request;
+  }
+
+  const ImageFile& file_;
+  const ConvertOptions& options_;
+  const ImageUse& use_;
+  const ImageContext& context_;
+  const std::function<std::string(std::string_view)>& find_obstacle_;
+  std::optional<Choice> target_;
+  bool resized_ = false;
+  ImagePlan plan_;
+};
+
+}  // namespace
+
+std::string_view format_name(Format format) {
+  switch (format) {
+    case Format::png:
+      return "PNG";
+    case Format::jpeg:
+      return "JPEG";
+    case Format::webp:
+      return "WebP";
+    case Format::avif:
+      return "AVIF";
+    case Format::ktx2:
+      break;
+  }
+  return "KTX2";
+}
+
+ImageFile read_image_file(container::Bytes bytes) {
+  ImageFile file;
+  file.bytes = std::move(bytes);
+  const image::Sniffed sniffed = image::sniff(file.bytes.view());
+  if (sniffed.known) {
+    file.format = sniffed.format;
+    read_known(file);
+  } else {
+    read_other(file);
+  }
+  return file;
+}
+
+ImagePlan plan_image(const ImageFile& file, const ImageContext& context,
+                     const std::function<std::string(std::string_view)>& find_obstacle) {
+  return Planner(file, context, find_obstacle).plan();
+}
+
+}  // namespace gltfx::steps

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+/// How one image is to be stored.
+#pragma once
+
+#include <gltfx/convert.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/origin.hpp"
+#include "codec/client.hpp"
+#include "container/bytes.hpp"
+#include "image/foreign.hpp"
+#include "image/header.hpp"
+#include "steps/image_use.hpp"
+
+namespace gltfx::steps {
+
+/// The file of an image, as far as it is known without decoding.
+struct ImageFile {
+  container::Bytes bytes;
+  std::optional<image::Format> format;
+  std::optional<image::ForeignFormat> foreign;
+  std::optional<image::Header> header;  ///< of `format`
+  std::string media_type;               ///< empty: it has no name
+  std::string name;                     ///< "PNG", "BMP"
+  std::string problem;                  ///< why it cannot be decoded, half a sentence; else empty
+  bool floats = false;                  ///< its colours have no greatest value
+};
+
+ImageFile read_image_file(container::Bytes bytes);
+
+/// One way to encode an image.
+struct ImageAttempt {
+  codec::TranscodeRequest request;
+  image::Format format = image::Format::png;
+  bool lossy = false;
+  bool may_grow = false;  ///< taken even if it is not smaller than the file
+};
+
+/// What is to be done with an image, and what is not.
+struct ImagePlan {
+  std::vector<ImageAttempt> attempts;  ///< the first that works is taken
+  std::vector<std::string> left;       ///< half sentences
+  std::string refused;                 ///< likewise, or empty
+};
+
+/// What of the rest of the asset decides about an image.
+struct ImageContext {
+  const ConvertOptions& options;
+  const ImageUse& use;
+  bool allowed = true;  ///< glTF, or an extension in use, allows the format
+  Origin origin = {};
+};
+
+/// `find_obstacle` takes a media type and gives why the image cannot get it, or an empty text.
+/// The file must outlive the plan.
+ImagePlan plan_image(const ImageFile& file, const ImageContext& context,
+                     const std::function<std::string(std::string_view)>& find_obstacle);
+
+/// "PNG", "WebP" and so on.
+std::string_view format_name(image::Format format);
+
+}  // namespace gltfx::steps

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Images get other bytes, where they are: in their buffer view, data URI or file.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.hpp"
+#include "graph/graph.hpp"
+#include "json/edit.hpp"
+#include "model/asset.hpp"
+#include "model/asset_bytes.hpp"
+#include "steps/file_names.hpp"
+#include "steps/new_buffer.hpp"
+#include "steps/step.hpp"
+
+namespace gltfx::steps {
+
+/// Images with the same bytes: of one file, or one buffer view.
+struct ImageGroup {
+  std::vector<std::uint32_t> images;
+  model::Storage storage = model::Storage::nowhere;
+  json::NodeId view = json::kNoNode;  ///< in a buffer view
+  std::string path;                   ///< in a file, as container::Uri::path
+};
+
+/// All images of an asset, in the order of the first of each group.
+std::vector<ImageGroup> group_images(const model::Asset& asset, const model::AssetBytes& bytes);
+
+/// The bytes of an image file. `same_format`: as before.
+struct NewImage {
+  std::string bytes;
+  std::string_view media_type;  ///< static storage
+  bool same_format = false;
+};
+
+/// Stores new images. The name of a file stays, but for its ending; where that stays, too, the file
+/// is replaced, or, where the old asset or another one refers to it in the folder of the output,
+/// gets a name that says what is in it. Keeps references to all constructor arguments.
+class ImageStore {
+ public:
+  ImageStore(const StepInput& input, const model::Asset& elements, const graph::Graph& graph,
+             json::Editor& editor);
+
+  /// Why the images of a group cannot get other bytes, half a sentence; empty: they can.
+  std::string find_obstacle(const ImageGroup& group) const;
+  /// Precondition: there is no obstacle. An Error, half a sentence: nothing was changed.
+  std::optional<Error> store(const ImageGroup& group, NewImage image);
+  /// Adds new files, views and bytes to a change. Call it last.
+  void add_to(change::Change& change);
+
+ private:
+  void store_in_view(const ImageGroup& group, NewImage image);
+  std::optional<Error> store_in_file(const ImageGroup& group, NewImage image);
+  std::string new_path(const ImageGroup& group, const NewImage& image);
+  bool may_replace(const ImageGroup& group) const;
+  std::string uri_for(json::NodeId image, const std::string& old_path,
+                      const std::string& path) const;
+  void set(json::NodeId object, std::string_view name, const std::string& json, bool add);
+
+  const StepInput& input_;
+  const json::Document& document_;
+  const model::Asset& elements_;
+  const graph::Graph& graph_;
+  json::Editor& editor_;
+  FileNames names_;
+  const std::map<std::string, std::size_t> referred_;  ///< how often, by path
+  const bool beside_;  ///< the new asset is another file in the folder of the old one
+  NewBuffer buffer_;
+  change::Change change_;
+};
+
+}  // namespace gltfx::steps

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: Apache-2.0
+// Images in another format or of another size (glTF 2.0 section 3.8; EXT_texture_webp).
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "codec/client.hpp"
+#include "report/wording.hpp"
+#include "steps/image_plan.hpp"
+#include "steps/image_sources.hpp"
+#include "steps/image_store.hpp"
+#include "steps/image_use.hpp"
+#include "steps/step.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+/// What came of the plan of one group.
+struct Encoded {
+  const ImageAttempt* attempt = nullptr;  ///< that worked; null: none
+  std::string bytes;
+  codec::Raster source, raster;
+};
+
+/// One group of images with its plan.
+struct Job {
+  ImageGroup group;
+  ImageFile file;
+  ImagePlan plan;
+  Encoded encoded;
+};
+
+// A sentence of a decoder as half of one.
+std::string half_sentence(std::string_view sentence) {
+  std::string text = printable(sentence);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+// Tries the attempts in their order. Any number of threads.
+void encode(Job& job) {
+  for (const ImageAttempt& attempt : job.plan.attempts) {
+    const codec::EncodeResult result = codec::Client::shared().transcode_image(attempt.request);
+    if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
+      std::string why = half_sentence(error->message);
+      const bool certain = error->kind == codec::ErrorKind::malformed;
+      if (!certain || !job.file.format) {
+        job.plan.refused = std::move(why);
+        return;
+      }
+      job.plan.left.push_back(fmt::format("not {}: {}", format_name(attempt.format), why));
+      continue;
+    }
+    const auto& image = *std::get_if<codec::EncodedImage>(&result);
+    if (!attempt.may_grow && image.size >= job.file.bytes.size()) {
+      const bool other = job.file.format != attempt.format;
+      if (other)
+        job.plan.left.push_back(
+            fmt::format("as {} it is larger than before", format_name(attempt.format)));
+      continue;
+    }
+    job.encoded.attempt = &attempt;
+    job.encoded.bytes.assign(reinterpret_cast<const char*>(image.bytes.data()), image.size);
+    job.encoded.source = image.source;
+    job.encoded.raster = image.raster;
+    return;
+  }
+}
+
+class ImageStep {
+ public:
+  explicit ImageStep(const StepInput& input)
+      : input_(input),
+        elements_(input.asset.document()),
+        bytes_(elements_, input.asset.container(), input.asset.resolver()),
+        graph_(input.asset.document(), input.schemas, true),
+        others_(other_users(elements_, graph_)),
+        sources_(elements_, graph_, others_),
+        editor_(input.asset.document()),
+        store_(input, elements_, graph_, editor_) {}
+
+  Result<StepOutcome> run() {
+    std::vector<Job> jobs = plan();
+    parallel_ordered(
+        jobs.size(), input_.options.jobs, [&](std::size_t i) { encode(jobs[i]); },
+        [](std::size_t) {});
+    for (Job& job : jobs) finish(job);
+    sources_.edit(editor_);
+    outcome_.change.edits = editor_.take();
+    store_.add_to(outcome_.change);
+    describe();
+    return std::move(outcome_);
+  }
+
+ private:
+  std::vector<Job> plan() {
+    std::vector<ImageGroup> groups = group_images(elements_, bytes_);
+    std::vector<std::size_t> group_of(elements_.count(model::RootArray::images));
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      for (const std::uint32_t image : groups[i].images) group_of[image] = i;
+    }
+    const std::vector<ImageUse> uses =
+        image_uses(elements_, graph_, others_, group_of, groups.size());
+    std::vector<Job> jobs(groups.size());
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      jobs[i].group = std::move(groups[i]);
+      plan(jobs[i], uses[i]);
+    }
+    return jobs;
+  }
+
+  void plan(Job& job, const ImageUse& use) {
+    if (job.group.storage == model::Storage::nowhere) return;
+    auto bytes = bytes_.image(job.group.images.front());
+    if (!bytes) {
+      job.plan.left.push_back(bytes.error().message);
+      return;
+    }
+    job.file = read_image_file(*std::move(bytes));
+    ImageContext context{input_.options, use, true, bytes_.origin()};
+    for (const std::uint32_t image : job.group.images) {
+      context.allowed = context.allowed && sources_.allow(image, job.file.media_type);
+    }
+    job.plan = plan_image(job.file, context, [&](std::string_view media_type) {
+      std::string why;
+      for (const std::uint32_t image : job.group.images) {
+        if (why.empty()) why = sources_.find_obstacle(image, media_type);
+      }
+      return why;
+    });
+    if (job.plan.attempts.empty()) return;
+    const std::string why = store_.find_obstacle(job.group);
+    if (why.empty()) return;
+    job.plan.attempts.clear();
+    job.plan.left.push_back(why);
+  }
+
+  void finish(Job& job) {
+    std::string why = job.plan.refused;
+    if (job.encoded.attempt != nullptr) {
+      if (auto trouble = take(job)) why = trouble->message;
+    }
+    for (const std::uint32_t image : job.group.images) {
+      const std::string pointer = fmt::format("/images/{}", image);
+      for (const std::string& reason : job.plan.left)
+        outcome_.row.left.push_back({pointer, reason});
+      if (!why.empty()) outcome_.row.refused.push_back({pointer, why});
+    }
+  }
+
+  std::optional<Error> take(Job& job) {
+    const image::Format format = job.encoded.attempt->format;
+    const std::string_view type = image::media_type(format);
+    const bool same = job.file.format == format;
+    if (auto trouble = store_.store(job.group, {std::move(job.encoded.bytes), type, same})) {
+      return trouble;
+    }
+    if (!same) {
+      for (const std::uint32_t image : job.group.images) sources_.set_type(image, type);
+    }
+    note(job);
+    return std::nullopt;
+  }
+
+  void note(const Job& job) {
+    const Encoded& encoded = job.encoded;
+    const ImageAttempt& attempt = *encoded.attempt;
+    const std::uint64_t count = job.group.images.size();
+    const bool same = job.file.format == attempt.format;
+    const bool resized = encoded.source.width != encoded.raster.width ||
+                         encoded.source.height != encoded.raster.height;
+    const std::string_view name = format_name(attempt.format);
+    std::string done = job.file.name;
+    if (!same) done += fmt::format(" -> {}", name);
+    if (!same && !attempt.lossy) done += " exact";
+    if (resized) done += " resized";
+    if (same && !resized) done += " packed better";
+    done_[done] += count;
+    if (resized) losses_["resolution"] += count;
+    if (encoded.source.bits > encoded.raster.bits) losses_["8 of 16 bits a channel"] += count;
+    if (attempt.lossy) losses_[describe_loss(attempt)] += count;
+    outcome_.freedom.texels |= resized || attempt.lossy;
+  }
+
+  static std::string describe_loss(const ImageAttempt& attempt) {
+    const codec::TranscodeRequest& request = attempt.request;
+    const std::string_view name = format_name(attempt.format);
+    if (request.options.near_lossless != 100) {
+      return fmt::format("{} within 2 of 255", name);
+    }
+    return fmt::format("{} of quality {}", name, request.quality);
+  }
+
+  void describe() {
+    for (const auto& [done, count] : done_) {
+      if (!outcome_.row.what.empty()) outcome_.row.what += ", ";
+      outcome_.row.what += fmt::format("{} {}", count, done);
+    }
+    for (const auto& [loss, count] : losses_) {
+      outcome_.row.losses.push_back(
+          {fmt::format("{} ({})", loss, report::counted(count, "image")), 0, 0, {}});
+    }
+  }
+
+  const StepInput& input_;
+  const model::Asset elements_;
+  model::AssetBytes bytes_;
+  const graph::Graph graph_;
+  const OtherUsers others_;
+  ImageSources sources_;
+  json::Editor editor_;
+  ImageStore store_;
+  StepOutcome outcome_;
+  std::map<std::string, std::uint64_t> done_;    ///< images by what was done
+  std::map<std::string, std::uint64_t> losses_;  ///< likewise
+};
+
+Result<StepOutcome> convert_images(const StepInput& input) { return ImageStep(input).run(); }
+
+}  // namespace
+
+StepDescription images_step();
+StepDescription images_step() {
+  return {"images",
+          "stores images in another format or smaller",
+          "texels, also below alpha 0, unless a size or quality is asked for; names, indices",
+          "texels, where a loss names the format or size; metadata of image files",
+          [](const ConvertOptions& options) {
+            return !options.images.empty() || options.texture_size || options.shrink;
+          },
+          convert_images};
+}
+
+}  // namespace gltfx::steps
