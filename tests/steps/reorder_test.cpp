@@ -41,8 +41,8 @@ std::vector<std::uint16_t> jumping_triangles() {
 }
 
 // A grid whose vertices have their number as another attribute and in a morph target.
-struct Grid {
-  Grid() {
+struct ShuffledGrid {
+  ShuffledGrid() {
     std::vector<float> positions, targets;
     std::vector<std::uint8_t> numbers;
     for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
@@ -81,7 +81,7 @@ class Reorder : public test::ConvertMade {
 
   // The triangles by the numbers that their vertices had, each from its least corner on.
   static std::multiset<std::array<double, 3>> triangles(const StoredAsset& asset,
-                                                        const Grid& grid) {
+                                                        const ShuffledGrid& grid) {
     const auto targets = numbers_of(asset, grid.target);
     const auto indices = numbers_of(asset, grid.indices);
     std::multiset<std::array<double, 3>> all;
@@ -110,7 +110,7 @@ class Reorder : public test::ConvertMade {
 };
 
 TEST_F(Reorder, TrianglesSuitACacheAndVerticesFollowThem) {
-  Grid grid;
+  ShuffledGrid grid;
   const StoredAsset old(grid.made.glb());
   const StoredAsset now = converted_twice(grid.made.glb());
   EXPECT_EQ(triangles(now, grid), triangles(old, grid));
@@ -127,7 +127,7 @@ TEST_F(Reorder, TrianglesSuitACacheAndVerticesFollowThem) {
 }
 
 TEST_F(Reorder, AttributesAndTargetsFollowAlike) {
-  Grid grid;
+  ShuffledGrid grid;
   const StoredAsset now = converted_twice(grid.made.glb());
   const auto positions = numbers_of(now, grid.position);
   const auto colors = numbers_of(now, grid.number);
@@ -153,7 +153,7 @@ TEST_F(Reorder, UnusedVerticesGoToTheEnd) {
 }
 
 TEST_F(Reorder, PrimitivesOfTheSameVerticesAreOrderedTogether) {
-  Grid grid;
+  ShuffledGrid grid;
   auto backwards = jumping_triangles();
   std::reverse(backwards.begin(), backwards.end());
   const std::size_t other = grid.made.accessor(backwards, "SCALAR");
@@ -168,14 +168,14 @@ TEST_F(Reorder, PrimitivesOfTheSameVerticesAreOrderedTogether) {
 
 TEST_F(Reorder, BlendedTrianglesStay) {
   const std::string why = "is blended: the order of its triangles is to be seen";
-  Grid blended;
+  ShuffledGrid blended;
   blended.material({{"alphaMode", "BLEND"}});
   expect_left(blended.made, why);
-  Grid glass;
+  ShuffledGrid glass;
   glass.use("KHR_materials_transmission");
   glass.material({{"extensions", {{"KHR_materials_transmission", {{"transmissionFactor", 0.5}}}}}});
   expect_left(glass.made, why);
-  Grid variant;
+  ShuffledGrid variant;
   variant.use("KHR_materials_variants");
   variant.material({{"alphaMode", "BLEND"}});
   variant.material({{"alphaMode", "MASK"}});
@@ -188,13 +188,13 @@ TEST_F(Reorder, BlendedTrianglesStay) {
 }
 
 TEST_F(Reorder, OtherModesStay) {
-  Grid points;
+  ShuffledGrid points;
   points.primitive()["mode"] = 0;
   expect_left(points.made, "has primitives that are no triangles");
-  Grid strip;
+  ShuffledGrid strip;
   strip.primitive()["mode"] = 5;
   expect_left(strip.made, "has primitives that are no triangles");
-  Grid plain;
+  ShuffledGrid plain;
   plain.primitive().erase("indices");
   const ConvertStep row = row_of(plain.made.glb());
   EXPECT_FALSE(row.changes);
@@ -203,27 +203,27 @@ TEST_F(Reorder, OtherModesStay) {
 }
 
 TEST_F(Reorder, WhatIsBrokenStays) {
-  Grid outside;
+  ShuffledGrid outside;
   outside.primitive()["indices"] =
       outside.made.accessor<std::uint16_t>({0, 1, kSide * kSide}, "SCALAR");
   expect_left(outside.made, "has an index without a vertex");
-  Grid torn;
+  ShuffledGrid torn;
   torn.primitive()["indices"] = torn.made.accessor<std::uint16_t>({0, 1, 2, 3}, "SCALAR");
   expect_left(torn.made, "has a triangle with missing corners");
 }
 
 TEST_F(Reorder, WhatKnowsVerticesRefuses) {
-  Grid unknown;
+  ShuffledGrid unknown;
   unknown.use("ACME_outline");
   unknown.primitive()["extensions"]["ACME_outline"]["name"] = "front";
   expect_refused(unknown.made, "/meshes/0/primitives/0",
                  "ACME_outline may hold indices of its vertices (--schema describes it)");
-  Grid features;
+  ShuffledGrid features;
   features.use("EXT_mesh_features");
   features.primitive()["extensions"]["EXT_mesh_features"]["featureIds"] = {{{"featureCount", 4}}};
   expect_refused(features.made, "/meshes/0/primitives/0",
                  "EXT_mesh_features has ids that are numbers of vertices");
-  Grid reference;
+  ShuffledGrid reference;
   reference.use("ACME_ref");
   reference.made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 0;
   expect_refused(reference.made, "",
