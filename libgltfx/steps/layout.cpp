@@ -84,9 +84,8 @@ class Named {
     for (auto& [buffer, ranges] : ranges_) ranges = united(std::move(ranges));
   }
   const Ranges& of(std::uint64_t buffer) const {
-    static const Ranges kNone;
     const auto found = ranges_.find(buffer);
-    return found == ranges_.end() ? kNone : found->second;
+    return found == ranges_.end() ? none_ : found->second;
   }
 
   const graph::Graph graph;
@@ -94,6 +93,7 @@ class Named {
 
  private:
   std::map<std::uint64_t, Ranges> ranges_;  ///< by buffer
+  const Ranges none_;
 };
 
 /// A buffer of the new asset in the making.
@@ -140,9 +140,9 @@ class Layout {
     choose_removed();
     std::vector<std::uint64_t> changed;
     for (std::uint64_t i = 0; i < old_count_; ++i) {
-      if (removed_[i]) continue;
-      if (i != home_ && freed(i).empty()) continue;
-      if (i == home_ && freed(i).empty() && !has_new_) continue;
+      if (fate_.removed[i]) continue;
+      if (i != fate_.home && freed(i).empty()) continue;
+      if (i == fate_.home && freed(i).empty() && !fate_.home_gets_more) continue;
       if (auto trouble = fill(i)) return *trouble;
       changed.push_back(i);
     }
@@ -178,7 +178,7 @@ class Layout {
   // Files by how often they are referred to.
   void list_files() {
     for (const auto& [node, path] : change::referred_files(document_)) ++files_[path];
-    removed_.assign(count(), false);
+    fate_.removed.assign(count(), false);
   }
   bool is_shared(std::uint64_t index) const {
     const auto found = files_.find(path_of(buffer(index)));
@@ -198,14 +198,15 @@ class Layout {
   }
 
   Trouble choose_home() {
-    for (std::uint64_t i = old_count_; i < count(); ++i) has_new_ = has_new_ || is_new(i);
+    for (std::uint64_t i = old_count_; i < count(); ++i)
+      fate_.home_gets_more = fate_.home_gets_more || is_new(i);
     for (std::uint64_t i = 0; i < old_count_; ++i) {
       if (buffer(i) == json::kNoNode || is_shared(i)) continue;
       if (bytes_.buffer_storage(i) == Storage::nowhere || !bytes_.buffer(i)) continue;
-      home_ = i;
+      fate_.home = i;
       return std::nullopt;
     }
-    if (!has_new_) return std::nullopt;
+    if (!fate_.home_gets_more) return std::nullopt;
     return Error{"no buffer of the asset can take new bytes"};
   }
 
@@ -215,14 +216,15 @@ class Layout {
     const bool certain = graph::find_unknown_with_integer(now_.graph) == json::kNoNode;
     for (std::uint64_t i = count(); i > 0; --i) {
       const std::uint64_t index = i - 1;
-      const bool is_last = std::all_of(removed_.begin() + static_cast<std::ptrdiff_t>(i),
-                                       removed_.end(), [](bool removed) { return removed; });
-      removed_[index] = is_new(index) || ((certain || is_last) && is_left(index));
+      const bool is_last = std::all_of(fate_.removed.begin() + static_cast<std::ptrdiff_t>(i),
+                                       fate_.removed.end(), [](bool removed) { return removed; });
+      fate_.removed[index] = is_new(index) || ((certain || is_last) && is_left(index));
     }
   }
   bool is_left(std::uint64_t index) const {
     const json::NodeId object = buffer(index);
-    if (index >= old_count_ || index == home_ || object == json::kNoNode) return false;
+    if (index >= old_count_ || object == json::kNoNode) return false;
+    if (index == fate_.home && fate_.home_gets_more) return false;
     if (before_.of(index).empty() || !may_cut_ || is_shared(index)) return false;
     if (!now_.graph.users(object).empty()) return false;
     for (const auto member : document_.members(object)) {
@@ -240,16 +242,16 @@ class Layout {
     const std::uint64_t length = bytes_.buffer_storage(index) == Storage::bin_chunk
                                      ? chunk_data_length(declared, bytes->size())
                                      : bytes->size();
-    NewContent& content = contents_[index];
+    NewContent& content = fate_.contents[index];
     for (const ByteRange& range : without({{0, length}}, freed(index))) {
-      moved_[index].push_back({range, content.add(*bytes, range)});
+      fate_.moved[index].push_back({range, content.add(*bytes, range)});
     }
-    for (std::uint64_t i = old_count_; index == home_ && i < count(); ++i) {
+    for (std::uint64_t i = old_count_; index == fate_.home && i < count(); ++i) {
       if (!is_new(i)) continue;
       const auto made = bytes_.buffer(i);
       if (!made) return made.error();
       for (const ByteRange& range : now_.of(i)) {
-        moved_[i].push_back({range, content.add(*made, range)});
+        fate_.moved[i].push_back({range, content.add(*made, range)});
       }
     }
     return std::nullopt;
@@ -260,14 +262,17 @@ class Layout {
     for (const BufferUser& user : *now_.users) move(user);
     std::vector<std::uint64_t> position(count());
     std::uint64_t next = 0;
-    for (std::uint64_t i = 0; i < count(); ++i) position[i] = removed_[i] ? 0 : next++;
+    for (std::uint64_t i = 0; i < count(); ++i) position[i] = fate_.removed[i] ? 0 : next++;
     for (std::uint64_t i = 0; i < count(); ++i) {
-      if (is_new(i)) position[i] = position[home_];
+      if (is_new(i)) position[i] = position[fate_.home];
     }
     const json::NodeId list = document_.find(document_.root(), "buffers");
     for (std::uint64_t i = 0; i < count(); ++i) {
-      if (removed_[i]) editor_.remove(list, buffer(i));
+      if (!fate_.removed[i]) continue;
+      editor_.remove(list, buffer(i));
+      if (bytes_.buffer_storage(i) == Storage::bin_chunk) change_.bin.drop = true;
     }
+    if (next == 0 && count() > 0) editor_.remove(document_.root(), list - 1);
     if (next == count()) return;
     auto edits = graph::renumber(
         now_.graph,
@@ -279,8 +284,8 @@ class Layout {
   }
 
   void move(const BufferUser& user) {
-    const auto found = moved_.find(user.buffer);
-    if (found == moved_.end()) return;
+    const auto found = fate_.moved.find(user.buffer);
+    if (found == fate_.moved.end()) return;
     const auto after = std::upper_bound(
         found->second.begin(), found->second.end(), user.bytes.begin,
         [](std::uint64_t begin, const Moved& part) { return begin < part.from.begin; });
@@ -290,7 +295,7 @@ class Layout {
   }
 
   Trouble store(std::uint64_t index) {
-    NewContent& content = contents_[index];
+    NewContent& content = fate_.contents[index];
     const json::NodeId object = buffer(index);
     editor_.replace_scalar(document_.find(object, "byteLength"), std::to_string(content.size));
     const json::NodeId uri = document_.find(object, "uri");
@@ -333,11 +338,14 @@ class Layout {
   json::Editor editor_;
   const bool may_cut_;
   std::map<std::string, unsigned> files_;
-  bool has_new_ = false;
-  std::uint64_t home_ = UINT64_MAX;                    ///< the buffer that takes new bytes
-  std::vector<bool> removed_;                          ///< by buffer
-  std::map<std::uint64_t, NewContent> contents_;       ///< by buffer
-  std::map<std::uint64_t, std::vector<Moved>> moved_;  ///< by old buffer, in order
+  /// What becomes of buffers, by index.
+  struct {
+    std::uint64_t home = UINT64_MAX;  ///< takes new bytes
+    bool home_gets_more = false;
+    std::vector<bool> removed;
+    std::map<std::uint64_t, NewContent> contents;
+    std::map<std::uint64_t, std::vector<Moved>> moved;  ///< of old buffers, in order
+  } fate_;
   change::Change change_;
 };
 
