@@ -17,6 +17,7 @@
 #include "change/removals.hpp"
 #include "graph/extras.hpp"
 #include "graph/renumber.hpp"
+#include "graph/unknown_indices.hpp"
 
 namespace gltfx::change {
 namespace {
@@ -31,7 +32,8 @@ class DeletionPlanner {
         tree_(graph_.tree()),
         removals_(graph_, options.cascade),
         editor_(document),
-        container_(options.container) {}
+        container_(options.container),
+        integers_only_(options.integers_only) {}
 
   Result<Deletion> run(std::span<const std::string> pointers) {
     std::vector<Place> places;
@@ -97,7 +99,9 @@ class DeletionPlanner {
   // Why the graph may not have all references, or nothing.
   Reason find_doubt() const {
     for (const json::NodeId object : graph_.unknown_extensions()) {
-      if (!removals_.is_gone(object)) return unknown(tree_.name(object));
+      if (removals_.is_gone(object)) continue;
+      if (integers_only_ && !graph::may_hold_index(document(), object)) continue;
+      return unknown(tree_.name(object));
     }
     for (const graph::PointerText& pointer : graph_.pointers()) {
       const bool varies = pointer.varying != json::kNoNode && !removals_.is_gone(pointer.at);
@@ -192,7 +196,7 @@ class DeletionPlanner {
         if (each == json::kNoNode || !document().is_string(each)) continue;
         const std::string name = document().string(each);
         const bool known = graph_.set().find_extension(name) != schema::kNone;
-        if (!known && names.count(name) == 0) return unknown(name);
+        if (!integers_only_ && !known && names.count(name) == 0) return unknown(name);
       }
       list.apply(editor_);
     }
@@ -214,6 +218,7 @@ class DeletionPlanner {
   Removals removals_;
   json::Editor editor_;
   const container::Container* container_;
+  const bool integers_only_;
   std::vector<Removed> removed_;
   std::vector<json::NodeId> nodes_;                                      ///< of removed_, sorted
   std::unordered_map<json::NodeId, std::vector<std::uint64_t>> shifts_;  ///< positions, by list

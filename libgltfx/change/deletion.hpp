@@ -20,6 +20,9 @@ struct DeletionOptions {
   bool cascade = false;
   /// The container of the document, from whose BIN chunk unused bytes are cut; null: none.
   const container::Container* container = nullptr;
+  /// Extensions without a schema count only where they hold an integer; otherwise any prevents a
+  /// deletion.
+  bool integers_only = false;
 };
 
 /// A value that is deleted, with all that it contains.

@@ -7,17 +7,6 @@
 namespace gltfx::graph {
 namespace {
 
-bool holds_integer(const json::Document& document, json::NodeId object) {
-  for (json::NodeId id = object; id < document.next(object); ++id) {
-    if (document.kind(id) == json::Kind::number && document.number(id).is_integer()) return true;
-    if (document.kind(id) != json::Kind::number_array) continue;
-    for (json::NumberCursor at(document, id); at.valid(); at.advance()) {
-      if (at.number().is_integer()) return true;
-    }
-  }
-  return false;
-}
-
 bool holds_offset(const json::Document& document, json::NodeId object) {
   for (json::NodeId id = object; id < document.next(object); ++id) {
     if (document.kind(id) != json::Kind::key || document.kind(id + 1) != json::Kind::number)
@@ -41,8 +30,19 @@ json::NodeId find_unknown(const Graph& graph, const Holds& holds) {
 
 }  // namespace
 
+bool may_hold_index(const json::Document& document, json::NodeId value) {
+  for (json::NodeId id = value; id < document.next(value); ++id) {
+    if (document.kind(id) == json::Kind::number && document.number(id).is_integer()) return true;
+    if (document.kind(id) != json::Kind::number_array) continue;
+    for (json::NumberCursor at(document, id); at.valid(); at.advance()) {
+      if (at.number().is_integer()) return true;
+    }
+  }
+  return false;
+}
+
 json::NodeId find_unknown_with_integer(const Graph& graph) {
-  return find_unknown(graph, holds_integer);
+  return find_unknown(graph, may_hold_index);
 }
 
 json::NodeId find_unknown_offset(const Graph& graph) { return find_unknown(graph, holds_offset); }

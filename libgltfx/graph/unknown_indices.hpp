@@ -6,6 +6,9 @@
 
 namespace gltfx::graph {
 
+/// Whether a value contains an integer.
+bool may_hold_index(const json::Document& document, json::NodeId value);
+
 /// The first object of an extension without a schema that contains an integer, which may be an
 /// index; json::kNoNode: there is none.
 json::NodeId find_unknown_with_integer(const Graph& graph);

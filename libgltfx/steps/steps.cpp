@@ -4,6 +4,7 @@
 namespace gltfx::steps {
 
 StepDescription decode_step();
+StepDescription prune_step();
 StepDescription images_step();
 StepDescription weld_step();
 StepDescription resample_step();
@@ -12,8 +13,8 @@ StepDescription meshopt_step();
 StepDescription container_step();
 
 std::vector<StepDescription> steps() {
-  return {decode_step(),  images_step(),  weld_step(),     resample_step(),
-          reorder_step(), meshopt_step(), container_step()};
+  return {decode_step(),   prune_step(),   images_step(),  weld_step(),
+          resample_step(), reorder_step(), meshopt_step(), container_step()};
 }
 
 }  // namespace gltfx::steps
