@@ -151,6 +151,7 @@ class ConvertRun {
     freedom_.keyframes |= outcome->freedom.keyframes;
     freedom_.unused |= outcome->freedom.unused;
     freedom_.texels |= outcome->freedom.texels;
+    freedom_.image_names |= outcome->freedom.image_names;
     auto placed = change::place(std::move(outcome->change), asset(), nullptr);
     if (!placed) return placed.error().message;
     if (auto why = add(*placed)) return why;
@@ -274,6 +275,7 @@ class ConvertRun {
     request.images =
         freedom_.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
     request.unused_may_go = freedom_.unused;
+    request.image_names_may_go = freedom_.image_names;
     request.jobs = options_.jobs;
     request.most = 1;
     const prove::Meaning meaning = prove::compare_meaning(before_, after, *schemas_, request);

@@ -56,6 +56,8 @@ struct MeaningRequest {
   /// Unused objects may be missing in `after`: materials, meshes, textures and so on, and
   /// extensions in `extensionsUsed`. Scenes, animations and nodes must not be missing.
   bool unused_may_go = false;
+  /// Images may have other names.
+  bool image_names_may_go = false;
   /// POSITION is compared in the space of the scene, for each node that uses the mesh without a
   /// skin. The transform of such a node may change if it affects only the mesh: the node has no
   /// children, camera or extensions, and is not animated. Not with VertexOrder::free.

@@ -192,6 +192,7 @@ bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_
     return !list || !storage_.contains(name);
   }
   if (is_mere_storage(side, name, value)) return false;
+  if (request_.image_names_may_go && type == types_.image && name == "name") return false;
   if (is_said_of_all(name)) return true;
   const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), name) != names.end();

@@ -30,6 +30,7 @@ struct Freedom {
   bool keyframes = false;     ///< the curves stay
   bool unused = false;        ///< objects without a use may be gone
   bool texels = false;        ///< of images
+  bool image_names = false;   ///< images may have those of others
 };
 
 /// Result of a step. The change need not be placed. The caller sets the name, `changes` and the

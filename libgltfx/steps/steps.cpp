@@ -5,6 +5,7 @@ namespace gltfx::steps {
 
 StepDescription decode_step();
 StepDescription prune_step();
+StepDescription dedup_step();
 StepDescription images_step();
 StepDescription weld_step();
 StepDescription resample_step();
@@ -13,7 +14,7 @@ StepDescription meshopt_step();
 StepDescription container_step();
 
 std::vector<StepDescription> steps() {
-  return {decode_step(),   prune_step(),   images_step(),  weld_step(),
+  return {decode_step(),   prune_step(),   dedup_step(),   images_step(),   weld_step(),
           resample_step(), reorder_step(), meshopt_step(), container_step()};
 }
 
