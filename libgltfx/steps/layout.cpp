@@ -297,7 +297,12 @@ class Layout {
   Trouble store(std::uint64_t index) {
     NewContent& content = fate_.contents[index];
     const json::NodeId object = buffer(index);
-    editor_.replace_scalar(document_.find(object, "byteLength"), std::to_string(content.size));
+    const json::NodeId length = document_.find(object, "byteLength");
+    if (length == json::kNoNode) {
+      editor_.append_member(object, "byteLength", std::to_string(content.size));
+    } else {
+      editor_.replace(object, length, std::to_string(content.size));
+    }
     const json::NodeId uri = document_.find(object, "uri");
     switch (bytes_.buffer_storage(index)) {
       case Storage::bin_chunk:

@@ -321,6 +321,22 @@ TEST_F(Weld, ShrinkAsksForIt) {
   EXPECT_TRUE(welded);
 }
 
+// Its bytes are those of the chunk, whatever its length is said to be.
+TEST_F(Weld, BuffersWithoutALengthGetOne) {
+  for (const OrderedJson& length : {OrderedJson(), OrderedJson::array({1, 2})}) {
+    Welded a;
+    const StoredAsset made(a.made.glb());
+    OrderedJson json = made.json();
+    json["buffers"][0]["byteLength"] = length;
+    if (length.is_null()) json["buffers"][0].erase("byteLength");
+    const ConvertReport report = run(test::glb_of(json.dump(), made.bin));
+    EXPECT_TRUE(report.written) << report.error;
+    EXPECT_TRUE(report.steps[0].changes);
+    const StoredAsset now = StoredAsset::at(output());
+    EXPECT_EQ(now.json()["buffers"][0]["byteLength"], now.bin.size());
+  }
+}
+
 // Many primitives that read the same bytes take no time beyond what the file is worth.
 TEST_F(Weld, SharedBytesAreReadWithinABudget) {
   MadeAsset made;
