@@ -44,9 +44,11 @@ std::map<std::string, std::size_t> count_references(const json::Document& docume
   return counts;
 }
 
-bool goes_beside(const StepInput& input) {
+// In place, too: other assets may refer to a file.
+bool stays_in_folder(const StepInput& input) {
   const ConvertOptions& options = input.options;
-  if (options.output.empty() || change::is_in_place(options, input.asset.name())) return false;
+  if (options.in_place) return true;
+  if (options.output.empty()) return false;
   std::error_code error;
   return std::filesystem::equivalent(change::target_folder(input.asset.name(), options.output),
                                      change::target_folder(input.asset.name(), {}), error);
@@ -102,7 +104,7 @@ ImageStore::ImageStore(const StepInput& input, const model::Asset& elements,
       editor_(editor),
       names_(names_in_use(input)),
       referred_(count_references(document_)),
-      beside_(goes_beside(input)),
+      in_folder_(stays_in_folder(input)),
       buffer_(input.asset) {
   change_.additions = change::Additions(document_);
 }
@@ -182,7 +184,7 @@ std::optional<Error> ImageStore::store_in_file(const ImageGroup& group, NewImage
 
 // Whether the file may have other bytes: nobody else needs the old ones.
 bool ImageStore::may_replace(const ImageGroup& group) const {
-  if (beside_ || input_.options.shared_folder || group.path.starts_with("..")) return false;
+  if (in_folder_ || input_.options.shared_folder || group.path.starts_with("..")) return false;
   const auto found = referred_.find(group.path);
   return found != referred_.end() && found->second == group.images.size();
 }

@@ -38,9 +38,10 @@ struct NewImage {
   bool same_format = false;
 };
 
-/// Stores new images. The name of a file stays, but for its ending; where that stays, too, the file
-/// is replaced, or, where the old asset or another one refers to it in the folder of the output,
-/// gets a name that says what is in it. Keeps references to all constructor arguments.
+/// Stores new images. The name of a file stays, but for its ending. Where that stays, too, the file
+/// keeps its name in another folder; in the folder of the old asset, or of several new ones, it
+/// gets one that says what is in it, because others may refer to the old file. Keeps references to
+/// all constructor arguments.
 class ImageStore {
  public:
   ImageStore(const StepInput& input, const model::Asset& elements, const graph::Graph& graph,
@@ -69,7 +70,7 @@ class ImageStore {
   json::Editor& editor_;
   FileNames names_;
   const std::map<std::string, std::size_t> referred_;  ///< how often, by path
-  const bool beside_;  ///< the new asset is another file in the folder of the old one
+  const bool in_folder_;                               ///< the new asset goes where the old one is
   NewBuffer buffer_;
   change::Change change_;
 };

@@ -183,10 +183,14 @@ class ImageStep {
     if (resized) done += " resized";
     if (same && !resized) done += " packed better";
     done_[done] += count;
-    if (resized) losses_["resolution"] += count;
+    if (resized) losses_[describe_size()] += count;
     if (encoded.source.bits > encoded.raster.bits) losses_["8 of 16 bits a channel"] += count;
     if (attempt.lossy) losses_[describe_loss(attempt)] += count;
     outcome_.freedom.texels |= resized || attempt.lossy;
+  }
+
+  std::string describe_size() const {
+    return fmt::format("resolution above {} texels a side", *input_.options.texture_size);
   }
 
   static std::string describe_loss(const ImageAttempt& attempt) {

@@ -187,6 +187,26 @@ TEST_F(EveryFixture, GoesIntoDataUris) {
   }
 }
 
+TEST_F(EveryFixture, StoresItsImagesInAnotherFormat) {
+  std::size_t changed = 0;
+  for (const fs::path& from : assets_below_fixtures()) {
+    for (const ImageTarget target : {ImageTarget::webp, ImageTarget::png, ImageTarget::legal}) {
+      ConvertOptions options =
+          options_to(folder_.path() / "images" / ("a" + from.extension().native()));
+      options.images = {{target, std::nullopt}};
+      const ConvertReport report = convert_file(from.native(), options);
+      if (!report.written) {
+        EXPECT_NE(report.error, "") << from;
+        continue;
+      }
+      changed += report.changes ? 1 : 0;
+      EXPECT_FALSE(convert_file(options.output, ConvertOptions(options)).changes) << from;
+      fs::remove_all(folder_.path() / "images");
+    }
+  }
+  EXPECT_GT(changed, 20U);
+}
+
 TEST_F(EveryFixture, BecomesTheSameInMemory) {
   for (const fs::path& from : assets_below_fixtures()) {
     if (is_binary(from)) continue;

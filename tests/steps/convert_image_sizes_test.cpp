@@ -73,7 +73,7 @@ TEST(ImageSizes, ShrinkToTheLongerSideAndNeverGrow) {
   EXPECT_EQ(header.width, 16U);
   EXPECT_EQ(header.height, 8U);
   EXPECT_EQ(small.step().what, "1 PNG resized");
-  EXPECT_EQ(small.losses(), "resolution (1 image)\n");
+  EXPECT_EQ(small.losses(), "resolution above 16 texels a side (1 image)\n");
   EXPECT_EQ(small.result.bytes, small.asset.bytes);
   expect_nothing_left_to_do(small);
   ImageConversionCase large = resized(kColorSlot, test::png_file(kWide), "a.png", 64);
@@ -128,7 +128,8 @@ TEST(ImageSizes, KeepFormatAndDepth) {
   ImageConversionCase jpeg = resized(kColorSlot, test::jpeg_file(kWide), "a.jpeg");
   jpeg.run();
   EXPECT_EQ(header_of(jpeg.result.files.at("a.jpeg")).format, image::Format::jpeg);
-  EXPECT_EQ(jpeg.losses(), "JPEG of quality 90 (1 image)\nresolution (1 image)\n");
+  EXPECT_EQ(jpeg.losses(),
+            "JPEG of quality 90 (1 image)\nresolution above 16 texels a side (1 image)\n");
   jpeg.options.quality = 30;
   jpeg.run();
   EXPECT_THAT(jpeg.losses(), HasSubstr("JPEG of quality 30"));
@@ -219,12 +220,15 @@ TEST_F(FilesThatKeepTheirEnding, GetAnotherNameBesideTheOldAsset) {
   EXPECT_EQ(header_of(content_of(folder_.path() / report.new_files.front())).width, 16U);
 }
 
-TEST_F(FilesThatKeepTheirEnding, AreReplacedInPlace) {
+TEST_F(FilesThatKeepTheirEnding, StayForOthersInPlace) {
   ConvertOptions options;
   options.in_place = true;
   const ConvertReport report = run(options);
   EXPECT_TRUE(report.written) << report.error;
-  EXPECT_EQ(header_of(content_of(image_)).width, 16U);
+  EXPECT_EQ(content_of(image_), png_);
+  ASSERT_EQ(report.new_files.size(), 1U);
+  EXPECT_THAT(content_of(source_), HasSubstr(report.new_files.front()));
+  EXPECT_FALSE(run(options).changes);
 }
 
 TEST_F(FilesThatKeepTheirEnding, LeaveOldFilesOfAnotherEndingBehind) {
