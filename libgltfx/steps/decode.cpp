@@ -159,8 +159,8 @@ Result<StepOutcome> decode(const StepInput& step) {
 StepDescription decode_step();
 StepDescription decode_step() {
   return {"decode",
-          "makes geometry plain that is stored by another codec than the one asked for",
-          "exactly what decoders yield; buffer views and accessors their indices",
+          "decodes geometry, unless it is stored with the requested codec",
+          "the values of all elements, and indices of buffer views and accessors",
           "nothing",
           [](const ConvertOptions& options) { return options.compress.has_value(); },
           decode};

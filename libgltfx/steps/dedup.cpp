@@ -356,8 +356,8 @@ StepDescription dedup_step();
 StepDescription dedup_step() {
   return {"dedup",
           "stores equal accessors, buffer views, images, samplers, textures and materials once",
-          "meshes and nodes, all elements, and what differs in a `name` or in `extras`",
-          "the `name` of an image that is there twice",
+          "meshes, nodes, all elements, and objects with different names or `extras`",
+          "the `name` of an image with the bytes of another one",
           [](const ConvertOptions& options) { return options.dedup || options.shrink; },
           [](const StepInput& input) { return DedupRun(input).run(); }};
 }

@@ -114,7 +114,7 @@ std::string ImageSources::find_obstacle(const Source& source, const Extension* e
   };
   if (source.is_core() && extension == nullptr) return {};
   if (!source.is_core() && source.extension == nullptr) {
-    return refuse(fmt::format("has it for {}, which has no schema (--schema describes it)",
+    return refuse(fmt::format("has it for {}, which has no schema (describe it with --schema)",
                               gltfx::quoted(document.key(document.node(source.key).next))));
   }
   if (source.extension != nullptr && source.extension == extension) return {};

@@ -233,9 +233,9 @@ Result<StepOutcome> convert_images(const StepInput& input) { return ImageStep(in
 StepDescription images_step();
 StepDescription images_step() {
   return {"images",
-          "stores images in another format or smaller",
-          "texels, also below alpha 0, unless a size or quality is asked for; names, indices",
-          "texels, where a loss names the format or size; metadata of image files",
+          "stores images in another format or size",
+          "names, indices, and without a size or quality all texels, also transparent ones",
+          "texels, if a loss is listed; metadata of image files",
           [](const ConvertOptions& options) {
             return !options.images.empty() || options.texture_size || options.shrink;
           },

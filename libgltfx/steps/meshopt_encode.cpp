@@ -93,7 +93,7 @@ class MeshoptStep {
     if (unknown != json::kNoNode) {
       outcome_.row.left.push_back({input_.pointer(unknown),
                                    "it may hold a place in a buffer, whose bytes so cannot move "
-                                   "(--schema describes it)"});
+                                   "(describe it with --schema)"});
       return std::move(outcome_);
     }
     find_turnable();
@@ -310,7 +310,7 @@ StepDescription meshopt_step();
 StepDescription meshopt_step() {
   return {"meshopt",
           "stores vertices, indices and keyframes as streams of meshoptimizer",
-          "all values, their order and all indices; the plain bytes go",
+          "all values, their order, and all indices",
           "nothing",
           [](const ConvertOptions& options) { return options.compress == Compression::meshopt; },
           encode_meshopt};

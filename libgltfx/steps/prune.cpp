@@ -217,9 +217,9 @@ class PruneRun {
 StepDescription prune_step();
 StepDescription prune_step() {
   return {"prune",
-          "removes objects that nothing refers to, and vertices that no index reads",
-          "scenes, nodes, cameras, animations, vertex attributes, and all that these use",
-          "what nothing uses",
+          "removes objects without references, and vertices that no index uses",
+          "scenes, nodes, cameras, animations, vertex attributes, and everything that they use",
+          "unused objects and vertices",
           [](const ConvertOptions& options) { return options.prune || options.shrink; },
           [](const StepInput& input) { return PruneRun(input).run(); }};
 }

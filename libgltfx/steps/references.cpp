@@ -60,7 +60,7 @@ std::optional<ConvertNote> find_unknown_index(
     if (!graph::may_hold_index(tree.document(), object)) continue;
     const json::NodeId element = tree.root_element(object);
     if (element != json::kNoNode && is_gone(element)) continue;
-    return ConvertNote{tree.pointer(object), "may hold indices (--schema describes it)"};
+    return ConvertNote{tree.pointer(object), "may hold indices (describe it with --schema)"};
   }
   return std::nullopt;
 }

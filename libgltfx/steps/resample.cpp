@@ -233,7 +233,7 @@ class Resampler {
 StepDescription resample_step();
 StepDescription resample_step() {
   return {"resample",
-          "removes keyframes that interpolation between their neighbours gives",
+          "removes keyframes that interpolation of the others reproduces",
           "the curves, the first and the last keyframe, and the length of clips",
           "nothing beyond rounding: one unit in the last place",
           [](const ConvertOptions& options) { return options.resample || options.shrink; },

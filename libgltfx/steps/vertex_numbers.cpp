@@ -82,7 +82,7 @@ std::string VertexNumbers::in_extensions(NodeId object, bool is_primitive) const
       return fmt::format("{} has data about its vertices", name);
     if (!is_primitive) continue;
     if (std::binary_search(unknown_.begin(), unknown_.end(), member.value))
-      return fmt::format("{} may hold indices of its vertices (--schema describes it)", name);
+      return fmt::format("{} may hold indices of its vertices (describe it with --schema)", name);
     if (document.is_object(member.value) &&
         has_implied_ids(document, document.key(member.key_id), member.value))
       return fmt::format("{} has ids that are numbers of vertices", name);

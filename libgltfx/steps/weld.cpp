@@ -230,7 +230,7 @@ class Welder {
 StepDescription weld_step();
 StepDescription weld_step() {
   return {"weld",
-          "makes vertices of a primitive one that are equal in all bits",
+          "merges vertices of a primitive that are equal in all bits",
           "all corners in their order, with all attributes and morph targets",
           "nothing",
           [](const ConvertOptions& options) { return options.weld || options.shrink; },

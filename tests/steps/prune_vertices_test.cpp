@@ -174,12 +174,12 @@ TEST_F(PruneVertices, ExtensionsThatKnowVerticesRefuse) {
   words.made.json["extensionsUsed"] = {"ACME_words"};
   words.primitive()["extensions"]["ACME_words"]["first"] = "third";
   expect_refused(words.made, "/meshes/0/primitives/0",
-                 "ACME_words may hold indices of its vertices (--schema describes it)");
+                 "ACME_words may hold indices of its vertices (describe it with --schema)");
   Unread elsewhere;
   elsewhere.made.json["extensionsUsed"] = {"ACME_ref"};
   elsewhere.made.json["nodes"][0]["extensions"]["ACME_ref"]["vertex"] = 3;
   expect_refused(elsewhere.made, "/nodes/0/extensions/ACME_ref",
-                 "may hold indices (--schema describes it)");
+                 "may hold indices (describe it with --schema)");
 }
 
 }  // namespace

@@ -217,7 +217,7 @@ TEST_F(Reorder, WhatKnowsVerticesRefuses) {
   unknown.use("ACME_outline");
   unknown.primitive()["extensions"]["ACME_outline"]["name"] = "front";
   expect_refused(unknown.made, "/meshes/0/primitives/0",
-                 "ACME_outline may hold indices of its vertices (--schema describes it)");
+                 "ACME_outline may hold indices of its vertices (describe it with --schema)");
   ShuffledGrid features;
   features.use("EXT_mesh_features");
   features.primitive()["extensions"]["EXT_mesh_features"]["featureIds"] = {{{"featureCount", 4}}};
@@ -228,7 +228,7 @@ TEST_F(Reorder, WhatKnowsVerticesRefuses) {
   reference.made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 0;
   expect_refused(reference.made, "",
                  "/nodes/0/extensions/ACME_ref may hold indices of accessors "
-                 "(--schema describes it)");
+                 "(describe it with --schema)");
 }
 
 // Corners that become one vertex make no triangle that could be missed.

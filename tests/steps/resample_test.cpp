@@ -329,7 +329,7 @@ TEST_F(Resample, UnknownIndicesRefuse) {
   clip.made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 0;
   expect_refused(clip.made, "",
                  "/nodes/0/extensions/ACME_ref may hold indices of accessors "
-                 "(--schema describes it)");
+                 "(describe it with --schema)");
 }
 
 }  // namespace

@@ -253,7 +253,7 @@ TEST_F(Weld, UnknownExtensionsOfAPrimitiveRefuse) {
   a.use("ACME_outline");
   a.primitive()["extensions"]["ACME_outline"]["name"] = "front";
   expect_refused(a.made, "/meshes/0/primitives/0",
-                 "ACME_outline may hold indices of its vertices (--schema describes it)");
+                 "ACME_outline may hold indices of its vertices (describe it with --schema)");
 }
 
 TEST_F(Weld, UnknownIndicesAnywhereRefuse) {
@@ -262,7 +262,7 @@ TEST_F(Weld, UnknownIndicesAnywhereRefuse) {
   a.made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 0;
   expect_refused(a.made, "",
                  "/nodes/0/extensions/ACME_ref may hold indices of accessors "
-                 "(--schema describes it)");
+                 "(describe it with --schema)");
 }
 
 TEST_F(Weld, UnknownExtensionsWithoutNumbersElsewhereDoNot) {
