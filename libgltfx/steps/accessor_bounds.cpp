@@ -2,7 +2,9 @@
 #include "steps/accessor_bounds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 #include <fmt/format.h>
@@ -36,6 +38,11 @@ std::vector<double> bounds_of(Bound bound, const model::Format& format, std::str
   });
 }
 
+double nearest_float(double value) {
+  if (std::abs(value) > std::numeric_limits<float>::max()) return value;
+  return static_cast<double>(static_cast<float>(value));
+}
+
 }  // namespace
 
 std::string bound_text(Bound bound, const model::Format& format, std::string_view bytes) {
@@ -55,7 +62,7 @@ bool is_bound(const json::Document& document, json::NodeId array, Bound bound,
   std::size_t i = 0;
   for (json::NumberCursor at(document, array); at.valid(); at.advance(), ++i) {
     const double value = at.number().value;
-    const double declared = single ? static_cast<double>(static_cast<float>(value)) : value;
+    const double declared = single ? nearest_float(value) : value;
     if (i == bounds.size() || declared != bounds[i]) return false;
   }
   return i == bounds.size();
