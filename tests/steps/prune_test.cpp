@@ -104,6 +104,18 @@ TEST_F(Prune, ABufferWithoutUsersGoesAndWithItItsChunk) {
   EXPECT_FALSE(now.container.bin);
 }
 
+TEST_F(Prune, ABufferWithoutALengthGetsOne) {
+  MadeAsset made = shown_triangle();
+  made.accessor<float>({1, 2, 3}, "VEC3");
+  std::string glb = made.glb();
+  const std::string member = R"("buffers":[{"byteLength")";
+  const std::size_t at = glb.find(member);
+  ASSERT_NE(at, std::string::npos);
+  glb.replace(at, member.size(), R"("buffers":[{"byteLengtX")");
+  const StoredAsset now = converted_twice(glb);
+  EXPECT_EQ(now.json()["buffers"][0]["byteLength"], now.bin.size());
+}
+
 TEST_F(Prune, ScenesNodesCamerasAnimationsStay) {
   MadeAsset made = shown_triangle();
   made.json["nodes"].push_back({{"name", "of no scene"}});
