@@ -120,6 +120,26 @@ TEST(EqualMeaning, OneObjectMayServeForTwo) {
   EXPECT_FALSE(test::compare(before, other, pruned).same());
 }
 
+TEST(EqualMeaning, NamesOfImagesCountUnlessTheyMayGo) {
+  EditedAsset before = twice();
+  before.json["images"] = Json::parse(R"([{"uri": "a.png", "name": "a", "extras": 1}])");
+  before.json["textures"] = Json::parse(R"([{"source": 0}])");
+  before.json["materials"][0]["normalTexture"]["index"] = 0;
+  EditedAsset after = before;
+  after.json["images"][0]["name"] = "b";
+  EXPECT_FALSE(test::compare(before, after).same());
+  MeaningRequest renamed;
+  renamed.image_names_may_go = true;
+  EXPECT_TRUE(test::compare(before, after, renamed).same());
+  after.json["images"][0].erase("name");
+  EXPECT_TRUE(test::compare(before, after, renamed).same());
+  after.json["images"][0]["extras"] = 2;
+  EXPECT_FALSE(test::compare(before, after, renamed).same());
+  after = before;
+  after.json["materials"][0]["name"] = "b";
+  EXPECT_FALSE(test::compare(before, after, renamed).same());
+}
+
 TEST(EqualMeaning, ObjectsThatAPointerTellsApartAreNotOne) {
   EditedAsset before = twice();
   before.json["extensionsUsed"] = {"KHR_animation_pointer"};

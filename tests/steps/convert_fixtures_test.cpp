@@ -207,6 +207,30 @@ TEST_F(EveryFixture, StoresItsImagesInAnotherFormat) {
   EXPECT_GT(changed, 20U);
 }
 
+TEST_F(EveryFixture, LosesWhatItDoesNotUseOnce) {
+  int changed = 0;
+  for (const fs::path& from : assets_below_fixtures()) {
+    ConvertOptions options = options_to(folder_.path() / "once" / from.filename());
+    options.prune = options.dedup = options.partial = true;
+    const ConvertReport report = convert_file(from.native(), options);
+    if (!report.changes) continue;
+    ++changed;
+    ASSERT_TRUE(report.written) << from << report.error;
+    const fs::path once = options.output;
+    EXPECT_LE(report.steps.back().bytes_after, report.steps.front().bytes_before) << from;
+    const OrderedJson before = StoredAsset::at(from).json();
+    const OrderedJson after = StoredAsset::at(once).json();
+    for (const char* list : {"scenes", "nodes", "cameras", "animations"}) {
+      EXPECT_EQ(before.value(list, OrderedJson()).size(), after.value(list, OrderedJson()).size())
+          << from << list;
+    }
+    options.output = (folder_.path() / "twice" / from.filename()).native();
+    const ConvertReport again = convert_file(once.native(), options);
+    EXPECT_FALSE(again.changes) << from << again.steps[0].what << again.steps[1].what;
+  }
+  EXPECT_GE(changed, 10);
+}
+
 TEST_F(EveryFixture, BecomesTheSameInMemory) {
   for (const fs::path& from : assets_below_fixtures()) {
     if (is_binary(from)) continue;

@@ -62,6 +62,24 @@ TEST_F(PruneVertices, TheOthersKeepTheirOrderAndTheirIndicesTheirType) {
   EXPECT_THAT(json["bufferViews"], SizeIs(4));
 }
 
+TEST_F(PruneVertices, BoundsThatStayKeepTheirText) {
+  MadeAsset made;
+  const std::size_t positions =
+      made.accessor<float>({0.1F, 0, 0, 5, 0, 0, 0, 0.3F, 0, 0, 0, 9}, "VEC3");
+  made.json["accessors"][positions]["min"] = OrderedJson::parse("[0,0.0,0e1]");
+  made.json["accessors"][positions]["max"] = OrderedJson::parse("[5,0.3,9]");
+  made.mesh({{"attributes", {{"POSITION", positions}}},
+             {"indices", made.accessor<std::uint8_t>({0, 2, 3}, "SCALAR")}});
+  made.json["scenes"] = {{{"nodes", {0}}}};
+  const OrderedJson now = converted_twice(made.glb()).json();
+  EXPECT_EQ(now["accessors"][positions]["min"].dump(), "[0,0.0,0.0]");
+  EXPECT_THAT(now["accessors"][positions]["max"].dump(), HasSubstr("[0.1000000"));
+  made.json["accessors"][positions]["max"] = OrderedJson::parse("[5,0.3,9]");
+  made.json["meshes"][0]["primitives"][0]["indices"] =
+      made.accessor<std::uint8_t>({1, 2, 3}, "SCALAR");
+  EXPECT_EQ(converted_twice(made.glb()).json()["accessors"][positions]["max"].dump(), "[5,0.3,9]");
+}
+
 TEST_F(PruneVertices, OneReaderOfAllIsEnough) {
   Unread asset;
   OrderedJson second = asset.primitive();
