@@ -53,10 +53,19 @@ class Vertices {
 };
 
 // A triangle may begin at any of its corners, but its winding counts; a segment has no direction.
+// Two corners of a triangle may be equal, so the least of all turns counts.
 Hash128 hash_of(Hash128* corners, std::size_t arity) {
-  std::rotate(corners, std::min_element(corners, corners + arity, less), corners + arity);
+  std::array<Hash128, 3> least{};
+  std::copy_n(corners, arity, least.begin());
+  for (std::size_t turn = 1; turn < arity; ++turn) {
+    std::rotate(corners, corners + 1, corners + arity);
+    if (std::lexicographical_compare(corners, corners + arity, least.begin(),
+                                     least.begin() + static_cast<std::ptrdiff_t>(arity), less)) {
+      std::copy_n(corners, arity, least.begin());
+    }
+  }
   return hash_bytes(
-      std::string_view(reinterpret_cast<const char*>(corners), arity * sizeof(Hash128)));
+      std::string_view(reinterpret_cast<const char*>(least.data()), arity * sizeof(Hash128)));
 }
 
 // Such a triangle or segment shows nothing, whether its equal corners are one vertex or several.

@@ -211,18 +211,16 @@ bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_
   return true;
 }
 
-// Tables, and objects with storage extensions only: their presence has no meaning.
+// Tables, and objects with storage extensions only or none: their presence has no meaning.
 bool ObjectWalk::is_mere_storage(const Side& side, std::string_view name,
                                  json::NodeId value) const {
   const json::Document& document = side.document();
   if (document.is_array(value)) return side.is_table(value);
   if (name != kExtensions || !document.is_object(value)) return false;
-  bool any = false;
   for (const auto member : document.members(value)) {
-    any = true;
     if (!storage_.contains(document.key(member.key_id))) return false;
   }
-  return any;
+  return true;
 }
 
 // MeaningRequest::in_world: the transform affects only the place of the mesh.
