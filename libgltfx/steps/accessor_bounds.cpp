@@ -81,6 +81,9 @@ void mend_bounds(const json::Document& document, json::Editor& editor,
 
 std::string accessor_like(const json::Document& document, const model::Accessor& accessor,
                           const AccessorMembers& members, std::string_view bytes) {
+  model::Format format = accessor.format;
+  const bool is_other = members.component != model::ComponentType::none;
+  if (is_other) format.component = members.component;
   std::string json = fmt::format(R"({{"count":{})", members.count);
   if (members.buffer_view) json += fmt::format(R"(,"bufferView":{})", *members.buffer_view);
   for (const auto member : document.members(accessor.node)) {
@@ -88,9 +91,11 @@ std::string accessor_like(const json::Document& document, const model::Accessor&
     if (name == "count" || name == "bufferView" || name == "byteOffset") continue;
     json += fmt::format(",{}:", document.raw(member.key));
     if (member.value == accessor.min) {
-      json += bound_text(Bound::least, accessor.format, bytes);
+      json += bound_text(Bound::least, format, bytes);
     } else if (member.value == accessor.max) {
-      json += bound_text(Bound::greatest, accessor.format, bytes);
+      json += bound_text(Bound::greatest, format, bytes);
+    } else if (is_other && name == "componentType") {
+      json += std::to_string(static_cast<unsigned>(format.component));
     } else {
       json += document.raw(member.value);
     }

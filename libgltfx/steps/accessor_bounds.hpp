@@ -30,6 +30,7 @@ void mend_bounds(const json::Document& document, json::Editor& editor,
 struct AccessorMembers {
   std::optional<std::uint64_t> buffer_view;
   std::uint64_t count = 0;
+  model::ComponentType component = model::ComponentType::none;  ///< none: as the other one
 };
 
 /// A new accessor with the members of another one but for these, its own bounds where the other has

@@ -11,11 +11,12 @@ StepDescription weld_step();
 StepDescription resample_step();
 StepDescription reorder_step();
 StepDescription meshopt_step();
+StepDescription draco_step();
 StepDescription container_step();
 
 std::vector<StepDescription> steps() {
-  return {decode_step(),   prune_step(),   dedup_step(),   images_step(),   weld_step(),
-          resample_step(), reorder_step(), meshopt_step(), container_step()};
+  return {decode_step(),   prune_step(),   dedup_step(),   images_step(), weld_step(),
+          resample_step(), reorder_step(), meshopt_step(), draco_step(),  container_step()};
 }
 
 }  // namespace gltfx::steps
