@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Images in another format or of another size (glTF 2.0 section 3.8; EXT_texture_webp).
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "report/wording.hpp"
+#include "steps/image_loss.hpp"
 #include "steps/image_plan.hpp"
 #include "steps/image_sources.hpp"
 #include "steps/image_store.hpp"
@@ -27,6 +29,7 @@ struct Encoded {
   const ImageAttempt* attempt = nullptr;  ///< that worked; null: none
   std::string bytes;
   codec::Raster source, raster;
+  std::optional<ImageDistance> distance;  ///< of a lossy file
 };
 
 /// One group of images with its plan.
@@ -37,6 +40,14 @@ struct Job {
   Encoded encoded;
 };
 
+// Of each value, in steps of 8 bits, that a lossy format promises; 0: nothing is promised.
+double bound_of(const ImageAttempt& attempt, const codec::Raster& source) {
+  if (attempt.request.options.near_lossless == 100) return 0;
+  constexpr double kNearlyLossless = 2;
+  constexpr double kRounding = 0.5;
+  return kNearlyLossless + (source.bits > 8 ? kRounding : 0);
+}
+
 // A sentence of a decoder as half of one.
 std::string half_sentence(std::string_view sentence) {
   std::string text = printable(sentence);
@@ -44,28 +55,62 @@ std::string half_sentence(std::string_view sentence) {
   return text;
 }
 
+// What a decoder says of bytes that are broken is a reason to leave them, all else one to refuse.
+void take_error(Job& job, const codec::DecodeError& error, std::string_view what) {
+  const std::string why = half_sentence(error.message);
+  if (error.kind == codec::ErrorKind::malformed && job.file.format) {
+    job.plan.left.push_back(fmt::format("{}: {}", what, why));
+  } else {
+    job.plan.refused = why;
+  }
+}
+
+// Whether a decoder reads all of an image. Its size is known then.
+bool is_whole(Job& job) {
+  codec::ImageRequest request = job.plan.attempts.front().request.image;
+  request.resize = {};
+  const codec::ImageResult result = codec::Client::shared().decode_image(request);
+  if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
+    take_error(job, *error, "it is not decoded");
+    return false;
+  }
+  const auto& image = *std::get_if<codec::Image>(&result);
+  if (!image.doubt.empty()) {
+    job.plan.left.push_back(fmt::format("it is damaged: {}", half_sentence(image.doubt)));
+    return false;
+  }
+  for (ImageAttempt& attempt : job.plan.attempts) attempt.request.image.max_pixels = image.texels();
+  return true;
+}
+
+// Whether a file may take the place of the old one.
+bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& image) {
+  const std::string_view name = format_name(attempt.format);
+  if (!attempt.may_grow && image.size >= job.file.bytes.size()) {
+    if (job.file.format == attempt.format) return false;
+    job.plan.left.push_back(fmt::format("as {} it is larger than before", name));
+    return false;
+  }
+  if (!attempt.lossy) return true;
+  job.encoded.distance = distance(attempt.request, image);
+  const double bound = bound_of(attempt, image.source);
+  if (job.encoded.distance && (bound == 0 || job.encoded.distance->greatest <= bound)) return true;
+  job.plan.left.push_back(fmt::format("as {} it is too far from what it was", name));
+  return false;
+}
+
 // Tries the attempts in their order. Any number of threads.
 void encode(Job& job) {
+  if (job.plan.attempts.empty() || !is_whole(job)) return;
   for (const ImageAttempt& attempt : job.plan.attempts) {
     const codec::EncodeResult result = codec::Client::shared().transcode_image(attempt.request);
     if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
-      std::string why = half_sentence(error->message);
-      const bool certain = error->kind == codec::ErrorKind::malformed;
-      if (!certain || !job.file.format) {
-        job.plan.refused = std::move(why);
-        return;
-      }
-      job.plan.left.push_back(fmt::format("not {}: {}", format_name(attempt.format), why));
+      take_error(job, *error, fmt::format("not {}", format_name(attempt.format)));
+      if (!job.plan.refused.empty()) return;
       continue;
     }
     const auto& image = *std::get_if<codec::EncodedImage>(&result);
-    if (!attempt.may_grow && image.size >= job.file.bytes.size()) {
-      const bool other = job.file.format != attempt.format;
-      if (other)
-        job.plan.left.push_back(
-            fmt::format("as {} it is larger than before", format_name(attempt.format)));
-      continue;
-    }
+    if (!is_good(job, attempt, image)) continue;
     job.encoded.attempt = &attempt;
     job.encoded.bytes.assign(reinterpret_cast<const char*>(image.bytes.data()), image.size);
     job.encoded.source = image.source;
@@ -73,6 +118,14 @@ void encode(Job& job) {
     return;
   }
 }
+
+/// One loss of all images.
+struct Loss {
+  std::uint64_t images = 0;
+  double bound = 0;                ///< as bound_of()
+  double greatest = 0;             ///< the distance of a value
+  std::optional<double> decibels;  ///< the least
+};
 
 class ImageStep {
  public:
@@ -120,7 +173,7 @@ class ImageStep {
     if (job.group.storage == model::Storage::nowhere) return;
     auto bytes = bytes_.image(job.group.images.front());
     if (!bytes) {
-      job.plan.left.push_back(bytes.error().message);
+      job.plan.left.push_back(half_sentence(bytes.error().message));
       return;
     }
     job.file = read_image_file(*std::move(bytes));
@@ -183,9 +236,11 @@ class ImageStep {
     if (resized) done += " resized";
     if (same && !resized) done += " packed better";
     done_[done] += count;
-    if (resized) losses_[describe_size()] += count;
-    if (encoded.source.bits > encoded.raster.bits) losses_["8 of 16 bits a channel"] += count;
-    if (attempt.lossy) losses_[describe_loss(attempt)] += count;
+    if (resized) losses_[describe_size()].images += count;
+    if (encoded.source.bits > encoded.raster.bits) {
+      losses_["8 of 16 bits a channel"].images += count;
+    }
+    if (attempt.lossy) add_distance(encoded, count);
     outcome_.freedom.texels |= resized || attempt.lossy;
   }
 
@@ -193,13 +248,19 @@ class ImageStep {
     return fmt::format("resolution above {} texels a side", *input_.options.texture_size);
   }
 
-  static std::string describe_loss(const ImageAttempt& attempt) {
-    const codec::TranscodeRequest& request = attempt.request;
-    const std::string_view name = format_name(attempt.format);
-    if (request.options.near_lossless != 100) {
-      return fmt::format("{} within 2 of 255", name);
+  void add_distance(const Encoded& encoded, std::uint64_t count) {
+    const codec::TranscodeRequest& request = encoded.attempt->request;
+    const double bound = bound_of(*encoded.attempt, encoded.source);
+    const std::string_view name = format_name(encoded.attempt->format);
+    Loss& loss = losses_[bound > 0 ? fmt::format("{} values", name)
+                                   : fmt::format("{} of quality {}", name, request.quality)];
+    loss.images += count;
+    loss.bound = std::max(loss.bound, bound);
+    loss.greatest = std::max(loss.greatest, encoded.distance->greatest);
+    const double decibels = encoded.distance->decibels();
+    if (std::isfinite(decibels)) {
+      loss.decibels = std::min(loss.decibels.value_or(decibels), decibels);
     }
-    return fmt::format("{} of quality {}", name, request.quality);
   }
 
   void describe() {
@@ -207,9 +268,10 @@ class ImageStep {
       if (!outcome_.row.what.empty()) outcome_.row.what += ", ";
       outcome_.row.what += fmt::format("{} {}", count, done);
     }
-    for (const auto& [loss, count] : losses_) {
-      outcome_.row.losses.push_back(
-          {fmt::format("{} ({})", loss, report::counted(count, "image")), 0, 0, {}});
+    for (const auto& [name, loss] : losses_) {
+      std::string quantity = fmt::format("{} ({}", name, report::counted(loss.images, "image"));
+      if (loss.decibels && loss.bound == 0) quantity += fmt::format(", {:.1f} dB", *loss.decibels);
+      outcome_.row.losses.push_back({quantity + ")", loss.bound, loss.greatest, "/255"});
     }
   }
 
@@ -222,8 +284,8 @@ class ImageStep {
   json::Editor editor_;
   ImageStore store_;
   StepOutcome outcome_;
-  std::map<std::string, std::uint64_t> done_;    ///< images by what was done
-  std::map<std::string, std::uint64_t> losses_;  ///< likewise
+  std::map<std::string, std::uint64_t> done_;  ///< images by what was done
+  std::map<std::string, Loss> losses_;
 };
 
 Result<StepOutcome> convert_images(const StepInput& input) { return ImageStep(input).run(); }

@@ -178,8 +178,9 @@ TEST(WebpImages, OfSixteenBitsNeedAQuality) {
             "/images/0: not WebP: it has 16 bits a channel (--quality makes them 8)\n");
   conversion.options.quality = 90;
   conversion.run();
-  EXPECT_EQ(conversion.losses(),
-            "8 of 16 bits a channel (1 image)\nWebP of quality 90 (1 image)\n");
+  EXPECT_THAT(conversion.losses(),
+              testing::MatchesRegex("8 of 16 bits a channel .1 image.\n"
+                                    "WebP of quality 90 .1 image, [0-9.]+ dB.\n"));
 }
 
 TEST(LossyImages, AreNearlyExactForNormalsAndData) {
@@ -196,8 +197,16 @@ TEST(LossyImages, AreNearlyExactForNormalsAndData) {
       most = std::max(most, std::abs(static_cast<int>(before[i]) - static_cast<int>(after[i])));
     }
     EXPECT_EQ(most <= 2, slot != kColorSlot) << most;
-    EXPECT_EQ(conversion.losses(), slot == kColorSlot ? "WebP of quality 50 (1 image)\n"
-                                                      : "WebP within 2 of 255 (1 image)\n");
+    ASSERT_THAT(conversion.step().losses, SizeIs(1));
+    const ConvertLoss& loss = conversion.step().losses.front();
+    if (slot == kColorSlot) {
+      EXPECT_THAT(loss.quantity, testing::StartsWith("WebP of quality 50 (1 image, "));
+      EXPECT_EQ(loss.bound, 0);
+    } else {
+      EXPECT_EQ(loss.quantity, "WebP values (1 image)");
+      EXPECT_EQ(loss.bound, 2);
+      EXPECT_EQ(loss.measured, most);
+    }
     expect_settled(conversion);
   }
 }
@@ -222,7 +231,8 @@ TEST(LossyImages, InJpegHaveHalfResolutionOfColorsAlone) {
     EXPECT_EQ(json["images"][0]["uri"], "a.jpg");
     EXPECT_FALSE(json.contains("extensionsUsed"));
     EXPECT_EQ(sampling(conversion.result.files.at("a.jpg")), factors);
-    EXPECT_EQ(conversion.losses(), "JPEG of quality 90 (1 image)\n");
+    EXPECT_THAT(conversion.losses(),
+                testing::MatchesRegex("JPEG of quality 90 .1 image, [234][0-9].[0-9] dB.\n"));
   }
 }
 
@@ -317,7 +327,8 @@ TEST(BrokenImages, AreLeft) {
   const std::string png = png_file(kRgb);
   std::string damaged = png;
   damaged.replace(60, 8, "xxxxxxxx");
-  const std::map<std::string, std::string> cases{{damaged, "not WebP"},
+  const std::map<std::string, std::string> cases{{damaged, "it is not decoded"},
+                                                 {jpeg_file(kRgb).substr(0, 700), "it is damaged"},
                                                  {png.substr(0, 40), "it is broken"},
                                                  {"hello", "it is in an unknown format"},
                                                  {"", "it is an empty file"}};
