@@ -300,7 +300,7 @@ StepDescription draco_step() {
           "stores triangles and their vertices as bitstreams of Draco",
           "the values of all vertices, each triangle and its winding; indices of objects but for "
           "buffer views",
-          "nothing; vertices that no triangle uses go, and the order of vertices and triangles",
+          "the order of vertices and triangles; vertices that no triangle uses",
           [](const ConvertOptions& options) { return options.compress == Compression::draco; },
           encode_draco};
 }

@@ -2,6 +2,7 @@
 /// Image files and assets with images for tests of conversions.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -110,7 +111,11 @@ struct ImageConversionCase {
     EXPECT_EQ(result.report.error, "");
     return StoredAsset(result.bytes).json();
   }
-  const ConvertStep& step() const { return result.report.steps.front(); }
+  const ConvertStep& step() const {
+    const auto& steps = result.report.steps;
+    return *std::find_if(steps.begin(), steps.end(),
+                         [](const ConvertStep& step) { return step.step == "images"; });
+  }
   /// The asset and its files as they are now.
   ImageConversionCase again() const {
     std::map<std::string, std::string> files = asset.files;

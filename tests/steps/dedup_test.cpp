@@ -295,7 +295,8 @@ TEST_F(Dedup, AnUnknownExtensionWithAWholeNumberRefuses) {
   MadeAsset made = twice();
   made.json["extensionsUsed"] = {"ACME_ref"};
   made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 1;
-  expect_refused(made, "/nodes/0/extensions/ACME_ref", "may hold indices (describe it with --schema)");
+  expect_refused(made, "/nodes/0/extensions/ACME_ref",
+                 "may hold indices (describe it with --schema)");
   made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 1.5;
   EXPECT_EQ(position_of(converted_twice(made.glb()), 1), 0);
 }

@@ -198,7 +198,8 @@ TEST_F(Prune, AnUnknownExtensionWithAWholeNumberRefuses) {
   MadeAsset made = with_unused_material();
   made.json["extensionsUsed"] = {"ACME_ref"};
   made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = {0.5, 1};
-  expect_refused(made, "/nodes/0/extensions/ACME_ref", "may hold indices (describe it with --schema)");
+  expect_refused(made, "/nodes/0/extensions/ACME_ref",
+                 "may hold indices (describe it with --schema)");
   options_.partial = true;
   const ConvertReport report = run(made.glb());
   EXPECT_TRUE(report.written);
