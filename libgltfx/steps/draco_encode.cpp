@@ -298,7 +298,7 @@ StepDescription draco_step();
 StepDescription draco_step() {
   return {"draco",
           "stores triangles and their vertices as bitstreams of Draco",
-          "the values of all vertices, each triangle and its winding; indices of objects but for "
+          "the values of all vertices, each triangle and its winding; indices of objects except "
           "buffer views",
           "the order of vertices and triangles; vertices that no triangle uses",
           [](const ConvertOptions& options) { return options.compress == Compression::draco; },
