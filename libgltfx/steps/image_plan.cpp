@@ -188,7 +188,7 @@ class Planner {
     if (attempt.lossy && !use_.kind) return fmt::format("that loses something, and {}", use_.doubt);
     const bool drops_alpha = attempt.format == Format::jpeg && use_.alpha && file_.header &&
                              image::can_be_transparent(*file_.header);
-    if (drops_alpha) return "it has none for the alpha that a texture slot reads";
+    if (drops_alpha) return "the format holds no alpha, which a texture slot reads";
     const bool wide = file_.header && file_.header->bits > 8;
     if (!wide || attempt.format == Format::png) return {};
     if (!attempt.lossy || !options_.quality) {
