@@ -2,11 +2,12 @@
 #include "steps/vertex_sets.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "model/draco.hpp"
+#include "model/fields.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -86,7 +87,8 @@ class SetFinder {
   std::string obstacle_of(const Primitive& primitive) const {
     if (!primitive.mode || primitive.targets_are_broken) return kBroken;
     if (primitive.indices_node != json::kNoNode && !primitive.indices) return kBroken;
-    if (model::read_draco(data_.elements, primitive))
+    if (model::extension_object(data_.document, primitive.node, model::kDracoExtension) !=
+        json::kNoNode)
       return "is compressed; decode it first: --compress none";
     return {};
   }

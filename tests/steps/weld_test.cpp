@@ -248,6 +248,21 @@ TEST_F(Weld, WhatCannotBeReadStays) {
   expect_left(floats.made, "has indices that are no whole numbers");
 }
 
+TEST_F(Weld, CompressedVerticesStay) {
+  const std::string why = "is compressed; decode it first: --compress none";
+  Welded draco;
+  draco.use("KHR_draco_mesh_compression");
+  draco.primitive()["extensions"]["KHR_draco_mesh_compression"] = {
+      {"bufferView", 0}, {"attributes", {{"POSITION", 0}}}};
+  expect_left(draco.made, why);
+  options_.output = output().native();
+  const ConvertReport report =
+      convert_file(std::string(GLTFX_SOURCE_DIR) + "/fixtures/good/kelp.gltf", options_);
+  ASSERT_FALSE(report.steps.empty()) << report.error;
+  ASSERT_FALSE(report.steps[0].left.empty());
+  EXPECT_EQ(report.steps[0].left[0].reason, why);
+}
+
 TEST_F(Weld, UnknownExtensionsOfAPrimitiveRefuse) {
   Welded a;
   a.use("ACME_outline");
