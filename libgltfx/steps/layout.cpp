@@ -140,9 +140,9 @@ class Layout {
     choose_removed();
     std::vector<std::uint64_t> changed;
     for (std::uint64_t i = 0; i < old_count_; ++i) {
-      if (fate_.removed[i]) continue;
-      if (i != fate_.home && freed(i).empty()) continue;
-      if (i == fate_.home && freed(i).empty() && !fate_.home_gets_more) continue;
+      if (outcome_.removed[i]) continue;
+      if (i != outcome_.home && freed(i).empty()) continue;
+      if (i == outcome_.home && freed(i).empty() && !outcome_.home_gets_more) continue;
       if (auto trouble = fill(i)) return *trouble;
       changed.push_back(i);
     }
@@ -178,7 +178,7 @@ class Layout {
   // Files by how often they are referred to.
   void list_files() {
     for (const auto& [node, path] : change::referred_files(document_)) ++files_[path];
-    fate_.removed.assign(count(), false);
+    outcome_.removed.assign(count(), false);
   }
   bool is_shared(std::uint64_t index) const {
     const auto found = files_.find(path_of(buffer(index)));
@@ -199,14 +199,14 @@ class Layout {
 
   Trouble choose_home() {
     for (std::uint64_t i = old_count_; i < count(); ++i)
-      fate_.home_gets_more = fate_.home_gets_more || is_new(i);
+      outcome_.home_gets_more = outcome_.home_gets_more || is_new(i);
     for (std::uint64_t i = 0; i < old_count_; ++i) {
       if (buffer(i) == json::kNoNode || is_shared(i)) continue;
       if (bytes_.buffer_storage(i) == Storage::nowhere || !bytes_.buffer(i)) continue;
-      fate_.home = i;
+      outcome_.home = i;
       return std::nullopt;
     }
-    if (!fate_.home_gets_more) return std::nullopt;
+    if (!outcome_.home_gets_more) return std::nullopt;
     return Error{"no buffer of the asset can take new bytes"};
   }
 
@@ -216,15 +216,16 @@ class Layout {
     const bool certain = graph::find_unknown_with_integer(now_.graph) == json::kNoNode;
     for (std::uint64_t i = count(); i > 0; --i) {
       const std::uint64_t index = i - 1;
-      const bool is_last = std::all_of(fate_.removed.begin() + static_cast<std::ptrdiff_t>(i),
-                                       fate_.removed.end(), [](bool removed) { return removed; });
-      fate_.removed[index] = is_new(index) || ((certain || is_last) && is_left(index));
+      const bool is_last =
+          std::all_of(outcome_.removed.begin() + static_cast<std::ptrdiff_t>(i),
+                      outcome_.removed.end(), [](bool removed) { return removed; });
+      outcome_.removed[index] = is_new(index) || ((certain || is_last) && is_left(index));
     }
   }
   bool is_left(std::uint64_t index) const {
     const json::NodeId object = buffer(index);
     if (index >= old_count_ || object == json::kNoNode) return false;
-    if (index == fate_.home && fate_.home_gets_more) return false;
+    if (index == outcome_.home && outcome_.home_gets_more) return false;
     if (before_.of(index).empty() || !may_cut_ || is_shared(index)) return false;
     if (!now_.graph.users(object).empty()) return false;
     for (const auto member : document_.members(object)) {
@@ -242,16 +243,16 @@ class Layout {
     const std::uint64_t length = bytes_.buffer_storage(index) == Storage::bin_chunk
                                      ? chunk_data_length(declared, bytes->size())
                                      : bytes->size();
-    NewContent& content = fate_.contents[index];
+    NewContent& content = outcome_.contents[index];
     for (const ByteRange& range : without({{0, length}}, freed(index))) {
-      fate_.moved[index].push_back({range, content.add(*bytes, range)});
+      outcome_.moved[index].push_back({range, content.add(*bytes, range)});
     }
-    for (std::uint64_t i = old_count_; index == fate_.home && i < count(); ++i) {
+    for (std::uint64_t i = old_count_; index == outcome_.home && i < count(); ++i) {
       if (!is_new(i)) continue;
       const auto made = bytes_.buffer(i);
       if (!made) return made.error();
       for (const ByteRange& range : now_.of(i)) {
-        fate_.moved[i].push_back({range, content.add(*made, range)});
+        outcome_.moved[i].push_back({range, content.add(*made, range)});
       }
     }
     return std::nullopt;
@@ -262,13 +263,13 @@ class Layout {
     for (const BufferUser& user : *now_.users) move(user);
     std::vector<std::uint64_t> position(count());
     std::uint64_t next = 0;
-    for (std::uint64_t i = 0; i < count(); ++i) position[i] = fate_.removed[i] ? 0 : next++;
+    for (std::uint64_t i = 0; i < count(); ++i) position[i] = outcome_.removed[i] ? 0 : next++;
     for (std::uint64_t i = 0; i < count(); ++i) {
-      if (is_new(i)) position[i] = position[fate_.home];
+      if (is_new(i)) position[i] = position[outcome_.home];
     }
     const json::NodeId list = document_.find(document_.root(), "buffers");
     for (std::uint64_t i = 0; i < count(); ++i) {
-      if (!fate_.removed[i]) continue;
+      if (!outcome_.removed[i]) continue;
       editor_.remove(list, buffer(i));
       if (bytes_.buffer_storage(i) == Storage::bin_chunk) change_.bin.drop = true;
     }
@@ -284,8 +285,8 @@ class Layout {
   }
 
   void move(const BufferUser& user) {
-    const auto found = fate_.moved.find(user.buffer);
-    if (found == fate_.moved.end()) return;
+    const auto found = outcome_.moved.find(user.buffer);
+    if (found == outcome_.moved.end()) return;
     const auto after = std::upper_bound(
         found->second.begin(), found->second.end(), user.bytes.begin,
         [](std::uint64_t begin, const Moved& part) { return begin < part.from.begin; });
@@ -295,7 +296,7 @@ class Layout {
   }
 
   Trouble store(std::uint64_t index) {
-    NewContent& content = fate_.contents[index];
+    NewContent& content = outcome_.contents[index];
     const json::NodeId object = buffer(index);
     const json::NodeId length = document_.find(object, "byteLength");
     if (length == json::kNoNode) {
@@ -350,7 +351,7 @@ class Layout {
     std::vector<bool> removed;
     std::map<std::uint64_t, NewContent> contents;
     std::map<std::uint64_t, std::vector<Moved>> moved;  ///< of old buffers, in order
-  } fate_;
+  } outcome_;
   change::Change change_;
 };
 
