@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "made_asset.hpp"
+#include "schema/compile.hpp"
 
 namespace gltfx {
 namespace {
@@ -211,6 +212,27 @@ TEST_F(Prune, ItDoesNotWhereThereIsNothingToDo) {
   made.json["extensionsUsed"] = {"ACME_ref"};
   made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 1;
   expect_nothing_to_do(made);
+}
+
+TEST_F(Prune, ASchemaOfTheExtensionLetsItAndIsFollowed) {
+  const schema::Compiled compiled = schema::compile_with({{"ref.json", R"({
+    "$schema": "https://json-schema.org/draft/2020-12/schema",
+    "$id": "gltfx:ext/ACME_ref", "title": "ACME_ref", "description": "A curve.",
+    "x-gltfx": {"extension": "ACME_ref", "on": ["node"], "status": "vendor",
+                "spec": "https://example.com/"},
+    "type": "object", "properties": {"curve": {"description": "Index of an accessor.",
+      "type": "integer", "minimum": 0, "x-gltfx": {"ref": "accessors"}}}})",
+                                                           true}});
+  ASSERT_TRUE(compiled.set) << compiled.errors.at(0).message;
+  options_.schemas = compiled.set;
+  MadeAsset made = shown_triangle();
+  made.accessor<float>({1, 2, 3}, "VEC3");
+  made.json["extensionsUsed"] = {"ACME_ref"};
+  made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] =
+      made.accessor<float>({4, 5, 6}, "VEC3");
+  const StoredAsset now = converted_twice(made.glb());
+  EXPECT_EQ(now.json()["nodes"][0]["extensions"]["ACME_ref"]["curve"], 1);
+  EXPECT_THAT(numbers_of(now, 1), ElementsAre(4, 5, 6));
 }
 
 TEST_F(Prune, UnknownExtensionsWithoutWholeNumbersAndThoseThatGoDoNot) {
