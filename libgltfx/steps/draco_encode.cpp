@@ -22,6 +22,7 @@
 #include "steps/accessor_bounds.hpp"
 #include "steps/draco_primitives.hpp"
 #include "steps/new_buffer.hpp"
+#include "steps/shrink_views.hpp"
 #include "steps/view_pool.hpp"
 
 namespace gltfx::steps {
@@ -152,13 +153,15 @@ class DracoStep {
 
   Result<StepOutcome> store() {
     ViewPool pool(input_, buffer_, outcome_.change.additions, editor_);
-    const std::set<json::NodeId> edited = free_views(pool);
+    const std::set<std::uint32_t> accessors = encoded_accessors();
+    const std::set<json::NodeId> edited = free_views(accessors, pool);
     for (DracoGroup& group : groups_) {
       const auto& encoded = group.encoded;
       group.view =
           pool.add(container::Bytes(encoded.bytes, encoded.owner), 0, model::ViewTarget::none);
     }
     pool.settle(edited, outcome_);
+    shrink_views(input_, accessors, buffer_, editor_);
     std::size_t stored = 0;
     for (DracoGroup& group : groups_) {
       for (const std::size_t each : group.primitives) declare(group, each, pool);
@@ -175,14 +178,19 @@ class DracoStep {
     return std::move(outcome_);
   }
 
-  // Those of accessors whose elements are in bitstreams now.
-  std::set<json::NodeId> free_views(ViewPool& pool) const {
+  // Those whose elements are in bitstreams now.
+  std::set<std::uint32_t> encoded_accessors() const {
     std::set<std::uint32_t> accessors;
     for (const DracoGroup& group : groups_) {
       for (const std::size_t each : group.primitives) {
         accessors.insert(primitive(each).accessors.begin(), primitive(each).accessors.end());
       }
     }
+    return accessors;
+  }
+
+  std::set<json::NodeId> free_views(const std::set<std::uint32_t>& accessors,
+                                    ViewPool& pool) const {
     std::set<json::NodeId> edited;
     std::map<std::uint32_t, std::size_t> lost;  // users, by view
     for (const std::uint32_t each : accessors) {

@@ -117,6 +117,23 @@ TEST(GeometryMeaning, IsThatOfCorners) {
       same(square(), OnePrimitive().positions(other).indices<std::uint32_t>({1, 0, 3, 1, 3, 0})));
 }
 
+// Corners 1 and 2 are equal.
+TEST(GeometryMeaning, TrianglesWithoutAreaMayBeginWithAnyCorner) {
+  const std::vector<float> points{0, 0, 0, 1, 0, 0, 1, 0, 0};
+  const auto triangle = [&](const std::vector<std::uint16_t>& corners) {
+    return OnePrimitive().positions(points).indices<std::uint16_t>(corners);
+  };
+  for (const auto& turned : {std::vector<std::uint16_t>{1, 2, 0}, {2, 0, 1}, {0, 2, 1}}) {
+    EXPECT_TRUE(same(triangle({0, 1, 2}), triangle(turned), in_any_order()));
+  }
+}
+
+TEST(GeometryMeaning, AnEmptyObjectOfExtensionsSaysNothing) {
+  OnePrimitive other = square();
+  other.primitive()["extensions"] = Json::object();
+  EXPECT_TRUE(same(square(), other));
+}
+
 TEST(GeometryMeaning, StripsAndFansAreLists) {
   const OnePrimitive fan = OnePrimitive().positions(kSquare).mode(6);
   EXPECT_TRUE(same(square(), fan));

@@ -238,6 +238,37 @@ TEST_F(Draco, WhatDracoCannotHoldStays) {
   EXPECT_TRUE(primitive_of(now, 0).contains("extensions"));
 }
 
+// Of one view, the indices of the triangles and half of the positions go.
+TEST_F(Draco, WhatStaysInAViewMovesTogether) {
+  AssetText asset;
+  const Grid grid;
+  const std::string points = test::bytes_of(grid.positions);
+  const auto view = asset.view(points + points + "12345678" + points, {{"byteStride", 12}});
+  const auto add = [&](std::size_t offset) {
+    return asset.accessor_at(
+        view, 256, 5126, "VEC3",
+        {{"byteOffset", offset}, {"min", {0, 0, -0.7568025}}, {"max", {1, 1, 0.9996983}}});
+  };
+  OrderedJson triangles, dots, others;
+  dots["attributes"]["POSITION"] = add(0);
+  triangles["attributes"]["POSITION"] = add(points.size());
+  others["attributes"]["POSITION"] = add(2 * points.size() + 8);
+  triangles["indices"] = asset.accessor(grid.indices, 5123, "SCALAR", 1);
+  dots["mode"] = others["mode"] = 0;
+  for (const OrderedJson& each : {dots, triangles, others}) asset.mesh(each);
+  for (const char* bound : {"min", "max"}) {
+    for (auto& accessor : asset.json["accessors"]) accessor.erase(bound);
+  }
+  report_ = convert(asset.write(folder_), output_, Compression::draco, true);
+  ASSERT_TRUE(report_.written) << report_.error;
+  const OrderedJson now = StoredAsset::at(output_).json();
+  EXPECT_EQ(step().what, "1 of 3 primitives");
+  EXPECT_EQ(now["bufferViews"][view]["byteLength"], 2 * points.size());
+  EXPECT_EQ(view_bytes(output_)[view], points + points);
+  EXPECT_EQ(now["accessors"][2]["byteOffset"], points.size());
+  EXPECT_EQ(now["bufferViews"].size(), 2U);
+}
+
 TEST_F(Draco, SmallOnesStay) {
   AssetText asset;
   asset.mesh(asset.grid(Grid(2)));

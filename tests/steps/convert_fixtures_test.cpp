@@ -22,6 +22,7 @@ using test::OrderedJson;
 using test::StoredAsset;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::UnorderedElementsAre;
 
 std::vector<fs::path> assets_below_fixtures() {
@@ -273,6 +274,26 @@ TEST_F(EveryFixture, GivesTheSameBytesForAnyNumberOfThreads) {
     found["errors"] = errors.substr(0, errors.find(out.native()));
   }
   EXPECT_EQ(results[0], results[1]);
+}
+
+// The proof of each conversion compares all geometry; what is compressed once stays.
+TEST_F(EveryFixture, GoesIntoBothCodecsAndBack) {
+  for (const Compression codec : {Compression::meshopt, Compression::draco, Compression::none}) {
+    for (const fs::path& from : assets_below_fixtures()) {
+      ConvertOptions options = options_to(folder_.path() / "one" / "a.gltf");
+      options.to = StoredAs::gltf;
+      options.compress = codec;
+      const ConvertReport report = convert_file(from.native(), options);
+      EXPECT_THAT(report.error, Not(HasSubstr("the new file would"))) << from;
+      if (report.written) {
+        const fs::path one = options.output;
+        options.output = (folder_.path() / "two" / "a.gltf").native();
+        EXPECT_FALSE(convert_file(one.native(), options).changes) << from;
+      }
+      fs::remove_all(folder_.path() / "one");
+      fs::remove_all(folder_.path() / "two");
+    }
+  }
 }
 
 }  // namespace
