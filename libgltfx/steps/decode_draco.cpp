@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "codec/client.hpp"
 #include "model/draco.hpp"
 #include "steps/accessor_bounds.hpp"
