@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include <fcntl.h>
@@ -20,6 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Pieces = std::vector<container::Bytes>;
+
+bool names_file(std::string_view member) { return member == "uri" || member.ends_with("Uri"); }
 
 std::optional<Error> copy(const std::string& path, const container::Resolver& resolver,
                           const fs::path& folder) {
@@ -79,14 +82,14 @@ std::set<std::string> referred_paths(const json::Document& document) {
 std::map<json::NodeId, std::string> referred_files(const json::Document& document) {
   std::map<json::NodeId, std::string> paths;
   const json::KeyId extras = document.key_id("extras");
-  const json::KeyId uri = document.key_id("uri");
   for (json::NodeId id = 0; id < document.node_count();) {
     const json::Node& node = document.node(id);
     if (node.kind == json::Kind::key && node.next == extras) {
       id = document.next(id + 1);
       continue;
     }
-    if (node.kind == json::Kind::key && node.next == uri && document.is_string(id + 1)) {
+    if (node.kind == json::Kind::key && document.is_string(id + 1) &&
+        names_file(document.key(node.next))) {
       // Some readers treat a backslash as a slash: the files that they find are copied, too.
       std::string text = document.string(id + 1);
       std::replace(text.begin(), text.end(), '\\', '/');

@@ -16,8 +16,8 @@
 namespace gltfx::change {
 
 /// The files that a document refers to, relative to its folder, in the form of
-/// container::Uri::path: members called "uri", also in extensions, with backslashes turned into
-/// slashes. Extras are left out.
+/// container::Uri::path: members called "uri" or "...Uri", such as "schemaUri", also in extensions,
+/// with backslashes turned into slashes. Extras are left out.
 std::set<std::string> referred_paths(const json::Document& document);
 
 /// The same by the value that names them.

@@ -208,6 +208,14 @@ TEST_F(Unpack, AssetsOfOneFolderDoNotShareTheNamesOfBuffers) {
   EXPECT_EQ(content("m-1.gltf", 0), "ijkl");
 }
 
+TEST_F(Unpack, FilesOfExtensionsAreCopiedByEveryMemberThatNamesOne) {
+  folder_.write("classes.json", "{}");
+  folder_.write("a.gltf", kHead + R"("extensionsUsed":["EXT_structural_metadata"],"extensions":)"
+                                  R"({"EXT_structural_metadata":{"schemaUri":"classes.json"}}})");
+  converted(folder_.path() / "a.gltf", out() / "a.gltf");
+  EXPECT_EQ(content_of(out() / "classes.json"), "{}");
+}
+
 TEST_F(Unpack, AnImageDoesNotTakeTheNameOfTheAsset) {
   const std::string text = kHead +
                            R"("images":[{"mimeType":"image/x","bufferView":0,"name":"a.gltf"}],)"
