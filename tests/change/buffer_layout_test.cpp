@@ -31,7 +31,7 @@ TEST(BufferUsers, ABrokenIndexIsAnError) {
     const auto users =
         users_in("{" + std::string(buffers) + R"("bufferViews":[{"buffer":99,"byteLength":3}]})");
     ASSERT_FALSE(users) << buffers;
-    EXPECT_EQ(users.error().message, "/bufferViews/0 does not say which bytes it means");
+    EXPECT_EQ(users.error().message, "/bufferViews/0 does not define which bytes it uses");
   }
 }
 

@@ -56,7 +56,9 @@ const std::vector<Verb>& verbs() {
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"convert",
-       words("PATH --to --partial --format --restore --in-place --output --backup --check --diff "
+       words("PATH --to --compress --images --quality --texture-size --dedup --prune --weld "
+             "--reorder --resample --shrink --verify "
+             "--partial --format --restore --in-place --output --backup --check --diff "
              "--raw "
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
