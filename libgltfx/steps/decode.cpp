@@ -47,7 +47,7 @@ class StreamDecoder {
     const model::BufferView& view = input_.views.buffer_views[index];
     const auto described = model::read_meshopt_view(input_.asset, view.node);
     if (!described || described->extension != extension) {
-      return refuse(view, "what describes its stream is not sound");
+      return refuse(view, "the description of its stream is invalid");
     }
     if (const model::DecodedView* decoded = input_.resources.decoded(view)) {
       put(view, decoded->bytes);
@@ -84,7 +84,7 @@ class StreamDecoder {
     const auto found =
         std::find_if(streams_->begin(), streams_->end(),
                      [&](const model::DecodedStream& stream) { return stream.index == index; });
-    return found == streams_->end() ? "has no bytes of its stream" : found->problem();
+    return found == streams_->end() ? "has no bytes for its stream" : found->problem();
   }
 
   // A filter may round values so that they are not those that an accessor declares.

@@ -133,7 +133,7 @@ class DracoDecoder {
       return "its bitstream cannot be decoded: " + error->message;
     }
     const auto* mesh = std::get_if<codec::DracoMesh>(decoded);
-    if (mesh == nullptr) return "its bitstream is beyond the limits of one asset";
+    if (mesh == nullptr) return "its bitstream exceeds the limits for one asset";
     if (mesh->faces == 0) return "its bitstream has no triangles";
     if (document_.find(input_.views.buffer_views[view].node, "extensions") != json::kNoNode) {
       return "the buffer view of its bitstream has extensions";
@@ -149,7 +149,8 @@ class DracoDecoder {
     }
     if (plain.parts.empty()) return "its bitstream has none of its attributes";
     const std::uint64_t declared = accessor(*plain.parts.front().accessor).count.value_or(0);
-    if (others && declared != mesh->points) return "its bitstream has another number of vertices";
+    if (others && declared != mesh->points)
+      return "its bitstream has a different number of vertices";
     return add_indices(*mesh, plain);
   }
 
@@ -162,11 +163,12 @@ class DracoDecoder {
     const model::Accessor& described = accessor(*attribute.accessor);
     const model::Format held = model::format_of(*found, described.format.normalized);
     if (!held.known() || held != described.format) {
-      return fmt::format("{} is {} in its bitstream, and its accessor has another type",
-                         gltfx::quoted(attribute.name),
-                         held.known() ? model::format_text(held) : "of no type that glTF has");
+      return fmt::format(
+          "{} is {} in its bitstream, but its accessor has a different type",
+          gltfx::quoted(attribute.name),
+          held.known() ? model::format_text(held) : "of a type that glTF does not have");
     }
-    return described.sparse == json::kNoNode ? "" : "an accessor of it is sparse";
+    return described.sparse == json::kNoNode ? "" : "one of its accessors is sparse";
   }
 
   std::string add_indices(const codec::DracoMesh& mesh, PlainPrimitive& plain) const {

@@ -357,7 +357,7 @@ StepDescription dedup_step() {
   return {"dedup",
           "stores equal accessors, buffer views, images, samplers, textures and materials once",
           "meshes, nodes, all elements, and objects with different names or `extras`",
-          "the `name` of an image with the bytes of another one",
+          "the `name` of an image whose bytes equal those of another",
           [](const ConvertOptions& options) { return options.dedup || options.shrink; },
           [](const StepInput& input) { return DedupRun(input).run(); }};
 }

@@ -68,8 +68,8 @@ class DracoStep {
     const json::NodeId unknown = graph::find_unknown_offset(input_.graph);
     if (unknown != json::kNoNode) {
       outcome_.row.left.push_back({input_.pointer(unknown),
-                                   "it may hold a place in a buffer, whose bytes so cannot move "
-                                   "(--schema describes it)"});
+                                   "it may hold an offset into a buffer, so the bytes cannot move "
+                                   "(describe it with --schema)"});
       return std::move(outcome_);
     }
     primitives_.emplace(input_, outcome_);
@@ -136,7 +136,7 @@ class DracoStep {
       plain += *accessor(each).count * size / groups_of_.at(each);
     }
     if (group.encoded.bytes.size() + kExtensionText >= plain) {
-      group.trouble = "its bitstream is not smaller";
+      group.trouble = "its bitstream would not be smaller";
     }
   }
 
@@ -168,7 +168,7 @@ class DracoStep {
       stored += group.primitives.size();
     }
     if (!require_extension(document_, editor_, model::kDracoExtension)) {
-      return Error{"extensionsUsed or extensionsRequired is no list of names"};
+      return Error{"extensionsUsed or extensionsRequired is not a list of names"};
     }
     buffer_.add_to(outcome_.change);
     outcome_.change.edits = editor_.take();
@@ -305,7 +305,7 @@ Result<StepOutcome> encode_draco(const StepInput& input) { return DracoStep(inpu
 StepDescription draco_step();
 StepDescription draco_step() {
   return {"draco",
-          "stores triangles and their vertices as bitstreams of Draco",
+          "stores triangles and their vertices as Draco bitstreams",
           "the values of all vertices, each triangle and its winding; indices of objects except "
           "buffer views",
           "the order of vertices and triangles; vertices that no triangle uses",

@@ -115,7 +115,7 @@ Result<std::vector<std::uint32_t>> read_triangles(const GeometryInput& input,
     const model::Accessor& accessor = input.views.accessors[*primitive.indices];
     if (accessor.format.type != model::ElementType::scalar ||
         !model::can_index_elements(accessor.format.component)) {
-      return Error{"its indices are no whole numbers"};
+      return Error{"its indices are not integers"};
     }
     const auto bytes = input.elements_of(accessor);
     if (!bytes) return Error{"its indices cannot be read"};
@@ -123,14 +123,14 @@ Result<std::vector<std::uint32_t>> read_triangles(const GeometryInput& input,
   }
   if (std::any_of(indices.begin(), indices.end(),
                   [&](std::uint32_t index) { return index >= points; })) {
-    return Error{"an index leads to no vertex"};
+    return Error{"one of its indices is out of range"};
   }
   if (primitive.mode == model::Mode::triangles && indices.size() % 3 != 0) {
-    return Error{"its last triangle is not whole"};
+    return Error{"its last triangle is incomplete"};
   }
   auto list = TriangleList(*primitive.mode, indices).take();
   if (list.empty()) return Error{"it has no triangles"};
-  if (has_repeated_corner(list)) return Error{"Draco does not keep a triangle with a vertex twice"};
+  if (has_repeated_corner(list)) return Error{"Draco does not keep triangles that repeat a vertex"};
   return list;
 }
 
@@ -197,7 +197,7 @@ void DracoPrimitives::consider(std::size_t index) {
   const json::Document& document = input_.asset.document();
   const json::NodeId extensions = document.find(primitive.node, "extensions");
   if (document.find(extensions, model::kDracoExtension) != json::kNoNode) {
-    return leave(index, "it is compressed already");
+    return leave(index, "it is already compressed");
   }
   if (!primitive.mode || !model::draws_triangles(*primitive.mode)) {
     return leave(index, "it has no triangles");
@@ -230,7 +230,7 @@ void DracoPrimitives::consider(std::size_t index) {
     if (!meant_.contains(accessor)) continue;
     const json::NodeId unknown = graph::find_unknown_with_integer(input_.graph);
     return refuse(index, fmt::format("an extension such as {} may hold the index of /accessors/{} "
-                                     "(--schema describes it)",
+                                     "(describe it with --schema)",
                                      printable(input_.pointer(unknown)), accessor));
   }
 }
@@ -261,7 +261,7 @@ bool DracoPrimitives::find_extension_obstacle(std::size_t index) {
   for (const json::NodeId host : {primitive, all_[index].mesh}) {
     const auto found = unknown_.find(host);
     if (found == unknown_.end()) continue;
-    refuse(index, fmt::format("{} may hold data of its vertices (--schema describes it)",
+    refuse(index, fmt::format("{} may hold data about its vertices (describe it with --schema)",
                               printable(input_.pointer(found->second))));
     return true;
   }
@@ -282,7 +282,7 @@ bool DracoPrimitives::find_extension_obstacle(std::size_t index) {
       numbers = numbers || (number && !references.contains(id));
     }
     if (!numbers) continue;
-    leave(index, fmt::format("its {} may follow the order of its vertices",
+    leave(index, fmt::format("its {} may depend on the order of its vertices",
                              gltfx::quoted(document.key(member.key_id))));
     return true;
   }

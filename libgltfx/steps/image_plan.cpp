@@ -50,7 +50,7 @@ void read_known(ImageFile& file) {
     const image::Ktx2 ktx2 = image::read_ktx2(file.bytes.view());
     if (ktx2.is_sound()) file.header = image::header_of(ktx2);
     if (!file.header || !ktx2.is_2d() || !image::has_known_texels(ktx2)) {
-      file.problem = "gltfx does not decode such KTX 2 images";
+      file.problem = "gltfx does not decode KTX 2 images of this kind";
     }
     return;
   }
@@ -97,7 +97,8 @@ class Planner {
     const bool again = options_.shrink && file_.format == Format::png;
     if (!target_ && !too_large && !again) return std::move(plan_);
     if (file_.floats && target_) {
-      plan_.refused = fmt::format("{}: how bright colors become darker is a choice", file_.problem);
+      plan_.refused = fmt::format(
+          "{}: its bright colors need tone mapping, which gltfx does not do", file_.problem);
       return std::move(plan_);
     }
     if (!file_.problem.empty()) return leave(file_.problem);
@@ -156,7 +157,7 @@ class Planner {
     if (file_.format && encoded_format(*file_.format)) return add({*file_.format, true});
     if (!plan_.attempts.empty()) return;
     plan_.left.push_back(fmt::format(
-        "not resized: gltfx encodes no {} (--images gives another format)", file_.name));
+        "not resized: gltfx does not encode {} (choose another format with --images)", file_.name));
   }
 
   void add(const Choice& choice) {
@@ -185,14 +186,15 @@ class Planner {
   }
 
   std::string find_refusal(const ImageAttempt& attempt) const {
-    if (attempt.lossy && !use_.kind) return fmt::format("that loses something, and {}", use_.doubt);
+    if (attempt.lossy && !use_.kind) return fmt::format("it would lose data, and {}", use_.doubt);
     const bool drops_alpha = attempt.format == Format::jpeg && use_.alpha && file_.header &&
                              image::can_be_transparent(*file_.header);
-    if (drops_alpha) return "the format holds no alpha, which a texture slot reads";
+    if (drops_alpha) return "a texture slot reads its alpha, which the format does not support";
     const bool wide = file_.header && file_.header->bits > 8;
     if (!wide || attempt.format == Format::png) return {};
     if (!attempt.lossy || !options_.quality) {
-      return fmt::format("it has {} bits a channel (--quality makes them 8)", file_.header->bits);
+      return fmt::format("it has {} bits per channel (--quality reduces them to 8)",
+                         file_.header->bits);
     }
     return {};
   }

@@ -114,8 +114,9 @@ std::string ImageSources::find_obstacle(const Source& source, const Extension* e
   };
   if (source.is_core() && extension == nullptr) return {};
   if (!source.is_core() && source.extension == nullptr) {
-    return refuse(fmt::format("has it for {}, which has no schema (describe it with --schema)",
-                              gltfx::quoted(document.key(document.node(source.key).next))));
+    return refuse(
+        fmt::format("refers to it through {}, which has no schema (describe it with --schema)",
+                    gltfx::quoted(document.key(document.node(source.key).next))));
   }
   if (source.extension != nullptr && source.extension == extension) return {};
   const json::NodeId extensions = document.find(object, "extensions");
@@ -124,7 +125,7 @@ std::string ImageSources::find_obstacle(const Source& source, const Extension* e
   }
   const bool moves_between = extension != nullptr && !source.is_core();
   if (!has_other(source, !moves_between)) return {};
-  return refuse(source.is_core() ? "has it as the fallback of another image"
+  return refuse(source.is_core() ? "uses it as the fallback for another image"
                                  : "has another image in another format");
 }
 

@@ -194,7 +194,7 @@ class UseReader {
       use.alpha_cutoff = cutoff > 0 && cutoff <= 1 ? cutoff : 0;
     }
     if (!tally.other.empty()) {
-      use.doubt = fmt::format("{} uses it, and no schema says as what", printable(tally.other));
+      use.doubt = fmt::format("{} uses it, but no schema describes how", printable(tally.other));
     } else if (tally.kinds.size() > 1) {
       use.doubt = tally.kinds.contains(ImageClass::color) ? "it is used as color and as data"
                                                           : "it is used as normals and as data";

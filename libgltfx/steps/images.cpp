@@ -71,7 +71,7 @@ bool is_whole(Job& job) {
   request.resize = {};
   const codec::ImageResult result = codec::Client::shared().decode_image(request);
   if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
-    take_error(job, *error, "it is not decoded");
+    take_error(job, *error, "it cannot be decoded");
     return false;
   }
   const auto& image = *std::get_if<codec::Image>(&result);
@@ -88,14 +88,14 @@ bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& i
   const std::string_view name = format_name(attempt.format);
   if (!attempt.may_grow && image.size >= job.file.bytes.size()) {
     if (job.file.format == attempt.format) return false;
-    job.plan.left.push_back(fmt::format("as {} it is larger than before", name));
+    job.plan.left.push_back(fmt::format("as {} it would be larger", name));
     return false;
   }
   if (!attempt.lossy) return true;
   job.encoded.distance = distance(attempt.request, image);
   const double bound = bound_of(attempt, image.source);
   if (job.encoded.distance && (bound == 0 || job.encoded.distance->greatest <= bound)) return true;
-  job.plan.left.push_back(fmt::format("as {} it is too far from what it was", name));
+  job.plan.left.push_back(fmt::format("as {} it would differ too much from the original", name));
   return false;
 }
 
@@ -234,18 +234,18 @@ class ImageStep {
     if (!same) done += fmt::format(" -> {}", name);
     if (!same && !attempt.lossy) done += " exact";
     if (resized) done += " resized";
-    if (same && !resized) done += " packed better";
+    if (same && !resized) done += " recompressed";
     done_[done] += count;
     if (resized) losses_[describe_size()].images += count;
     if (encoded.source.bits > encoded.raster.bits) {
-      losses_["8 of 16 bits a channel"].images += count;
+      losses_["8 of 16 bits per channel"].images += count;
     }
     if (attempt.lossy) add_distance(encoded, count);
     outcome_.freedom.texels |= resized || attempt.lossy;
   }
 
   std::string describe_size() const {
-    return fmt::format("resolution above {} texels a side", *input_.options.texture_size);
+    return fmt::format("resolution above {} texels per side", *input_.options.texture_size);
   }
 
   void add_distance(const Encoded& encoded, std::uint64_t count) {
@@ -296,7 +296,7 @@ StepDescription images_step();
 StepDescription images_step() {
   return {"images",
           "stores images in another format or size",
-          "names, indices, and without a size or quality all texels, also transparent ones",
+          "names, indices, and, without a size or quality, all texels, even transparent ones",
           "texels, if a loss is listed; metadata of image files",
           [](const ConvertOptions& options) {
             return !options.images.empty() || options.texture_size || options.shrink;

@@ -207,7 +207,7 @@ class Layout {
       return std::nullopt;
     }
     if (!outcome_.home_gets_more) return std::nullopt;
-    return Error{"no buffer of the asset can take new bytes"};
+    return Error{"no buffer of the asset can store new bytes"};
   }
 
   // Buffers of steps, and those that steps left without a use; these only where no unknown index

@@ -92,7 +92,7 @@ class MeshoptStep {
     const json::NodeId unknown = graph::find_unknown_offset(input_.graph);
     if (unknown != json::kNoNode) {
       outcome_.row.left.push_back({input_.pointer(unknown),
-                                   "it may hold a place in a buffer, whose bytes so cannot move "
+                                   "it may hold an offset into a buffer, so the bytes cannot move "
                                    "(describe it with --schema)"});
       return std::move(outcome_);
     }
@@ -108,7 +108,7 @@ class MeshoptStep {
         "buffers", fmt::format(R"({{"byteLength":{},"extensions":{{"{}":{{"fallback":true}}}}}})",
                                fallback_size_, kName));
     if (!require_extension(document_, editor_, kName)) {
-      return Error{"extensionsUsed or extensionsRequired is no list of names"};
+      return Error{"extensionsUsed or extensionsRequired is not a list of names"};
     }
     outcome_.change.edits = editor_.take();
     outcome_.row.what = fmt::format(
@@ -167,7 +167,7 @@ class MeshoptStep {
     for (const std::string_view name : model::kMeshoptExtensions) {
       const json::NodeId extensions = document_.find(view.node, "extensions");
       if (document_.find(extensions, name) != json::kNoNode) {
-        return leave(index, "it is compressed already");
+        return leave(index, "it is already compressed");
       }
     }
     const json::NodeId extensions = document_.find(view.node, "extensions");
@@ -180,7 +180,7 @@ class MeshoptStep {
     if (accessors->empty()) return leave(index, "no accessor uses it");
     for (const std::uint32_t i : *accessors) {
       if (input_.graph.users(input_.views.accessors[i].node).empty()) {
-        return leave(index, fmt::format("nothing known uses /accessors/{}", i));
+        return leave(index, fmt::format("no known object uses /accessors/{}", i));
       }
       if (!input_.end_in_view(input_.views.accessors[i])) {
         return refuse(index,
@@ -284,8 +284,8 @@ class MeshoptStep {
       if (gain > 0 && gain_of(job) > 0) {
         store(job);
       } else {
-        leave(job.view, job.stream ? "its stream, with what describes it, is not smaller"
-                                   : "its stream is not smaller");
+        leave(job.view, job.stream ? "its stream and the JSON for it would not be smaller"
+                                   : "its stream would not be smaller");
       }
     }
   }
@@ -309,7 +309,7 @@ Result<StepOutcome> encode_meshopt(const StepInput& input) { return MeshoptStep(
 StepDescription meshopt_step();
 StepDescription meshopt_step() {
   return {"meshopt",
-          "stores vertices, indices and keyframes as streams of meshoptimizer",
+          "stores vertices, indices and keyframes as meshoptimizer streams",
           "all values, their order, and all indices",
           "nothing",
           [](const ConvertOptions& options) { return options.compress == Compression::meshopt; },

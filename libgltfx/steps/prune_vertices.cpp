@@ -59,7 +59,7 @@ class VertexPruner {
     if (std::string why = find_read(vertices, lists, read); !why.empty()) return why;
     const std::uint64_t gone = vertices.count - read.kept.size();
     if (gone == 0) return {};
-    if (read.kept.empty()) return "has no index of a vertex";
+    if (read.kept.empty()) return "has no valid index";
     if (std::string why = extensions_.find(set); !why.empty()) {
       row_.refused.push_back({place_of(data_, set), std::move(why)});
       return {};
@@ -105,7 +105,8 @@ class VertexPruner {
     for (std::size_t i = 0; i < lists.size(); ++i) {
       const std::uint32_t restart = restart_index(vertices.indices[i].data);
       for (const std::uint32_t index : lists[i]) {
-        if ((index < vertices.count) == (index == restart)) return "has an index without a vertex";
+        if ((index < vertices.count) == (index == restart))
+          return "has an index that is out of range";
         if (index != restart) read.numbers[index] = 0;
       }
     }

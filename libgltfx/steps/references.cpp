@@ -39,16 +39,16 @@ std::optional<std::string> find_index_doubt(const graph::Graph& graph, json::Nod
   }
   for (const graph::IndexUse& use : graph.indices()) {
     if (use.ambiguous != json::kNoNode && overlap(tree.document(), use.ambiguous, list)) {
-      return say("what {} refers to is ambiguous", use.at);
+      return say("the reference at {} is ambiguous", use.at);
     }
   }
   for (const graph::Use& use : graph.uses()) {
     if (use.kind == graph::UseKind::implied && tree.parent(use.target) == list) {
-      return say("{} refers to one of them by its default", use.at);
+      return say("{} refers to one of them by default", use.at);
     }
   }
   if (has_parallel_list(tree, list)) {
-    return "/extensions/VRM/materialProperties has the same order";
+    return "/extensions/VRM/materialProperties follows their order";
   }
   return std::nullopt;
 }
@@ -71,9 +71,9 @@ std::optional<ConvertNote> find_indices_in_extras(const graph::Graph& graph) {
                                 "mesh", "sampler", "skin", "texture"});
   if (values.empty()) return std::nullopt;
   const std::string more =
-      values.size() == 1 ? "" : fmt::format(", with {} others in extras", values.size() - 1);
+      values.size() == 1 ? "" : fmt::format(", like {} more in extras", values.size() - 1);
   return ConvertNote{graph.tree().pointer(values.front()),
-                     fmt::format("may be an index{}; what it says stays", more)};
+                     fmt::format("may be an index{}; it is not updated", more)};
 }
 
 }  // namespace gltfx::steps

@@ -109,18 +109,18 @@ class Reorderer {
   // Why a set is left, or nothing.
   std::string reorder(const VertexSet& set) {
     for (const model::Primitive* primitive : set.primitives) {
-      if (primitive->mode != model::Mode::triangles) return "has primitives that are no triangles";
+      if (primitive->mode != model::Mode::triangles) return "has primitives that are not triangles";
       if (!primitive->indices) return "has triangles without indices";
-      if (is_blended(*primitive)) return "is blended: the order of its triangles is to be seen";
+      if (is_blended(*primitive)) return "is blended, so the order of its triangles is visible";
     }
     OpenedVertices vertices;
     if (std::string why = open_vertices(data_, set, vertices); !why.empty()) return why;
     std::vector<Indices> lists;
     for (const IndexList& list : vertices.indices) {
       lists.push_back(read_index_list(list.data));
-      if (lists.back().size() % 3 != 0) return "has a triangle with missing corners";
+      if (lists.back().size() % 3 != 0) return "has an incomplete triangle";
       for (const std::uint32_t index : lists.back()) {
-        if (index >= vertices.count) return "has an index without a vertex";
+        if (index >= vertices.count) return "has an index that is out of range";
       }
     }
     TriangleOrder triangles(vertices.count);
@@ -190,7 +190,7 @@ class Reorderer {
 StepDescription reorder_step();
 StepDescription reorder_step() {
   return {"reorder",
-          "orders triangles and vertices for the caches of a GPU",
+          "orders triangles and vertices for GPU caches",
           "all triangles with all attributes and morph targets, and their winding",
           "the order of triangles and vertices",
           [](const ConvertOptions& options) { return options.reorder || options.shrink; },

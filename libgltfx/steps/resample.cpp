@@ -125,18 +125,18 @@ class Resampler {
 
   std::string obstacle_of(const Clip& clip) const {
     if (data_.graph.users(accessor(clip.input).node).size() != clip.samplers.size())
-      return "shares its times with something else than samplers";
+      return "shares its times with objects other than samplers";
     for (const UsedSampler& used : clip.samplers) {
       if (!used.sampler->output || used.sampler->interpolation == Interpolation::unknown)
         return "has members that cannot be read";
       if (used.sampler->interpolation == Interpolation::cubic_spline)
-        return "shares its times with CUBICSPLINE, which stays";
-      if (used.unknown) return "moves a property that an extension names";
+        return "shares its times with CUBICSPLINE, which does not change";
+      if (used.unknown) return "animates a property that an extension defines";
       if (!used.rotations && !used.others) return "has no channel";
-      if (used.rotations && used.others) return "moves rotations and other properties alike";
+      if (used.rotations && used.others) return "animates both rotations and other properties";
       const ValueUses& uses = uses_[*used.sampler->output];
       const auto users = data_.graph.users(accessor(*used.sampler->output).node).size();
-      if (uses.apart || users != uses.count) return "shares its values with something else";
+      if (uses.apart || users != uses.count) return "shares its values with other objects";
     }
     return {};
   }
@@ -151,7 +151,7 @@ class Resampler {
     if (std::string why = data_.open(clip.input, data); !why.empty()) return why;
     if (data->format() !=
         model::Format{model::ElementType::scalar, model::ComponentType::float32, false})
-      return "has times that are no numbers of single precision";
+      return "has times that are not single-precision numbers";
     const std::vector<float> times = numbers_of(*data);
     if (!increase(times)) return "has times that do not increase";
     if (times.size() < 3) return {};
@@ -190,11 +190,11 @@ class Resampler {
     std::optional<model::AccessorData> data;
     if (std::string why = data_.open(*used.sampler->output, data); !why.empty()) return why;
     if (data->count() == 0 || data->count() % keys != 0)
-      return "has another number of values than its times ask for";
+      return "has a number of values that does not match its times";
     if (used.rotations && (data->components() != 4 || data->count() != keys))
-      return "has rotations that are no quaternions";
+      return "has rotations that are not quaternions";
     if (!data_.budget.take(checked_mul(data->count(), sizeof(float) * data->components())))
-      return "shares its bytes with too many others";
+      return "shares its bytes with too many other objects";
     KeyedCurve curve;
     curve.values = numbers_of(*data);
     curve.width = curve.values.size() / keys;
@@ -202,7 +202,7 @@ class Resampler {
     if (used.sampler->interpolation == Interpolation::step) curve.kind = CurveKind::step;
     const bool finite = std::all_of(curve.values.begin(), curve.values.end(),
                                     [](float value) { return std::isfinite(value); });
-    if (!finite) return "has values that are no finite numbers";
+    if (!finite) return "has values that are not finite";
     curves.push_back(std::move(curve));
     std::string bytes = packed_bytes(*data);
     outputs.push_back({*used.sampler->output, bytes.size() / keys, std::move(bytes)});

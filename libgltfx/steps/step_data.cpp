@@ -55,7 +55,7 @@ std::string StepData::open(std::uint32_t index, std::optional<model::AccessorDat
   if (!data) return "has data that cannot be read";
   if (!budget.take(checked_mul(data->count(), model::packed_stride(data->format())))) {
     data.reset();
-    return "shares its bytes with too many others";
+    return "shares its bytes with too many other objects";
   }
   return {};
 }

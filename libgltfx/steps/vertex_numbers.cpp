@@ -85,7 +85,7 @@ std::string VertexNumbers::in_extensions(NodeId object, bool is_primitive) const
       return fmt::format("{} may hold indices of its vertices (describe it with --schema)", name);
     if (document.is_object(member.value) &&
         has_implied_ids(document, document.key(member.key_id), member.value))
-      return fmt::format("{} has ids that are numbers of vertices", name);
+      return fmt::format("{} uses vertex numbers as ids", name);
   }
   return {};
 }

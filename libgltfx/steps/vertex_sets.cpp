@@ -98,13 +98,13 @@ class SetFinder {
     const AccessorReaders& readers = readers_[accessor];
     if (readers.several_sets) {
       set.obstacle = as_indices ? "shares its indices with primitives that have other vertices"
-                                : "shares some of its accessors, not all, with other primitives";
+                                : "shares some but not all of its accessors with other primitives";
       return;
     }
     const auto users = data_.graph.users(data_.views().accessors[accessor].node);
     const bool has_others = users.size() != readers.uses;
     if (has_others || (readers.as_indices && readers.as_vertices))
-      set.obstacle = "shares an accessor with something else than primitives";
+      set.obstacle = "shares an accessor with objects other than primitives";
   }
 
   const StepData& data_;
@@ -142,7 +142,7 @@ std::string open_vertices(const StepData& data, const VertexSet& set, OpenedVert
     const model::Format& format = elements->format();
     if (format.type != model::ElementType::scalar || format.normalized ||
         !model::can_index_elements(format.component))
-      return "has indices that are no whole numbers";
+      return "has indices that are not integers";
     opened.indices.push_back({*primitive->indices, *std::move(elements)});
   }
   return {};

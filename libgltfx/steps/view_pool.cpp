@@ -84,7 +84,7 @@ void ViewPool::keep(const std::set<std::uint64_t>& meant, json::NodeId unknown,
     const std::uint32_t view = free_[i];
     outcome.row.left.push_back(
         {fmt::format("/bufferViews/{}", view),
-         fmt::format("nothing uses it, but {} may hold indices (describe it with --schema)",
+         fmt::format("it is unused, but {} may hold indices (describe it with --schema)",
                      printable(input_.pointer(unknown)))});
     outcome.freedom.unused = true;
     if (meant.contains(view) || length_ == 0) continue;

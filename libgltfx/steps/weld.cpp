@@ -129,7 +129,7 @@ class Welder {
     std::vector<std::vector<std::uint32_t>> lists;
     for (const IndexList& list : vertices.indices) {
       auto numbers = renumbered(list, merging);
-      if (numbers.empty()) return "has an index without a vertex";
+      if (numbers.empty()) return "has an index that is out of range";
       lists.push_back(std::move(numbers));
     }
     if (std::string why = numbers_.find(set); !why.empty()) {
@@ -155,7 +155,7 @@ class Welder {
     const std::uint64_t count = merging.numbers.size();
     const std::uint64_t saved = (count - merging.kept.size()) * size;
     const std::uint64_t cost = count * model::component_size(index_type(merging)) + kTextOfIndices;
-    return saved > cost ? std::string() : "would take more bytes with indices";
+    return saved > cost ? std::string() : "would be larger with indices";
   }
 
   // The greatest number of a type restarts a primitive, or is not allowed.
@@ -230,7 +230,7 @@ class Welder {
 StepDescription weld_step();
 StepDescription weld_step() {
   return {"weld",
-          "merges vertices of a primitive that are equal in all bits",
+          "merges vertices of a primitive that are equal bit by bit",
           "all corners in their order, with all attributes and morph targets",
           "nothing",
           [](const ConvertOptions& options) { return options.weld || options.shrink; },

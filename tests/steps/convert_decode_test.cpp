@@ -127,13 +127,13 @@ TEST_F(Decode, AStreamThatIsNotDescribedIsRefused) {
   OrderedJson json = packed();
   json["bufferViews"][1]["extensions"][kStream]["mode"] = "WHATEVER";
   EXPECT_THAT(decode(json).error,
-              HasSubstr("/bufferViews/1: what describes its stream is not sound"));
+              HasSubstr("/bufferViews/1: the description of its stream is invalid"));
 }
 
 TEST_F(Decode, AStreamOutsideOfItsBufferIsRefused) {
   OrderedJson json = packed();
   json["bufferViews"][1]["extensions"][kStream]["byteOffset"] = 4000000000U;
-  EXPECT_THAT(decode(json).error, HasSubstr("/bufferViews/1: it has no bytes of its stream"));
+  EXPECT_THAT(decode(json).error, HasSubstr("/bufferViews/1: it has no bytes for its stream"));
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ TEST_F(Draco, AgainNothingChanges) {
   EXPECT_FALSE(report.changes);
   EXPECT_EQ(content_of(again), content_of(output_));
   EXPECT_THAT(texts_of(step_of(report, "draco").left),
-              ElementsAre("/meshes/0/primitives/0: it is compressed already"));
+              ElementsAre("/meshes/0/primitives/0: it is already compressed"));
 }
 
 TEST_F(Draco, AStripBecomesAList) {
@@ -234,7 +234,7 @@ TEST_F(Draco, WhatDracoCannotHoldStays) {
                   "/meshes/1/primitives/0: it has no triangles",
                   "/meshes/2/primitives/0: it has morph targets",
                   "/meshes/3/primitives/0: it shares /accessors/6 with /meshes/2/primitives/0",
-                  "/meshes/4/primitives/0: Draco does not keep a triangle with a vertex twice"));
+                  "/meshes/4/primitives/0: Draco does not keep triangles that repeat a vertex"));
   EXPECT_TRUE(primitive_of(now, 0).contains("extensions"));
 }
 
@@ -275,7 +275,7 @@ TEST_F(Draco, SmallOnesStay) {
   converted(asset);
   EXPECT_FALSE(report_.changes);
   EXPECT_THAT(texts_of(step().left),
-              ElementsAre("/meshes/0/primitives/0: its bitstream is not smaller"));
+              ElementsAre("/meshes/0/primitives/0: its bitstream would not be smaller"));
 }
 
 TEST_F(Draco, AnUnrelatedIndexOfAnUnknownExtensionStaysTrue) {
@@ -290,7 +290,7 @@ TEST_F(Draco, AnUnrelatedIndexOfAnUnknownExtensionStaysTrue) {
   // Views that may be meant stay in their places.
   EXPECT_EQ(now["bufferViews"].size(), 4U);
   EXPECT_THAT(texts_of(step().left),
-              Contains(HasSubstr("/bufferViews/2: nothing uses it, but /nodes/0/extensions/"
+              Contains(HasSubstr("/bufferViews/2: it is unused, but /nodes/0/extensions/"
                                  "ACME_curve may hold indices")));
   EXPECT_LT(fs::file_size(output_.parent_path() / "b.bin"), asset.buffer.size() * 3 / 4);
 }
@@ -307,7 +307,7 @@ TEST_F(Draco, NumbersOfAnUnknownExtensionOnAPrimitiveAreRefused) {
   OrderedJson primitive = asset.grid();
   primitive["extensions"]["ACME_outline"] = {{"vertices", {0.5, 7.5}}};
   asset.mesh(primitive);
-  EXPECT_THAT(refusal(asset), HasSubstr("ACME_outline may hold data of its vertices"));
+  EXPECT_THAT(refusal(asset), HasSubstr("ACME_outline may hold data about its vertices"));
 }
 
 TEST_F(Draco, TextOfAnUnknownExtensionOnAPrimitiveStays) {

@@ -73,7 +73,7 @@ TEST(ImageSizes, ShrinkToTheLongerSideAndNeverGrow) {
   EXPECT_EQ(header.width, 16U);
   EXPECT_EQ(header.height, 8U);
   EXPECT_EQ(small.step().what, "1 PNG resized");
-  EXPECT_EQ(small.losses(), "resolution above 16 texels a side (1 image)\n");
+  EXPECT_EQ(small.losses(), "resolution above 16 texels per side (1 image)\n");
   EXPECT_EQ(small.result.bytes, small.asset.bytes);
   expect_nothing_left_to_do(small);
   ImageConversionCase large = resized(kColorSlot, test::png_file(kWide), "a.png", 64);
@@ -130,7 +130,7 @@ TEST(ImageSizes, KeepFormatAndDepth) {
   EXPECT_EQ(header_of(jpeg.result.files.at("a.jpeg")).format, image::Format::jpeg);
   EXPECT_THAT(jpeg.losses(),
               testing::MatchesRegex("JPEG of quality 90 .1 image, [0-9.]+ dB.\n"
-                                    "resolution above 16 texels a side .1 image.\n"));
+                                    "resolution above 16 texels per side .1 image.\n"));
   jpeg.options.quality = 30;
   jpeg.run();
   EXPECT_THAT(jpeg.losses(), HasSubstr("JPEG of quality 30"));
@@ -153,7 +153,8 @@ TEST(ImageSizes, StayWhereTheUseIsUnclear) {
        "it is used as normals and as data"},
       {R"("name": "none")", "no texture slot uses it"},
       {std::string(kColorSlot) + R"(, "extensions": {"ACME_paint": {"spotTexture": {"index": 0}}})",
-       "/materials/0/extensions/ACME_paint/spotTexture/index uses it, and no schema says as what"}};
+       "/materials/0/extensions/ACME_paint/spotTexture/index uses it, but no schema describes "
+       "how"}};
   for (const auto& [slot, why] : cases) {
     ImageConversionCase conversion = resized(slot, test::png_file(kWide));
     conversion.run();
@@ -169,7 +170,7 @@ TEST(ImageSizes, StayWhereTexelsAreNumbersOfFeatures) {
         "extensions": {"EXT_mesh_features": {"featureIds": [{"featureCount": 4, "texture":
         {"index": 0, "channels": [0]}}]}}}]}])");
   conversion.run();
-  EXPECT_THAT(conversion.left(), HasSubstr("uses it, and no schema says as what"));
+  EXPECT_THAT(conversion.left(), HasSubstr("uses it, but no schema describes how"));
 }
 
 TEST(BetterPacking, KeepsTexelsAndComesOnce) {
@@ -184,7 +185,7 @@ TEST(BetterPacking, KeepsTexelsAndComesOnce) {
   const std::string& packed = conversion.result.files.at("a.png");
   EXPECT_LT(packed.size(), padded.size());
   EXPECT_EQ(decoded(packed), decoded(padded));
-  EXPECT_EQ(conversion.step().what, "1 PNG packed better");
+  EXPECT_EQ(conversion.step().what, "1 PNG recompressed");
   EXPECT_THAT(conversion.step().losses, IsEmpty());
   EXPECT_FALSE(conversion.result.files.contains("b.jpg"));
   expect_nothing_left_to_do(conversion);

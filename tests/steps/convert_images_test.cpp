@@ -165,7 +165,7 @@ TEST(WebpImages, ThatWouldBeLargerStay) {
   const std::string jpeg = jpeg_file(kRgb, 40);
   ImageConversionCase conversion = color_file(ImageTarget::webp, jpeg, "a.jpg");
   conversion.run();
-  EXPECT_EQ(conversion.left(), "/images/0: as WebP it is larger than before\n");
+  EXPECT_EQ(conversion.left(), "/images/0: as WebP it would be larger\n");
   EXPECT_FALSE(conversion.step().changes);
   EXPECT_EQ(conversion.result.bytes, conversion.asset.bytes);
 }
@@ -175,11 +175,11 @@ TEST(WebpImages, OfSixteenBitsNeedAQuality) {
   ImageConversionCase conversion = color_file(ImageTarget::webp, png);
   conversion.run();
   EXPECT_EQ(conversion.left(),
-            "/images/0: not WebP: it has 16 bits a channel (--quality makes them 8)\n");
+            "/images/0: not WebP: it has 16 bits per channel (--quality reduces them to 8)\n");
   conversion.options.quality = 90;
   conversion.run();
   EXPECT_THAT(conversion.losses(),
-              testing::MatchesRegex("8 of 16 bits a channel .1 image.\n"
+              testing::MatchesRegex("8 of 16 bits per channel .1 image.\n"
                                     "WebP of quality 90 .1 image, [0-9.]+ dB.\n"));
 }
 
@@ -297,7 +297,7 @@ TEST(FallbackImages, Stay) {
   webp.run();
   EXPECT_EQ(webp.result.bytes, text);
   EXPECT_EQ(webp.left(),
-            "/images/1: not WebP: /textures/0 has it as the fallback of another image\n");
+            "/images/1: not WebP: /textures/0 uses it as the fallback for another image\n");
   ImageConversionCase png = to(ImageTarget::png, text, files);
   png.run();
   EXPECT_EQ(png.result.bytes, text);
@@ -320,14 +320,14 @@ TEST(ImagesOfUnknownExtensions, StayWhatReadersOfItExpect) {
             "/images/0: not WebP: /extensions/ACME_logo/image uses it without a texture\n");
   conversion.options.images = {{ImageTarget::jpeg, std::nullopt}};
   conversion.run();
-  EXPECT_THAT(conversion.left(), HasSubstr("loses something, and /extensions/ACME_logo/image"));
+  EXPECT_THAT(conversion.left(), HasSubstr("it would lose data, and /extensions/ACME_logo/image"));
 }
 
 TEST(BrokenImages, AreLeft) {
   const std::string png = png_file(kRgb);
   std::string damaged = png;
   damaged.replace(60, 8, "xxxxxxxx");
-  const std::map<std::string, std::string> cases{{damaged, "it is not decoded"},
+  const std::map<std::string, std::string> cases{{damaged, "it cannot be decoded"},
                                                  {jpeg_file(kRgb).substr(0, 700), "it is damaged"},
                                                  {png.substr(0, 40), "it is broken"},
                                                  {"hello", "it is in an unknown format"},

@@ -306,7 +306,7 @@ TEST_F(Dedup, PropertiesInTheOrderOfTheMaterialsRefuseTheseOnly) {
   made.json["materials"] = {OrderedJson::object(), OrderedJson::object()};
   made.json["extensionsUsed"] = {"VRM"};
   made.json["extensions"]["VRM"]["materialProperties"] = {{{"name", "a"}}, {{"name", "b"}}};
-  expect_refused(made, "/materials", "/extensions/VRM/materialProperties has the same order");
+  expect_refused(made, "/materials", "/extensions/VRM/materialProperties follows their order");
   options_.partial = true;
   const StoredAsset now = converted_twice(made.glb());
   EXPECT_THAT(now.json()["materials"], SizeIs(2));

@@ -269,7 +269,7 @@ TEST_F(Prune, PropertiesInTheOrderOfTheMaterialsRefuseTheseOnly) {
   MadeAsset made = with_unused_material();
   made.json["extensionsUsed"] = {"VRM"};
   made.json["extensions"]["VRM"]["materialProperties"] = {{{"name", "unused"}}, {{"name", "used"}}};
-  expect_refused(made, "/materials", "/extensions/VRM/materialProperties has the same order");
+  expect_refused(made, "/materials", "/extensions/VRM/materialProperties follows their order");
 }
 
 TEST_F(Prune, ExtrasThatLookLikeIndicesAreNoted) {
@@ -280,7 +280,7 @@ TEST_F(Prune, ExtrasThatLookLikeIndicesAreNoted) {
   const std::string glb = made.glb();
   ASSERT_THAT(row_.left, SizeIs(1));
   EXPECT_EQ(row_.left[0].pointer, "/nodes/0/extras/materialIndex");
-  EXPECT_EQ(row_.left[0].reason, "may be an index, with 1 others in extras; what it says stays");
+  EXPECT_EQ(row_.left[0].reason, "may be an index, like 1 more in extras; it is not updated");
 }
 
 TEST_F(Prune, BrokenReferencesStayAndCrashNothing) {

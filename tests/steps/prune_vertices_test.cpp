@@ -162,7 +162,7 @@ TEST_F(PruneVertices, WhatCannotBeReadOrIsSharedStays) {
   beyond.made.json["accessors"][beyond.indices]["bufferView"] = 1;
   beyond.made.json["accessors"][beyond.indices]["componentType"] = 5123;
   beyond.made.json["accessors"][beyond.indices]["count"] = 1;
-  expect_left(beyond.made, "has an index without a vertex");
+  expect_left(beyond.made, "has an index that is out of range");
   Unread shared;
   OrderedJson second = shared.primitive();
   second["attributes"]["NORMAL"] =
@@ -187,7 +187,7 @@ TEST_F(PruneVertices, ExtensionsThatKnowVerticesRefuse) {
   ids.made.json["extensionsUsed"] = {"EXT_mesh_features"};
   ids.primitive()["extensions"]["EXT_mesh_features"]["featureIds"] = {{{"featureCount", 5}}};
   expect_refused(ids.made, "/meshes/0/primitives/0",
-                 "EXT_mesh_features has ids that are numbers of vertices");
+                 "EXT_mesh_features uses vertex numbers as ids");
   Unread words;
   words.made.json["extensionsUsed"] = {"ACME_words"};
   words.primitive()["extensions"]["ACME_words"]["first"] = "third";

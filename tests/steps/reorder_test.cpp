@@ -167,7 +167,7 @@ TEST_F(Reorder, PrimitivesOfTheSameVerticesAreOrderedTogether) {
 }
 
 TEST_F(Reorder, BlendedTrianglesStay) {
-  const std::string why = "is blended: the order of its triangles is to be seen";
+  const std::string why = "is blended, so the order of its triangles is visible";
   ShuffledGrid blended;
   blended.material({{"alphaMode", "BLEND"}});
   expect_left(blended.made, why);
@@ -190,10 +190,10 @@ TEST_F(Reorder, BlendedTrianglesStay) {
 TEST_F(Reorder, OtherModesStay) {
   ShuffledGrid points;
   points.primitive()["mode"] = 0;
-  expect_left(points.made, "has primitives that are no triangles");
+  expect_left(points.made, "has primitives that are not triangles");
   ShuffledGrid strip;
   strip.primitive()["mode"] = 5;
-  expect_left(strip.made, "has primitives that are no triangles");
+  expect_left(strip.made, "has primitives that are not triangles");
   ShuffledGrid plain;
   plain.primitive().erase("indices");
   const ConvertStep row = row_of(plain.made.glb());
@@ -206,10 +206,10 @@ TEST_F(Reorder, WhatIsBrokenStays) {
   ShuffledGrid outside;
   outside.primitive()["indices"] =
       outside.made.accessor<std::uint16_t>({0, 1, kSide * kSide}, "SCALAR");
-  expect_left(outside.made, "has an index without a vertex");
+  expect_left(outside.made, "has an index that is out of range");
   ShuffledGrid torn;
   torn.primitive()["indices"] = torn.made.accessor<std::uint16_t>({0, 1, 2, 3}, "SCALAR");
-  expect_left(torn.made, "has a triangle with missing corners");
+  expect_left(torn.made, "has an incomplete triangle");
 }
 
 TEST_F(Reorder, WhatKnowsVerticesRefuses) {
@@ -222,7 +222,7 @@ TEST_F(Reorder, WhatKnowsVerticesRefuses) {
   features.use("EXT_mesh_features");
   features.primitive()["extensions"]["EXT_mesh_features"]["featureIds"] = {{{"featureCount", 4}}};
   expect_refused(features.made, "/meshes/0/primitives/0",
-                 "EXT_mesh_features has ids that are numbers of vertices");
+                 "EXT_mesh_features uses vertex numbers as ids");
   ShuffledGrid reference;
   reference.use("ACME_ref");
   reference.made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 0;

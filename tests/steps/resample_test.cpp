@@ -253,14 +253,14 @@ TEST_F(Resample, LongCurvesTakeFewPasses) {
 TEST_F(Resample, OtherCurvesStay) {
   Clip spline(2);
   spline.add("translation", std::vector<float>(18, 1), "VEC3", "CUBICSPLINE");
-  expect_left(spline.made, "shares its times with CUBICSPLINE, which stays");
+  expect_left(spline.made, "shares its times with CUBICSPLINE, which does not change");
   Clip pointer(9);
   pointer.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   pointer.made.json["extensionsUsed"] = {"KHR_animation_pointer"};
   pointer.channel()["target"] = {
       {"path", "pointer"},
       {"extensions", {{"KHR_animation_pointer", {{"pointer", "/nodes/0/translation"}}}}}};
-  expect_left(pointer.made, "moves a property that an extension names");
+  expect_left(pointer.made, "animates a property that an extension defines");
   Clip idle(9);
   idle.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   idle.add("translation", repeated({1, 2, 3}, 9), "VEC3");
@@ -270,7 +270,7 @@ TEST_F(Resample, OtherCurvesStay) {
   both.add("rotation", repeated({0, 0, 0, 1}, 9), "VEC4");
   both.made.json["animations"][0]["channels"].push_back(
       {{"sampler", 0}, {"target", {{"node", 0}, {"path", "scale"}}}});
-  expect_left(both.made, "moves rotations and other properties alike");
+  expect_left(both.made, "animates both rotations and other properties");
 }
 
 TEST_F(Resample, AccessorsOfOthersStay) {
@@ -280,11 +280,11 @@ TEST_F(Resample, AccessorsOfOthersStay) {
   const ConvertStep row = row_of(times.made.glb());
   EXPECT_FALSE(row.changes);
   ASSERT_THAT(row.left, SizeIs(1));
-  EXPECT_EQ(row.left[0].reason, "shares its times with something else than samplers");
+  EXPECT_EQ(row.left[0].reason, "shares its times with objects other than samplers");
   Clip values(9);
   const std::size_t output = values.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   values.made.mesh({{"attributes", {{"POSITION", output}}}});
-  expect_left(values.made, "shares its values with something else");
+  expect_left(values.made, "shares its values with other objects");
   Clip inputs(9);
   inputs.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   inputs.add("translation", repeated({1, 2, 3}, 9), "VEC3");
@@ -301,18 +301,18 @@ TEST_F(Resample, BrokenCurvesStay) {
   expect_left(back.made, "has times that do not increase");
   Clip nothing(9);
   nothing.add("translation", repeated({1, std::nanf(""), 3}, 9), "VEC3");
-  expect_left(nothing.made, "has values that are no finite numbers");
+  expect_left(nothing.made, "has values that are not finite");
   Clip few(9);
   few.add("translation", repeated({1, 2, 3}, 7), "VEC3");
-  expect_left(few.made, "has another number of values than its times ask for");
+  expect_left(few.made, "has a number of values that does not match its times");
   Clip flat(9);
   flat.add("rotation", repeated({1, 2, 3}, 9), "VEC3");
-  expect_left(flat.made, "has rotations that are no quaternions");
+  expect_left(flat.made, "has rotations that are not quaternions");
   Clip whole(9);
   whole.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   whole.sampler()["input"] =
       whole.made.accessor<std::uint16_t>({0, 1, 2, 3, 4, 5, 6, 7, 8}, "SCALAR", true);
-  expect_left(whole.made, "has times that are no numbers of single precision");
+  expect_left(whole.made, "has times that are not single-precision numbers");
   Clip sparse(9);
   const std::size_t output = sparse.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   sparse.made.json["accessors"][output]["sparse"] = {

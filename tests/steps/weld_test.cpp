@@ -178,7 +178,7 @@ struct Welded {
 TEST_F(Weld, NothingMergesThatWouldTakeMoreBytes) {
   MadeAsset made;
   made.mesh({{"attributes", {{"POSITION", made.accessor(strip_of(2), "VEC3", true)}}}});
-  expect_left(made, "would take more bytes with indices");
+  expect_left(made, "would be larger with indices");
 }
 
 TEST_F(Weld, PointsWithoutIndicesStay) {
@@ -197,7 +197,7 @@ TEST_F(Weld, OtherSetsOfTheSameAccessorsStay) {
   EXPECT_FALSE(row.changes);
   ASSERT_EQ(row.left.size(), 2U);
   for (const ConvertNote& note : row.left)
-    EXPECT_EQ(note.reason, "shares some of its accessors, not all, with other primitives");
+    EXPECT_EQ(note.reason, "shares some but not all of its accessors with other primitives");
   EXPECT_EQ(row.left[1].pointer, "/meshes/1/primitives/0");
 }
 
@@ -218,7 +218,7 @@ TEST_F(Weld, AccessorsOfOthersStay) {
         {{{"input", a.made.accessor<float>({0, 1, 2, 3}, "SCALAR", true)},
           {"output", a.position}}}},
        {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
-  expect_left(a.made, "shares an accessor with something else than primitives");
+  expect_left(a.made, "shares an accessor with objects other than primitives");
 }
 
 TEST_F(Weld, WhatCannotBeReadStays) {
@@ -242,10 +242,10 @@ TEST_F(Weld, WhatCannotBeReadStays) {
   expect_left(broken.made, "has members that cannot be read");
   Welded index;
   index.primitive()["indices"] = index.made.accessor<std::uint16_t>({0, 1, 4}, "SCALAR");
-  expect_left(index.made, "has an index without a vertex");
+  expect_left(index.made, "has an index that is out of range");
   Welded floats;
   floats.primitive()["indices"] = floats.made.accessor<float>({0, 1, 2}, "SCALAR");
-  expect_left(floats.made, "has indices that are no whole numbers");
+  expect_left(floats.made, "has indices that are not integers");
 }
 
 TEST_F(Weld, CompressedVerticesStay) {
@@ -298,7 +298,7 @@ TEST_F(Weld, DataAboutVerticesRefuses) {
   features.use("EXT_mesh_features");
   features.primitive()["extensions"]["EXT_mesh_features"]["featureIds"] = {{{"featureCount", 4}}};
   expect_refused(features.made, "/meshes/0/primitives/0",
-                 "EXT_mesh_features has ids that are numbers of vertices");
+                 "EXT_mesh_features uses vertex numbers as ids");
 }
 
 TEST_F(Weld, IdsInAnAttributeFollow) {
@@ -366,7 +366,7 @@ TEST_F(Weld, SharedBytesAreReadWithinABudget) {
   }
   const ConvertStep row = row_of(made.glb());
   ASSERT_GT(row.left.size(), 20U);
-  EXPECT_EQ(row.left.back().reason, "shares its bytes with too many others");
+  EXPECT_EQ(row.left.back().reason, "shares its bytes with too many other objects");
 }
 
 }  // namespace
