@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The `min` and `max` of an accessor with new elements.
+/// `min` and `max` of an accessor with new elements.
 #pragma once
 
 #include <cstdint>
@@ -14,27 +14,27 @@ namespace gltfx::steps {
 
 enum class Bound : std::uint8_t { least, greatest };
 
-/// The bound of each component as a JSON array. `bytes`: packed elements without padding, of one of
-/// the component types of glTF 2.0 itself.
+/// The bound of each component, as a JSON array. `bytes`: packed elements without padding, with a
+/// component type of core glTF 2.0.
 std::string bound_text(Bound bound, const model::Format& format, std::string_view bytes);
 
-/// Whether `array` is that bound already.
+/// Whether `array` already contains that bound.
 bool is_bound(const json::Document& document, json::NodeId array, Bound bound,
               const model::Format& format, std::string_view bytes);
 
-/// Replaces those bounds that an accessor declares and that are other ones now.
+/// Replaces the declared bounds of an accessor that do not match `bytes`.
 void mend_bounds(const json::Document& document, json::Editor& editor,
                  const model::Accessor& accessor, std::string_view bytes);
 
-/// Where a new accessor has its elements.
+/// Members of a new accessor that differ from the copied one.
 struct AccessorMembers {
   std::optional<std::uint64_t> buffer_view;
   std::uint64_t count = 0;
-  model::ComponentType component = model::ComponentType::none;  ///< none: as the other one
+  model::ComponentType component = model::ComponentType::none;  ///< none: unchanged
 };
 
-/// A new accessor with the members of another one but for these, its own bounds where the other has
-/// some, and no `byteOffset`.
+/// The JSON of a new accessor: a copy of `accessor` with these members, without `byteOffset`, and
+/// with bounds computed from `bytes` if `accessor` declares bounds.
 std::string accessor_like(const json::Document& document, const model::Accessor& accessor,
                           const AccessorMembers& members, std::string_view bytes);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Accessors get other elements, and maybe another number of them.
+/// Replaces elements of accessors; their number may change.
 #pragma once
 
 #include <cstdint>
@@ -18,19 +18,19 @@
 
 namespace gltfx::steps {
 
-/// The elements of an accessor.
+/// New elements of one accessor.
 struct NewElements {
   std::string bytes;  ///< `count` elements, each of model::packed_stride()
   std::uint64_t count = 0;
-  /// The bounds that the accessor declares are computed again; those that stay keep their text.
+  /// Whether to recompute declared bounds. Bounds that do not change keep their text.
   bool other_values = false;
-  /// Of the view, where the accessor has none yet.
+  /// Target of a new view, if the accessor has no view yet.
   model::ViewTarget target = model::ViewTarget::none;
 };
 
-/// Stores new elements. The index of the accessor stays, and that of its buffer view, with its
-/// interleaving, unless the view has other users than accessors or their counts become different:
-/// then the accessor gets a view of its own. All arguments must outlive this; `resources` has all
+/// Stores new elements. Accessors keep their index, their buffer view and its interleaving. If the
+/// view has users that are not accessors, or if the counts of interleaved accessors would differ,
+/// the accessor gets its own view. All arguments must outlive this object; `resources` contains all
 /// buffers of `asset`.
 class AccessorContents {
  public:
@@ -38,12 +38,12 @@ class AccessorContents {
                    const model::ResourceData& resources, NewBuffer& buffer,
                    change::Additions& additions, json::Editor& editor);
 
-  /// Precondition: the accessor is not sparse, and its format is known.
+  /// Precondition: the accessor is not sparse and has a known format.
   void set(std::uint32_t accessor, NewElements elements);
   bool empty() const { return set_.empty(); }
 
-  /// Adds the bytes to the buffer, and edits of accessors and views to the editor. Call it once. An
-  /// Error, half a sentence, when bytes of another accessor in a view are missing.
+  /// Adds the bytes to the buffer, and edits of accessors and views to the editor. Call it once.
+  /// Returns an Error (half a sentence) if the bytes of another accessor in a view are missing.
   std::optional<Error> store();
 
  private:

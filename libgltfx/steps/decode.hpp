@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The step that makes compressed geometry plain, in the making.
+/// State of the step that decodes compressed geometry.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct Decoding {
   void refuse(json::NodeId object, std::string reason) {
     outcome.row.refused.push_back({input.pointer(object), std::move(reason)});
   }
-  /// Removes the object of an extension of `host`.
+  /// Removes the object of an extension from `host`.
   void remove(json::NodeId host, std::string_view extension) {
     remove_extension(document, editor, host, extension);
     ++removed[std::string(extension)];
@@ -40,12 +40,12 @@ struct Decoding {
   json::Editor editor;
   NewBuffer buffer;
   StepOutcome outcome;
-  std::map<std::string, std::uint64_t, std::less<>> removed;  ///< objects, by extension
-  std::uint64_t views = 0;                                    ///< that had a stream
-  std::uint64_t primitives = 0;                               ///< that had a bitstream
+  std::map<std::string, std::uint64_t, std::less<>> removed;  ///< number of objects, by extension
+  std::uint64_t views = 0;                                    ///< decoded from streams
+  std::uint64_t primitives = 0;                               ///< decoded from bitstreams
 };
 
-/// Primitives that Draco stores get plain accessors.
+/// Gives primitives that are stored by Draco plain accessors.
 void decode_draco(Decoding& decoding);
 
 }  // namespace gltfx::steps

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Bytes that objects lead to, hashed and compared.
+/// Hashes and compares the bytes that objects refer to.
 #pragma once
 
 #include <cstdint>
@@ -20,33 +20,34 @@
 
 namespace gltfx::steps {
 
-/// The content of images, buffer views and accessors. Reads no more than a multiple of what the
-/// asset has, however often objects share it; what is beyond that has no hash. Refers to all
-/// arguments.
+/// The content of images, buffer views and accessors. Reads at most a multiple of the size of the
+/// asset, however often objects share bytes; content beyond that limit has no hash. Keeps
+/// references to all arguments.
 class DedupContent {
  public:
   DedupContent(const StepInput& input, const graph::Graph& graph, const model::Asset& elements);
 
-  /// By index. Nothing: the bytes cannot be read.
+  /// The hash of the image with this index; nothing if its bytes cannot be read.
   std::optional<std::string> hash_of_image(std::uint64_t index);
   bool same_images(std::uint64_t one, std::uint64_t other);
 
-  /// All bytes that a view names, also by extensions on it.
+  /// The hash of all bytes that a view refers to, directly and through its extensions.
   std::optional<std::string> hash_of_view(json::NodeId view);
   bool same_views(json::NodeId one, json::NodeId other);
-  /// Whether it is known which bytes views name.
+  /// Whether the byte ranges of all views are known.
   bool knows_views() const { return users_known_; }
-  /// What names bytes in an element of a root array: the element, and objects of extensions on it.
+  /// The objects in an element of a root array that refer to bytes: the element and objects of its
+  /// extensions.
   const std::vector<change::BufferUser>& buffer_users(json::NodeId element) const;
 
-  /// Of the elements, replaced ones included. Nothing: they cannot be read.
+  /// The hash of all elements, after sparse replacement; nothing if they cannot be read.
   std::optional<std::string> hash_of_accessor(std::uint32_t index);
   bool same_accessors(std::uint32_t one, std::uint32_t other);
-  /// Whether an accessor is no more than elements in a view, of a format that is known, and what
-  /// replaces them.
+  /// Whether an accessor consists only of elements in a view, in a known format, and optional
+  /// sparse replacements.
   bool has_elements(std::uint32_t accessor) const;
 
-  /// Whether something was not read because too much is shared.
+  /// Whether content was skipped because too many bytes are shared.
   bool is_exhausted() const { return exhausted_; }
 
  private:
@@ -67,7 +68,7 @@ class DedupContent {
   std::unordered_map<json::NodeId, std::vector<change::BufferUser>> users_;  ///< by element
   const std::vector<change::BufferUser> no_users_;
   std::map<std::string, std::string> hashes_;  ///< by place
-  /// By view, what replaces elements, offset, count and format.
+  /// By view, sparse object, offset, count and format.
   std::map<
       std::tuple<std::uint32_t, json::NodeId, std::uint64_t, std::uint64_t, unsigned, unsigned>,
       std::string>

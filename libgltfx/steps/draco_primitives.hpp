@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which primitives Draco can hold, and their triangles.
+/// Selects the primitives that Draco can store, and reads their triangles.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@
 
 namespace gltfx::steps {
 
-/// A primitive on its way into a bitstream.
+/// A primitive that may become a bitstream.
 struct DracoPrimitive {
   const model::Primitive* primitive = nullptr;
   json::NodeId mesh = json::kNoNode;
-  bool stays = false;                    ///< it is left or refused, which has been said
-  std::vector<std::uint32_t> accessors;  ///< of the attributes, in their order; then of the indices
+  bool stays = false;                    ///< left or refused; the note exists
+  std::vector<std::uint32_t> accessors;  ///< attributes in order, then indices
 };
 
-/// All primitives of an asset. Those that share an accessor with one that stays, stay as well.
+/// All primitives of an asset. Primitives that share an accessor with one that stays also stay.
 class DracoPrimitives {
  public:
   DracoPrimitives(const GeometryInput& input, StepOutcome& outcome);
@@ -42,24 +42,24 @@ class DracoPrimitives {
 
   const GeometryInput& input_;
   StepOutcome& outcome_;
-  const std::set<std::uint64_t> meant_;  ///< integers of unknown extensions
+  const std::set<std::uint64_t> meant_;  ///< integers in unknown extensions
   std::vector<DracoPrimitive> all_;
   std::map<std::uint32_t, std::vector<std::size_t>> users_;  ///< primitives, by accessor
-  std::map<std::uint32_t, std::size_t> places_;              ///< where primitives refer to it
-  /// Objects of extensions without a schema that hold numbers, by the mesh that they are on, or by
-  /// the primitive that they are in.
+  std::map<std::uint32_t, std::size_t> places_;              ///< references, by accessor
+  /// Objects of extensions without a schema that contain numbers, by the mesh or primitive that has
+  /// them.
   std::map<json::NodeId, json::NodeId> unknown_;
 };
 
-/// A mesh that owns what it refers to.
+/// A mesh that owns its data.
 struct DracoSource {
   codec::DracoMesh mesh;
   std::vector<std::string> values;
   std::vector<std::uint32_t> triangles;
 };
 
-/// The triangles of a primitive with its attributes, numbered from 0 as ids; else why Draco cannot
-/// hold them.
+/// The triangles and attributes of a primitive. The ids of attributes are their positions, from 0.
+/// Returns an Error (half a sentence) if Draco cannot store them.
 Result<DracoSource> read_source(const GeometryInput& input, const DracoPrimitive& primitive);
 
 }  // namespace gltfx::steps

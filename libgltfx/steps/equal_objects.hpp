@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which elements of root arrays are equal, whatever their indices.
+/// Finds elements of root arrays that are equal except for indices.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@
 
 namespace gltfx::steps {
 
-/// Elements that stand for equal ones. The graph must outlive it.
+/// Maps elements to equal elements that replace them. The graph must outlive it.
 class EqualObjects {
  public:
   explicit EqualObjects(const graph::Graph& graph);
 
-  /// The first of all elements that are equal to this one.
+  /// The first element that equals this one.
   json::NodeId first(json::NodeId element) const {
     const auto found = first_.find(element);
     return found == first_.end() ? element : found->second;
@@ -32,39 +32,39 @@ class EqualObjects {
   /// Precondition: `first` is not merged itself.
   void merge(json::NodeId element, json::NodeId first) { first_[element] = first; }
 
-  /// Appends a value as text that is the same for values that say the same: members by name, in
-  /// place of indices the first of all elements that are equal to what they lead to. Strings and
-  /// fractions count as they are written. Without members, at any depth, for which `is_left_out` is
+  /// Appends a text that is identical for values with the same meaning. Members are sorted by name,
+  /// and an index is replaced by the first element that equals its target. Strings and fractions
+  /// are compared as they are written. Omits members, at any depth, for which `is_left_out` is
   /// true. Recursive, as deep as the document.
   void describe(json::NodeId value, const std::function<bool(json::NodeId value)>& is_left_out,
                 std::string& to) const;
 
  private:
-  using Place = std::pair<json::NodeId, std::uint64_t>;  ///< with the element of a number_array
+  using Place = std::pair<json::NodeId, std::uint64_t>;  ///< value, and position in a number_array
 
   void describe_number(const json::Number& number, Place place, std::string& to) const;
 
   const json::Document& document_;
-  std::vector<std::pair<Place, json::NodeId>> targets_;  ///< of indices, sorted
+  std::vector<std::pair<Place, json::NodeId>> targets_;  ///< targets of indices, sorted
   std::unordered_map<json::NodeId, json::NodeId> first_;
 };
 
-/// Sorts elements by what they hold. Content is compared with that of the first one only, so that
-/// the time does not grow with the square of their number, whatever they hold.
+/// Groups elements by content. Each element is compared only with the first one of its hash, so the
+/// time never grows with the square of their number.
 class ContentGroups {
  public:
-  /// The hash of the content of an element; nothing: it is equal to no other.
+  /// The hash of the content of an element; nothing: the element equals no other.
   using Hash = std::function<std::optional<std::string>(json::NodeId element)>;
   using IsEqual = std::function<bool(json::NodeId one, json::NodeId other)>;
 
-  /// Elements with equal descriptions may be equal. In the order of the document.
+  /// Adds an element. Elements with equal descriptions may be equal. Call it in document order.
   void add(json::NodeId element, std::string description) {
     groups_[std::move(description)].push_back(element);
   }
-  /// Pairs of an element and the first that it is equal to, in the order of the document.
+  /// Pairs of an element and the first element that it equals, in document order.
   std::vector<std::pair<json::NodeId, json::NodeId>> find(const Hash& hash,
                                                           const IsEqual& is_equal) const;
-  /// Where the description says all.
+  /// The same, for elements without content beyond the description.
   std::vector<std::pair<json::NodeId, json::NodeId>> find() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How far an image is from what it was made of.
+/// Measures the difference between an image and its source.
 #pragma once
 
 #include <optional>
@@ -8,21 +8,21 @@
 
 namespace gltfx::steps {
 
-/// Over all texels and channels, in steps of 8 bits. An alpha that one image lacks counts as
+/// The difference over all texels and channels, in units of 1/255. An image without alpha counts as
 /// opaque.
 struct ImageDistance {
   double greatest = 0;
   double mean_square = 0;
 
-  /// The ratio of the greatest value to the error; infinite where there is none.
+  /// Peak signal-to-noise ratio; infinite if there is no error.
   double decibels() const;
 };
 
-/// Nothing where the sizes differ, or one has floats. Precondition: both have pixels.
+/// Nothing if the sizes differ or an image has floats. Precondition: both have pixels.
 std::optional<ImageDistance> distance(const codec::Image& one, const codec::Image& other);
 
-/// Decodes what a request for a new file began with, resized likewise, and the file, and compares.
-/// Nothing where one of them is not decoded.
+/// Decodes and resizes the source image of a request, decodes the new file, and compares them.
+/// Nothing if one of them cannot be decoded.
 std::optional<ImageDistance> distance(const codec::TranscodeRequest& request,
                                       const codec::EncodedImage& file);
 

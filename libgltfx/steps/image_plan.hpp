@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How one image is to be stored.
+/// Decides how an image is stored.
 #pragma once
 
 #include <gltfx/convert.hpp>
@@ -19,7 +19,7 @@
 
 namespace gltfx::steps {
 
-/// The file of an image, as far as it is known without decoding.
+/// Properties of an image file that are known without decoding.
 struct ImageFile {
   container::Bytes bytes;
   std::optional<image::Format> format;
@@ -27,8 +27,8 @@ struct ImageFile {
   std::optional<image::Header> header;  ///< of `format`
   std::string media_type;               ///< empty: it has no name
   std::string name;                     ///< "PNG", "BMP"
-  std::string problem;                  ///< why it cannot be decoded, half a sentence; else empty
-  bool floats = false;                  ///< its colours have no greatest value
+  std::string problem;  ///< why it cannot be decoded, half a sentence; empty: it can
+  bool floats = false;  ///< its colors are unlimited
 };
 
 ImageFile read_image_file(container::Bytes bytes);
@@ -38,17 +38,17 @@ struct ImageAttempt {
   codec::TranscodeRequest request;
   image::Format format = image::Format::png;
   bool lossy = false;
-  bool may_grow = false;  ///< taken even if it is not smaller than the file
+  bool may_grow = false;  ///< accepted even if it is not smaller than the file
 };
 
-/// What is to be done with an image, and what is not.
+/// Planned changes of an image, and reasons for the rest.
 struct ImagePlan {
-  std::vector<ImageAttempt> attempts;  ///< the first that works is taken
+  std::vector<ImageAttempt> attempts;  ///< the first that succeeds is used
   std::vector<std::string> left;       ///< half sentences
-  std::string refused;                 ///< likewise, or empty
+  std::string refused;                 ///< half a sentence, or empty
 };
 
-/// What of the rest of the asset decides about an image.
+/// Properties of the asset that affect the plan.
 struct ImageContext {
   const ConvertOptions& options;
   const ImageUse& use;
@@ -56,8 +56,8 @@ struct ImageContext {
   Origin origin = {};
 };
 
-/// `find_obstacle` takes a media type and gives why the image cannot get it, or an empty text.
-/// The file must outlive the plan.
+/// `find_obstacle` takes a media type and returns why the image cannot change to it, or an empty
+/// string. The file must outlive the plan.
 ImagePlan plan_image(const ImageFile& file, const ImageContext& context,
                      const std::function<std::string(std::string_view)>& find_obstacle);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which textures refer to which images, and the formats that they allow: a `source` of their own,
+/// References from textures to images, and the formats that they allow: the `source` of a texture,
 /// or that of an extension for a format.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace gltfx::steps {
 
-/// Whether glTF has the format without an extension.
+/// Whether core glTF allows the format.
 constexpr bool is_core_type(std::string_view media_type) {
   return media_type == "image/png" || media_type == "image/jpeg";
 }
@@ -27,34 +27,35 @@ class ImageSources {
  public:
   ImageSources(const model::Asset& asset, const graph::Graph& graph, const OtherUsers& others);
 
-  /// Whether all that refers to an image may have one of that type. Types without a name are empty.
+  /// Whether all references to an image allow this media type; empty: a format without a media
+  /// type.
   bool allow(std::uint32_t image, std::string_view media_type) const;
-  /// Why an image cannot get another type, half a sentence; empty: it can.
+  /// Why an image cannot change to a media type, half a sentence; empty: it can.
   std::string find_obstacle(std::uint32_t image, std::string_view media_type) const;
 
-  /// Lets all textures of an image refer to it as one of that type. Precondition: there is no
-  /// obstacle.
+  /// Makes all textures refer to the image as one of this type. Precondition: find_obstacle() is
+  /// empty.
   void set_type(std::uint32_t image, std::string_view media_type);
-  /// Adds the edits of textures, and of the lists of extensions.
+  /// Adds the edits of textures and of the lists of extensions.
   void edit(json::Editor& editor) const;
 
  private:
-  /// A reference of a texture.
+  /// A reference from a texture to an image.
   struct Source {
     std::uint32_t texture;
     std::uint32_t image;
     json::NodeId number;
-    json::NodeId key = json::kNoNode;              ///< of the extension; kNoNode: its own source
-    const schema::Extension* extension = nullptr;  ///< null: none, or one without a schema
+    json::NodeId key = json::kNoNode;  ///< of the extension; kNoNode: `source` of the texture
+    const schema::Extension* extension = nullptr;  ///< null: none, or no schema
     bool is_core() const { return key == json::kNoNode; }
   };
-  /// What becomes of one texture.
+  /// The changes of one texture.
   struct Move {
     std::vector<json::NodeId> removed;             ///< keys of extensions
-    bool loses_own = false;                        ///< its own source goes
-    std::optional<std::uint32_t> own;              ///< the image of its new source
-    const schema::Extension* extension = nullptr;  ///< a new one
-    std::uint32_t image = 0;                       ///< of that
+    bool loses_own = false;                        ///< its own `source` is removed
+    std::optional<std::uint32_t> own;              ///< image of its new `source`
+    const schema::Extension* extension = nullptr;  ///< new extension
+    std::uint32_t image = 0;                       ///< image of the new extension
   };
 
   void read(std::uint32_t texture, json::NodeId object);

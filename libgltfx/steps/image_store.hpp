@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Images get other bytes, where they are: in their buffer view, data URI or file.
+/// Replaces the bytes of images in their buffer view, data URI or file.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@
 
 namespace gltfx::steps {
 
-/// Images with the same bytes: of one file, or one buffer view.
+/// Images that share their bytes: one file or one buffer view.
 struct ImageGroup {
   std::vector<std::uint32_t> images;
   model::Storage storage = model::Storage::nowhere;
@@ -28,28 +28,28 @@ struct ImageGroup {
   std::string path;                   ///< in a file, as container::Uri::path
 };
 
-/// All images of an asset, in the order of the first of each group.
+/// All images of an asset, in the order of the first image of each group.
 std::vector<ImageGroup> group_images(const model::Asset& asset, const model::AssetBytes& bytes);
 
-/// The bytes of an image file. `same_format`: as before.
+/// The bytes of an image file. `same_format`: the format does not change.
 struct NewImage {
   std::string bytes;
   std::string_view media_type;  ///< static storage
   bool same_format = false;
 };
 
-/// Stores new images. The name of a file stays, but for its ending. Where that stays, too, the file
-/// keeps its name in another folder; in the folder of the old asset, or of several new ones, it
-/// gets one that says what is in it, because others may refer to the old file. Keeps references to
-/// all constructor arguments.
+/// Stores new images. A file keeps its name except for the ending. If the ending does not change
+/// either, the file keeps its name in another folder. In the folder of the old asset, or in a
+/// folder for several new assets, the name gets a hash of the content, because other assets may
+/// refer to the old file. Keeps references to all constructor arguments.
 class ImageStore {
  public:
   ImageStore(const StepInput& input, const model::Asset& elements, const graph::Graph& graph,
              json::Editor& editor);
 
-  /// Why the images of a group cannot get other bytes, half a sentence; empty: they can.
+  /// Why the bytes of a group cannot be replaced, half a sentence; empty: they can.
   std::string find_obstacle(const ImageGroup& group) const;
-  /// Precondition: there is no obstacle. An Error, half a sentence: nothing was changed.
+  /// Precondition: find_obstacle() is empty. On an Error (half a sentence), nothing changes.
   std::optional<Error> store(const ImageGroup& group, NewImage image);
   /// Adds new files, views and bytes to a change. Call it last.
   void add_to(change::Change& change);
@@ -69,8 +69,8 @@ class ImageStore {
   const graph::Graph& graph_;
   json::Editor& editor_;
   FileNames names_;
-  const std::map<std::string, std::size_t> referred_;  ///< how often, by path
-  const bool in_folder_;                               ///< the new asset goes where the old one is
+  const std::map<std::string, std::size_t> referred_;  ///< number of references, by path
+  const bool in_folder_;  ///< the new asset is in the folder of the old one
   NewBuffer buffer_;
   change::Change change_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What the images of an asset are used as.
+/// Determines the use of images.
 #pragma once
 
 #include <gltfx/convert.hpp>
@@ -17,28 +17,28 @@
 
 namespace gltfx::steps {
 
-/// The union of all texture slots that lead to an image.
+/// The use of an image by all texture slots that refer to it.
 struct ImageUse {
-  std::optional<ImageClass> kind;  ///< nothing: unknown, or more than one
+  std::optional<ImageClass> kind;  ///< nothing: unknown or ambiguous
   std::string doubt;               ///< why there is no kind, half a sentence
-  bool alpha = false;              ///< a slot reads it
-  bool coverage = false;           ///< alpha is that of a surface that is not opaque
-  float alpha_cutoff = 0;          ///< all such surfaces have this one; 0: none, or several
+  bool alpha = false;              ///< a slot reads alpha
+  bool coverage = false;           ///< alpha is the opacity of a surface
+  float alpha_cutoff = 0;          ///< of all such surfaces; 0: none, or different values
   codec::Wrap wrap_u = codec::Wrap::clamp;
   codec::Wrap wrap_v = codec::Wrap::clamp;
 };
 
-/// References that are no texture slot of a schema, by the index of what they lead to: JSON
-/// pointers. Those of objects without a schema are guessed by the names of members.
+/// JSON pointers of references that are not texture slots of a schema, by the index of their
+/// target. In objects without a schema, references are guessed from the names of members.
 struct OtherUsers {
-  std::map<std::uint32_t, std::string> of_images;  ///< that are no source of a texture
+  std::map<std::uint32_t, std::string> of_images;  ///< except sources of textures
   std::map<std::uint32_t, std::string> of_textures;
 };
 
 /// Precondition of both: the graph has slots.
 OtherUsers other_users(const model::Asset& asset, const graph::Graph& graph);
 
-/// One use for each of `count` groups of images. `groups`: of each image, its group.
+/// The use of each of `count` groups of images. `groups`: the group of each image.
 std::vector<ImageUse> image_uses(const model::Asset& asset, const graph::Graph& graph,
                                  const OtherUsers& others, const std::vector<std::size_t>& groups,
                                  std::size_t count);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Which keyframes of curves interpolation reproduces (glTF 2.0 section 3.11 and appendix C).
+/// Selects keyframes so that interpolation reproduces the others (glTF 2.0 section 3.11, appendix
+/// C).
 #pragma once
 
 #include <cstddef>
@@ -18,16 +19,16 @@ enum class CurveKind : std::uint8_t {
 /// The values of one sampler; all numbers are finite.
 struct KeyedCurve {
   CurveKind kind = CurveKind::linear;
-  std::size_t width = 1;      ///< numbers of a keyframe; rotation: 4
-  std::vector<float> values;  ///< as many keyframes as there are times
+  std::size_t width = 1;      ///< numbers per keyframe; rotation: 4
+  std::vector<float> values;  ///< `width` numbers for each time
 };
 
-/// The keyframes that stay, in order, the first and the last one among them: all curves have the
-/// same ones. At every keyframe that goes, each number of a linear curve is as it was within one
-/// unit in the last place, each of a rotation of length 1 within 2^-24, and each of a step exactly;
-/// between keyframes the curves are what prove::AnimationComparison::curves asks for. The same
-/// call for the keyframes that stay keeps them all. Time n log n. Precondition: there is a time,
-/// and times are finite and increase.
+/// Indices of the keyframes to keep, in order, including the first and the last; the same for all
+/// curves. At each removed keyframe, linear values differ by at most one unit in the last place,
+/// components of unit rotations by at most 2^-24, and steps not at all; between keyframes the
+/// curves satisfy prove::AnimationComparison::curves. A second call for the kept keyframes keeps
+/// all of them. Time n log n. Precondition: there is at least one time, and times are finite and
+/// increase.
 std::vector<std::uint32_t> choose_keyframes(std::span<const float> times,
                                             std::span<const KeyedCurve> curves);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Where bytes lie once all steps have run: those that steps made go to the buffers of the asset,
-/// and those that lost their last user go.
+/// Places bytes after all steps: new bytes move to the buffers of the asset, and bytes that lost
+/// their last user are removed.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,18 @@
 
 namespace gltfx::steps {
 
-/// The change of `now`, which steps made of `before`, that leaves no buffer of a step and no byte
-/// that only they freed. What nothing named before stays. The order of bytes and their distances
-/// modulo 8 stay. An Error, half a sentence: the bytes cannot be moved.
+/// Lays out `now`, which the steps made from `before`: a change that removes the buffers of steps
+/// and the bytes that steps freed. Bytes that had no user in `before` stay. The order of bytes and
+/// their offsets modulo 8 do not change. Returns an Error (half a sentence) if bytes cannot be
+/// moved.
 Result<change::Change> lay_out(const model::OpenedAsset& before, const model::OpenedAsset& now,
                                const schema::Set& schemas);
 
-/// The size of `now`, text and all files, after lay_out().
+/// The size of `now` in bytes, including all files, after lay_out().
 std::uint64_t laid_out_size(const model::OpenedAsset& before, const model::OpenedAsset& now,
                             const schema::Set& schemas);
 
-/// The size of an asset, text and all files that it refers to.
+/// The size of an asset in bytes, including all files that it refers to.
 std::uint64_t stored_size(const model::OpenedAsset& asset);
 
 }  // namespace gltfx::steps

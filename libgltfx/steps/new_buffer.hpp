@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Bytes that a step makes.
+/// New bytes of a step.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,24 @@
 
 namespace gltfx::steps {
 
-/// A buffer behind those of the asset, whose file exists only between steps: the layout of the last
-/// step (`steps/layout.hpp`) moves its bytes to where the asset has its own.
+/// A buffer after those of the asset. Its file exists only between steps: the layout
+/// (`steps/layout.hpp`) moves its bytes into the buffers of the asset.
 class NewBuffer {
  public:
   explicit NewBuffer(const model::OpenedAsset& asset);
 
   std::uint64_t index() const { return index_; }
   bool empty() const { return pieces_.empty(); }
-  /// Returns the offset of the bytes in the buffer, a multiple of 8. Precondition: there are some.
+  /// Returns the offset of the bytes in the buffer, a multiple of 8. Precondition: `bytes` is not
+  /// empty.
   std::uint64_t add(container::Bytes bytes);
   std::uint64_t add(std::string bytes);
 
-  /// Gives the buffer to a change, unless it is empty. Precondition: no other buffer was added to
-  /// the change.
+  /// Moves the buffer into a change, unless it is empty. Precondition: the change has no other new
+  /// buffer.
   void add_to(change::Change& change);
 
-  /// Whether a document refers to a path for the file of such a buffer.
+  /// Whether a path is the file of such a buffer.
   static bool is_own(const std::string& path);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Vertices that no index reads.
+/// Removes vertices that no index uses.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,11 @@ namespace gltfx::steps {
 
 struct PrunedVertices {
   change::Change change;
-  std::uint64_t vertices = 0;  ///< that are gone; 0: there is no change
+  std::uint64_t vertices = 0;  ///< removed; 0: there is no change
 };
 
-/// Takes them out of primitives, and notes in `row` where that is not possible.
+/// Removes unused vertices from primitives. Adds notes to `row` about primitives where that is not
+/// possible. Returns an Error (half a sentence) if bytes cannot be read.
 Result<PrunedVertices> prune_vertices(const StepInput& input, ConvertStep& row);
 
 }  // namespace gltfx::steps

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Whether all references to objects are known, so that the objects can get other indices.
+/// Checks whether all references to objects are known, so that indices can change.
 #pragma once
 
 #include <functional>
@@ -11,17 +11,17 @@
 
 namespace gltfx::steps {
 
-/// Why elements of a root array cannot get other indices, half a sentence; nothing: they can, apart
-/// from extensions without a schema.
+/// Why the indices of a root array cannot change, half a sentence; nothing: they can. Does not
+/// check extensions without a schema.
 std::optional<std::string> find_index_doubt(const graph::Graph& graph, json::NodeId list);
 
-/// The first object of an extension without a schema that may hold an index, and is not inside an
-/// element of a root array for which `is_gone` is true.
+/// The first object of an extension without a schema that may hold an index. Ignores objects in
+/// elements of root arrays for which `is_gone` is true.
 std::optional<ConvertNote> find_unknown_index(
     const graph::Graph& graph, const std::function<bool(json::NodeId element)>& is_gone);
 
-/// A note about values in `extras` that may be indices, unless there are none. They stay as they
-/// are.
+/// A note about values in `extras` that may be indices; nothing if there are none. The values do
+/// not change.
 std::optional<ConvertNote> find_indices_in_extras(const graph::Graph& graph);
 
 }  // namespace gltfx::steps

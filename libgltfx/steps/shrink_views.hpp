@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Buffer views that some of their accessors left.
+/// Shrinks buffer views that lost some of their accessors.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 
 namespace gltfx::steps {
 
-/// Gives views of which only some accessors are `gone` the bytes of those that stay, which move
-/// there by a multiple of 8 bytes. Views with other users, or that an extension without a schema
-/// may mean, stay as they are.
+/// Removes the bytes of `gone` accessors from views that also have other accessors. The remaining
+/// bytes move by multiples of 8. Views that have other users, or whose index may occur in an
+/// extension without a schema, do not change.
 void shrink_views(const GeometryInput& input, const std::set<std::uint32_t>& gone,
                   NewBuffer& buffer, json::Editor& editor);
 

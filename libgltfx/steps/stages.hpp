@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A step that changes an asset several times, each time what the change before made.
+/// Several changes within one step, each based on the result of the previous one.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 
 namespace gltfx::steps {
 
-/// Changes of text, and new files. Refers to the asset.
+/// Collects changes of text and new files. Keeps a reference to the asset.
 class Stages {
  public:
   explicit Stages(const model::OpenedAsset& before) : before_(before) {}
 
-  /// As the changes so far made it.
+  /// The asset after all changes so far.
   const model::OpenedAsset& asset() const { return now_ ? *now_ : before_; }
-  /// Places and makes a change of asset(). An Error: half a sentence.
+  /// Places a change and applies it to asset(). Returns an Error (half a sentence) if that fails.
   std::optional<Error> add(change::Change change);
-  /// All changes as one of the asset before.
+  /// All changes, combined into one change of the original asset.
   change::Change take() { return std::move(all_); }
 
  private:

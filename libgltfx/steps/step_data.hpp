@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What steps that change elements of accessors read, and how they store the result.
+/// Input and output of the steps that change elements of accessors.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,10 @@
 
 namespace gltfx::steps {
 
-/// The buffers of the asset of a step, without images.
+/// Loads the buffers of the asset, without images.
 model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements);
 
-/// The references and the bytes of an asset. Refers to the input.
+/// References and bytes of an asset. Keeps a reference to the input.
 struct StepData {
   explicit StepData(const StepInput& input);
   StepData(const StepData&) = delete;
@@ -31,8 +31,9 @@ struct StepData {
   const model::Views& views() const { return input.asset.views(); }
   std::string pointer(json::NodeId value) const { return graph.tree().pointer(value); }
 
-  /// Why the elements of an accessor cannot be replaced, half a sentence; empty: `data` has them,
-  /// packed components of a core type, and all of them are stored.
+  /// Opens an accessor whose elements can be replaced. Returns why that is not possible, half a
+  /// sentence. Empty: `data` contains the elements, which have a core component type and are all
+  /// stored.
   std::string open(std::uint32_t accessor, std::optional<model::AccessorData>& data) const;
 
   const StepInput& input;
@@ -40,17 +41,17 @@ struct StepData {
   const model::Asset elements;
   const graph::Graph graph;
   const model::ResourceData resources;  ///< without images
-  /// Bytes that may be read: what many accessors share is not worth the time for each of them.
+  /// Limits the bytes to read, so that accessors that share bytes do not take unlimited time.
   mutable model::MemoryBudget budget;
 };
 
-/// A change of accessors in the making. `data` must outlive it.
+/// An unfinished change of accessors. `data` must outlive it.
 struct StepChanges {
   explicit StepChanges(const StepData& data);
   StepChanges(const StepChanges&) = delete;
   StepChanges& operator=(const StepChanges&) = delete;
 
-  /// Call it once, after the last edit. An Error: half a sentence.
+  /// Call it once, after the last edit. Returns an Error (half a sentence) if bytes are missing.
   Result<change::Change> finish();
 
   NewBuffer buffer;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Primitives whose vertices can be replaced, by the accessors that hold the vertices.
+/// Groups primitives by the accessors of their vertices, so that the vertices can be replaced.
 #pragma once
 
 #include <cstdint>
@@ -19,47 +19,48 @@ struct VertexColumn {
   model::AccessorData data;
 };
 
-/// An index accessor of a set, once for all primitives that share it.
+/// An index accessor of a set. Primitives that share it share this entry.
 struct IndexList {
   std::uint32_t accessor = 0;
   model::AccessorData data;
 };
 
-/// Vertices, and all primitives that use them. Nothing else uses their accessors.
+/// Vertices and all primitives that use them. Unless there is an obstacle, nothing else uses their
+/// accessors.
 struct VertexSet {
-  std::vector<std::uint32_t> accessors;  ///< of attributes and targets; sorted, each once
-  std::vector<const model::Primitive*> primitives;  ///< in the order of the document
-  std::string obstacle;                             ///< why vertices stay; empty: there is none
+  std::vector<std::uint32_t> accessors;  ///< of attributes and targets; sorted and unique
+  std::vector<const model::Primitive*> primitives;  ///< in document order
+  std::string obstacle;                             ///< why vertices do not change; or empty
 };
 
-/// The vertices of a set, opened.
+/// The opened vertices of a set.
 struct OpenedVertices {
   std::uint64_t count = 0;
   std::vector<VertexColumn> columns;
-  std::vector<IndexList> indices;  ///< in the order in which primitives name them
+  std::vector<IndexList> indices;  ///< in the order of the primitives
 };
 
-/// All sets, in the order of their first primitives. Primitives in `data` must outlive them.
+/// All sets, in the order of their first primitives. `data` must outlive them.
 std::vector<VertexSet> find_vertex_sets(const StepData& data);
 
-/// Opens a set without an obstacle; why it cannot be opened, half a sentence, or nothing. Indices
-/// may be any numbers.
+/// Opens a set without an obstacle. Returns why it cannot be opened, half a sentence, or an empty
+/// string. Does not check the range of indices.
 std::string open_vertices(const StepData& data, const VertexSet& set, OpenedVertices& opened);
 
-/// The indices of a list as numbers.
+/// Reads the indices of a list.
 std::vector<std::uint32_t> read_index_list(const model::AccessorData& data);
-/// The reverse, packed. Precondition: each number fits into the component type.
+/// Packs indices into bytes. Precondition: each index fits into the component type.
 std::string index_bytes(const std::vector<std::uint32_t>& indices, model::ComponentType type);
-/// The index that restarts a primitive, where it may; no vertex has it.
+/// The index value that is reserved for primitive restart: the maximum of the component type.
 std::uint32_t restart_index(const model::AccessorData& indices);
 
-/// Finds extensions of primitives and meshes that may know vertices by their numbers. Takes time
-/// for each extension once. `data` must outlive it.
+/// Finds extensions of primitives and meshes that may refer to vertices by number. Visits each
+/// extension of a mesh once. `data` must outlive it.
 class VertexNumbers {
  public:
   explicit VertexNumbers(const StepData& data);
 
-  /// Which extension does, half a sentence; empty: none.
+  /// The first such extension, as half a sentence; empty: none.
   std::string find(const VertexSet& set);
 
  private:
@@ -69,10 +70,10 @@ class VertexNumbers {
   const StepData& data_;
   const json::NodeId accessors_;
   std::vector<json::NodeId> unknown_;                     ///< sorted
-  std::unordered_map<json::NodeId, std::string> meshes_;  ///< what was found, by mesh
+  std::unordered_map<json::NodeId, std::string> meshes_;  ///< results by mesh
 };
 
-/// Where a note about a set belongs.
+/// The JSON pointer for notes about a set.
 std::string place_of(const StepData& data, const VertexSet& set);
 
 }  // namespace gltfx::steps

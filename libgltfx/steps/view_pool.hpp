@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Buffer views of steps: those that lose their last user take new bytes.
+/// Reuses buffer views that lose their last user for new bytes.
 #pragma once
 
 #include <cstdint>
@@ -15,26 +15,26 @@
 
 namespace gltfx::steps {
 
-/// Integers in objects of extensions without a schema, any of which may be an index.
+/// All integers in objects of extensions without a schema: each of them may be an index.
 std::set<std::uint64_t> unknown_integers(const graph::Graph& graph);
 
-/// First free() and add(), then settle(), then position(). All arguments must outlive it.
+/// Call free() and add() first, then settle(), then position(). All arguments must outlive it.
 class ViewPool {
  public:
   ViewPool(const GeometryInput& input, NewBuffer& buffer, change::Additions& additions,
            json::Editor& editor)
       : input_(input), buffer_(buffer), additions_(additions), editor_(editor) {}
 
-  /// A view whose last user goes. Precondition: it has no extensions, and is not freed yet.
+  /// Frees a view that loses its last user. Precondition: it has no extensions and is not free.
   void free(std::uint32_t view) { free_.push_back(view); }
 
-  /// Bytes in a view that is free or new; gives its number. `stride` 0: none.
+  /// Stores bytes in a free or new view and returns its number. `stride` 0: none.
   std::uint64_t add(container::Bytes bytes, std::uint64_t stride, model::ViewTarget target);
 
-  /// Removes the views that are still free, and lets all indices follow but those at `edited`
-  /// values, which the caller replaces. Where an extension without a schema may hold indices, views
-  /// stay: they get the bytes of another one, unless they may be meant themselves; row.left names
-  /// them, and nothing uses them.
+  /// Removes the views that are still free and updates all indices, except `edited` values, which
+  /// the caller replaces. If an extension without a schema may hold indices, the views stay unused
+  /// and are listed in row.left. They refer to the bytes of another view, unless their own index
+  /// may occur in the extension.
   void settle(const std::set<json::NodeId>& edited, StepOutcome& outcome);
 
   /// The index of a view, by its number or by its old index.
@@ -50,9 +50,9 @@ class ViewPool {
   change::Additions& additions_;
   json::Editor& editor_;
   std::vector<std::uint32_t> free_;
-  std::size_t taken_ = 0;                 ///< of these, from the first on
-  std::uint64_t begin_ = 0, length_ = 0;  ///< of the bytes that came last
-  std::vector<std::uint64_t> removed_;    ///< in order
+  std::size_t taken_ = 0;                 ///< number of reused views, from the first
+  std::uint64_t begin_ = 0, length_ = 0;  ///< of the last added bytes
+  std::vector<std::uint64_t> removed_;    ///< sorted
 };
 
 }  // namespace gltfx::steps
