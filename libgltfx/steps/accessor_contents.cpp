@@ -70,7 +70,7 @@ std::optional<Error> AccessorContents::store() {
   return std::nullopt;
 }
 
-// How the accessors of a view lie in it; nothing: it cannot be stored anew as a whole.
+// The blocks of a view, by offset; nothing: the view cannot be replaced as a whole.
 std::optional<std::vector<AccessorContents::Block>> AccessorContents::blocks_of(
     std::uint32_t index) const {
   const BufferView& view = views_.buffer_views[index];

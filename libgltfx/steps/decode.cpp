@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compressed geometry becomes plain: the bytes that decoders give.
+// Replaces compressed geometry with the decoded bytes.
 #include "steps/decode.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@
 namespace gltfx::steps {
 namespace {
 
-/// Buffer views with streams of meshoptimizer.
+/// Decodes buffer views with meshoptimizer streams.
 class StreamDecoder {
  public:
   explicit StreamDecoder(Decoding& decoding) : decoding_(decoding), input_(decoding.input) {}
@@ -75,7 +75,7 @@ class StreamDecoder {
     set_number(document(), editor, view.node, "byteLength", bytes.size());
   }
 
-  // Why a view has no elements; empty: they are those of its plain copy.
+  // Why a view has no elements, to follow "it"; empty: its plain copy has them.
   std::string find_problem(std::uint32_t index) {
     if (!streams_) {
       streams_ =
@@ -87,7 +87,7 @@ class StreamDecoder {
     return found == streams_->end() ? "has no bytes for its stream" : found->problem();
   }
 
-  // A filter may round values so that they are not those that an accessor declares.
+  // A filter may round values, so declared bounds may no longer match.
   void mend_all_bounds() {
     for (const model::Accessor& accessor : input_.views.accessors) {
       if (!accessor.buffer_view || !rounded_.contains(*accessor.buffer_view)) continue;
@@ -97,7 +97,7 @@ class StreamDecoder {
     }
   }
 
-  // Buffers that stood for plain bytes have no use, or hold the plain bytes themselves.
+  // After decoding, placeholders for plain bytes are unused or contain these bytes.
   void unmark_buffers() {
     const auto& buffers = input_.asset.elements(model::RootArray::buffers);
     for (const std::uint32_t index : decoded_) {
@@ -114,13 +114,13 @@ class StreamDecoder {
   Decoding& decoding_;
   const GeometryInput& input_;
   std::set<std::uint32_t> decoded_;  ///< buffers of decoded views
-  std::set<std::uint32_t> kept_;     ///< those of them with plain copies
+  std::set<std::uint32_t> kept_;     ///< those with plain copies
   std::set<std::uint32_t> left_;     ///< buffers of views that keep their streams
   std::set<std::uint32_t> rounded_;  ///< views
   std::optional<std::vector<model::DecodedStream>> streams_;
 };
 
-// Names of extensions that lost their last object.
+// Removes the names of extensions that lost their last object.
 void drop_names(Decoding& decoding) {
   std::map<std::string, std::uint64_t, std::less<>> left = decoding.removed;
   graph::each_extension(decoding.document, [&](const auto& member) {

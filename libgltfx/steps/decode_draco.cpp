@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Primitives of KHR_draco_mesh_compression become plain: vertices and triangles as the decoder
-// yields them.
+// Replaces bitstreams of KHR_draco_mesh_compression with the decoded vertices and triangles.
 #include <algorithm>
 #include <compare>
 #include <cstring>
@@ -26,7 +25,7 @@ namespace {
 
 using model::ComponentType;
 
-/// Decoded elements: an attribute, or the indices of a bitstream as numbers of some type.
+/// Decoded elements: an attribute, or the indices of a bitstream in a component type.
 struct Decoded {
   std::uint32_t view = 0;  ///< of the bitstream
   std::optional<std::uint64_t> attribute;
@@ -34,10 +33,10 @@ struct Decoded {
   auto operator<=>(const Decoded&) const = default;
 };
 
-/// An accessor that gets such elements.
+/// An accessor that receives decoded elements.
 struct Part {
-  json::NodeId value = json::kNoNode;     ///< the index of the accessor; kNoNode: there is none yet
-  std::optional<std::uint32_t> accessor;  ///< likewise
+  json::NodeId value = json::kNoNode;     ///< index of the accessor; kNoNode: a new one
+  std::optional<std::uint32_t> accessor;  ///< nothing: a new one
   Decoded elements;
 };
 
@@ -56,7 +55,7 @@ std::string indices_as(const codec::DracoMesh& mesh, ComponentType type) {
   return bytes;
 }
 
-// With elements at multiples of 4 bytes, as vertex attributes have them.
+// Adds padding to elements. Vertex attributes are aligned to 4 bytes.
 std::string spread(std::string bytes, std::size_t size, std::size_t stride) {
   if (size == stride) return bytes;
   std::string wide(bytes.size() / size * stride, '\0');
@@ -102,7 +101,7 @@ class DracoDecoder {
   model::Format format(const Decoded& attribute) const {
     return model::format_of(*model::find_attribute(mesh(attribute), *attribute.attribute), false);
   }
-  // Packed.
+  // The packed elements.
   std::string bytes(const Decoded& elements) const {
     if (!elements.attribute) return indices_as(mesh(elements), elements.indices);
     const auto values = model::find_attribute(mesh(elements), *elements.attribute)->values;
@@ -123,7 +122,7 @@ class DracoDecoder {
     primitives_.push_back(std::move(plain));
   }
 
-  // Why a primitive keeps its bitstream; else its parts are known.
+  // Why a primitive keeps its bitstream; empty: `plain.parts` is filled.
   std::string find_obstacle(PlainPrimitive& plain) const {
     const model::Primitive& primitive = *plain.primitive;
     const std::uint32_t view = plain.reference.buffer_view;
@@ -203,8 +202,8 @@ class DracoDecoder {
     }
   }
 
-  // The first elements that an accessor is to have become its own, unless it has other users; all
-  // others become those of a copy.
+  // An accessor without other users receives its first decoded elements. All other elements go to
+  // copies of the accessor.
   void assign(const Part& part) {
     if (part.accessor) {
       const bool same = has_already(*part.accessor, part.elements);
@@ -313,13 +312,13 @@ class DracoDecoder {
   ViewPool pool_;
   model::DracoMeshes meshes_;
   std::vector<PlainPrimitive> primitives_;
-  std::map<std::uint32_t, std::size_t> claims_;  ///< primitives by accessor, one for each place
-  std::map<std::pair<std::uint32_t, Decoded>, bool> same_;  ///< as the accessor has already
+  std::map<std::uint32_t, std::size_t> claims_;  ///< references from primitives, by accessor
+  std::map<std::pair<std::uint32_t, Decoded>, bool> same_;  ///< results of has_already()
   std::map<std::uint32_t, Decoded> owners_;                 ///< by accessor
-  /// New accessors, like an old one.
+  /// Copies of old accessors, and new ones.
   std::map<std::pair<std::optional<std::uint32_t>, Decoded>, std::uint64_t> copies_;
   std::map<Decoded, std::uint64_t> views_;  ///< numbers in the pool
-  std::set<json::NodeId> edited_;           ///< indices of views that are replaced
+  std::set<json::NodeId> edited_;           ///< replaced indices of views
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equal objects are stored once: the first one stays, and all references lead to it.
+// Stores equal objects once: the first one stays, and all references are set to it.
 #include <algorithm>
 #include <array>
 #include <set>
@@ -88,7 +88,7 @@ class DedupRun {
     return equal_.is_merged(element) || unused_views_.contains(element);
   }
 
-  // What a decoder fills its accessors with is nowhere in the text.
+  // The content of accessors that a decoder fills is not known here.
   void keep_decoded_apart(const model::Primitive& primitive) {
     if (primitive.node == json::kNoNode) return;
     const NodeId extensions = document_.find(primitive.node, "extensions");
@@ -100,7 +100,7 @@ class DedupRun {
     for (const model::Attribute& attribute : primitive.attributes) keep(attribute.accessor);
   }
 
-  // Objects of a list, which may be merged.
+  // The objects of a list that may be merged.
   std::vector<NodeId> objects(RootArray array) const {
     std::vector<NodeId> found;
     for (const NodeId element : elements_.elements(array)) {
@@ -135,7 +135,7 @@ class DedupRun {
     merge(array, groups.find());
   }
 
-  // A description without some members of the element itself.
+  // Describes an element without some of its direct members.
   std::string describe_without(NodeId element,
                                std::initializer_list<std::string_view> names) const {
     std::set<NodeId> out;
@@ -146,7 +146,7 @@ class DedupRun {
     return text;
   }
 
-  // Names may differ, and where the bytes lie. What is said of their format must not.
+  // Names and the storage of bytes may differ. Declared formats must not.
   void merge_images() {
     ContentGroups groups;
     for (const NodeId image : objects(RootArray::images)) {
@@ -166,7 +166,7 @@ class DedupRun {
     return model::string_member(document_, image, "mimeType");
   }
 
-  // What kinds of objects refer to something: those that core objects are, and others.
+  // The kinds of objects that refer to an element, as text.
   std::string users_of(NodeId element) const {
     std::set<std::string> kinds;
     for (const graph::Use& use : graph_.users(element)) {
@@ -189,8 +189,8 @@ class DedupRun {
     return kind;
   }
 
-  // Elements count, and not where they lie. Sparse ones wait until the views of their replacements
-  // are merged.
+  // Compares elements, not their storage. Sparse accessors follow after the views of their
+  // replacements are merged.
   void merge_plain_accessors(bool sparse) {
     ContentGroups groups;
     for (const NodeId element : objects(RootArray::accessors)) {
@@ -214,7 +214,7 @@ class DedupRun {
     return fmt::format("{} {}", views().usage.accessor(index(accessor)).kinds, users_of(accessor));
   }
 
-  // Those of which only the text is known.
+  // Accessors whose elements are unknown are compared by their JSON.
   void merge_other_accessors() {
     ContentGroups groups;
     for (const NodeId element : objects(RootArray::accessors)) {
@@ -248,7 +248,7 @@ class DedupRun {
                     [this](NodeId one, NodeId other) { return content_.same_views(one, other); }));
   }
 
-  // Vertex attributes share a view only where it has a stride (glTF 2.0 section 3.6.2.4).
+  // Vertex attributes can only share a view that has a stride (glTF 2.0 section 3.6.2.4).
   bool is_packed_for_one(NodeId view) const {
     if (views().buffer_views[index(view)].byte_stride) return false;
     const auto users = graph_.users(view);
@@ -261,7 +261,7 @@ class DedupRun {
     });
   }
 
-  // Views whose users are all gone, those of equal views included.
+  // Finds views whose users, including those of equal views, are all merged.
   void find_unused_views() {
     std::unordered_set<NodeId> live;
     const auto is_live = [this](const graph::Use& use) {

@@ -18,7 +18,7 @@ using container::Bytes;
 using json::NodeId;
 using model::RootArray;
 
-// Bytes of an element without padding.
+// The size of an element without padding.
 std::uint64_t stored_element(const model::AccessorData& data) {
   return std::uint64_t{data.components()} * model::component_size(data.format().component);
 }
@@ -33,7 +33,7 @@ model::ResourceData load_bytes(const StepInput& input, const model::Asset& eleme
       .data;
 }
 
-// All bytes some times, so that small assets may share theirs as they like.
+// A multiple of all bytes, and a minimum for small assets that share many bytes.
 std::uint64_t readable(const StepInput& input, const model::ResourceData& resources) {
   constexpr std::uint64_t kTimes = 8, kLeast = std::uint64_t{256} << 20U;
   std::uint64_t bytes = stored_size(input.asset);
@@ -65,7 +65,7 @@ bool DedupContent::take(std::optional<std::uint64_t> bytes) {
   return false;
 }
 
-// `place`: what is the same only for the same bytes.
+// `place`: a key that is unique for these bytes.
 std::optional<std::string> DedupContent::hash_of(const Bytes& bytes, std::string place) {
   const auto [known, is_new] = hashes_.try_emplace(std::move(place));
   if (!is_new) return known->second;
@@ -105,8 +105,8 @@ std::optional<Bytes> DedupContent::bytes_of(const change::BufferUser& user) {
   return bytes->part(user.bytes.begin, user.bytes.end - user.bytes.begin);
 }
 
-// Whether a view that lies in a buffer without bytes means another place than others do: not where
-// an extension has the bytes.
+// Whether the location of a view without bytes counts. It does not if an extension provides the
+// bytes.
 bool DedupContent::has_place_of_its_own(NodeId view, const change::BufferUser& user) const {
   return user.object != view || buffer_users(view).size() < 2;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles and their vertices become bitstreams (KHR_draco_mesh_compression), every value exact.
+// Stores triangles and vertices as bitstreams (KHR_draco_mesh_compression), without loss.
 #include <algorithm>
 #include <cstring>
 #include <map>
@@ -30,14 +30,14 @@ namespace {
 
 using model::ComponentType;
 
-// What the text of the extension comes to where it is compressed on its way.
+// Estimated size of the JSON of the extension after compression for transfer.
 constexpr std::size_t kExtensionText = 40;
 
 /// Primitives with the same vertices and triangles.
 struct DracoGroup {
   std::vector<std::size_t> primitives;
   std::string trouble;      ///< why there is no bitstream
-  bool is_failure = false;  ///< the trouble is no property of the primitive
+  bool is_failure = false;  ///< the encoder failed; refuse instead of leave
   codec::EncodedDraco encoded;
   std::uint64_t view = 0;                              ///< number in the pool
   std::map<std::uint32_t, std::uint64_t> copies = {};  ///< new accessors by old ones
@@ -178,7 +178,7 @@ class DracoStep {
     return std::move(outcome_);
   }
 
-  // Those whose elements are in bitstreams now.
+  // The accessors whose elements are now in bitstreams.
   std::set<std::uint32_t> encoded_accessors() const {
     std::set<std::uint32_t> accessors;
     for (const DracoGroup& group : groups_) {
@@ -227,7 +227,7 @@ class DracoStep {
     declare_indices(group, each);
   }
 
-  // The ids are places of attributes in the first primitive.
+  // Ids are positions of attributes in the first primitive of a group.
   std::uint32_t id_of(const DracoGroup& group, std::string_view name) const {
     const auto& attributes = primitive(group.primitives.front()).primitive->attributes;
     const auto found =
@@ -236,8 +236,8 @@ class DracoStep {
     return static_cast<std::uint32_t>(found - attributes.begin());
   }
 
-  // Lets an accessor describe elements of a bitstream, or gives the primitive a copy of it where
-  // it describes those of another one. `component` none: as it is.
+  // Makes an accessor describe elements of a bitstream. If it already describes another bitstream,
+  // the primitive gets a copy. `component` none: unchanged.
   void refer(DracoGroup& group, std::uint32_t index, json::NodeId value, std::string_view bytes,
              std::uint64_t count, ComponentType component = ComponentType::none) {
     const auto own = owners_.try_emplace(index, &group);

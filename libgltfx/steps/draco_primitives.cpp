@@ -79,7 +79,7 @@ class TriangleList {
     for (std::size_t i = 2; mode != model::Mode::triangles && i < indices.size(); ++i) {
       const bool fan = mode == model::Mode::triangle_fan;
       if (fan) add(0, i - 1, i);
-      // Every other triangle of a strip turns the other way.
+      // Every second triangle of a strip has the opposite winding.
       if (!fan && i % 2 == 0) add(i - 2, i - 1, i);
       if (!fan && i % 2 == 1) add(i - 1, i - 2, i);
     }
@@ -87,7 +87,7 @@ class TriangleList {
   std::vector<std::uint32_t> take() { return std::move(list_); }
 
  private:
-  // Without those that have no area.
+  // Skips triangles that repeat a vertex.
   void add(std::size_t a, std::size_t b, std::size_t c) {
     const std::uint32_t x = indices_[a];
     const std::uint32_t y = indices_[b];
@@ -170,7 +170,7 @@ void DracoPrimitives::refuse(std::size_t index, std::string reason) {
   stay(index);
 }
 
-// So do all that share an accessor with it, and those that share one with these.
+// All primitives that share accessors with it, directly or indirectly, also stay.
 void DracoPrimitives::stay(std::size_t index) {
   all_[index].stays = true;
   std::vector<std::size_t> open{index};
@@ -247,14 +247,14 @@ void DracoPrimitives::find_unknown() {
       unknown_.emplace(element, object);
       continue;
     }
-    // Between the mesh and a primitive is only their list.
+    // The object is in a primitive: find it below the list of primitives.
     json::NodeId host = object;
     while (tree.parent(tree.parent(host)) != element) host = tree.parent(host);
     unknown_.emplace(host, object);
   }
 }
 
-// Whether extensions may hold data that follows vertices or triangles.
+// Whether extensions may contain data that depends on the order of vertices or triangles.
 bool DracoPrimitives::find_extension_obstacle(std::size_t index) {
   const json::Document& document = input_.asset.document();
   const json::NodeId primitive = all_[index].primitive->node;

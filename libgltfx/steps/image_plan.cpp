@@ -20,9 +20,9 @@ using codec::EncodedFormat;
 using image::Format;
 
 constexpr std::uint32_t kJpegQuality = 90;
-// Of lossless WebP whose values may differ a little: by 2 of 255 at most.
+// Level of near-lossless WebP: values differ by at most 2 of 255.
 constexpr std::uint32_t kNearLossless = 60;
-// Of an image whose size is not known before it is decoded.
+// Limit for images whose size is unknown before decoding.
 constexpr std::uint64_t kMostForeignTexels = std::uint64_t{1} << 26U;
 
 std::optional<EncodedFormat> encoded_format(Format format) {
@@ -123,7 +123,7 @@ class Planner {
     return std::move(plan_);
   }
 
-  // The first conversion that applies. Nothing: the format stays.
+  // Sets the target to the first conversion that applies, unless the format already matches.
   void choose_target() {
     for (const ImageConversion& conversion : options_.images) {
       if (conversion.only && conversion.only != use_.kind) continue;
@@ -131,7 +131,7 @@ class Planner {
       if (legal && context_.allowed) continue;
       const Format format = format_of(conversion.target);
       if (file_.format == format) return;
-      // What needs an extension, or is not allowed at all, gets a core format for other readers.
+      // A core format may be larger than a file that is not allowed or needs an extension.
       const bool stays_core = file_.format && is_core_type(file_.media_type);
       target_ = {format, legal || !file_.format ||
                              (!stays_core && is_core_type(image::media_type(format)))};
@@ -152,7 +152,7 @@ class Planner {
     plan_.left.push_back(fmt::format("not {}: {}", format_name(target_->format), obstacle));
   }
 
-  // Smaller, in the format that it has.
+  // Resizes an image without changing its format.
   void try_same() {
     if (file_.format && encoded_format(*file_.format)) return add({*file_.format, true});
     if (!plan_.attempts.empty()) return;

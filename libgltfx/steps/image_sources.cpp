@@ -22,7 +22,7 @@ bool has_type(const Extension& extension, std::string_view media_type) {
   return std::find(types.begin(), types.end(), media_type) != types.end();
 }
 
-// How many objects have an extension, and how many of them no fallback.
+// The number of objects that have an extension, and of those without a fallback.
 struct Holders {
   std::uint64_t all = 0;
   std::uint64_t without_fallback = 0;
@@ -64,7 +64,7 @@ void ImageSources::add(Source source) {
   sources_.push_back(source);
 }
 
-// That of a texture for a format.
+// The texture extension for a format; null: none.
 const Extension* ImageSources::extension_for(std::string_view media_type) const {
   const schema::TypeId texture = graph_.set().find_type("texture");
   const auto& all = graph_.set().extensions();
@@ -129,7 +129,7 @@ std::string ImageSources::find_obstacle(const Source& source, const Extension* e
                                  : "has another image in another format");
 }
 
-// Whether the texture has another image; `own_too`: as its own source, too.
+// Whether the texture refers to another image; `own_too` includes its own `source`.
 bool ImageSources::has_other(const Source& source, bool own_too) const {
   const auto& all = by_texture_[source.texture];
   return std::any_of(all.begin(), all.end(), [&](std::size_t i) {
@@ -193,7 +193,7 @@ void ImageSources::edit_texture(std::uint32_t texture, const Move& move,
   if (!added.empty()) editor.append_member(extensions, move.extension->name, added);
 }
 
-// Names of extensions that textures gained or lost.
+// Updates the lists for extensions that textures gained or lost.
 void ImageSources::edit_lists(json::Editor& editor) const {
   const json::Document& document = asset_.document();
   std::map<std::string, Holders, std::less<>> touched;

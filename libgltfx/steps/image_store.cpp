@@ -44,7 +44,7 @@ std::map<std::string, std::size_t> count_references(const json::Document& docume
   return counts;
 }
 
-// In place, too: other assets may refer to a file.
+// Whether the new asset is in the folder of the old one, where other assets may share files.
 bool stays_in_folder(const StepInput& input) {
   const ConvertOptions& options = input.options;
   if (options.in_place) return true;
@@ -59,7 +59,7 @@ std::string_view ending_for(std::string_view media_type) {
   return media_type == "image/webp" ? ".webp" : ".png";
 }
 
-// Without its ending.
+// The path without its ending.
 std::string stem_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');
   const std::size_t begin = slash == path.npos ? 0 : slash + 1;
@@ -138,7 +138,7 @@ std::optional<Error> ImageStore::store(const ImageGroup& group, NewImage image) 
   return std::nullopt;
 }
 
-// A view that nothing else uses stays the view of its images.
+// Reuses the view if only these images use it; otherwise adds one.
 void ImageStore::store_in_view(const ImageGroup& group, NewImage image) {
   std::set<json::NodeId> own;
   for (const std::uint32_t i : group.images) {
@@ -182,14 +182,14 @@ std::optional<Error> ImageStore::store_in_file(const ImageGroup& group, NewImage
   return std::nullopt;
 }
 
-// Whether the file may have other bytes: nobody else needs the old ones.
+// Whether the file can be overwritten because nothing else uses its old bytes.
 bool ImageStore::may_replace(const ImageGroup& group) const {
   if (in_folder_ || input_.options.shared_folder || group.path.starts_with("..")) return false;
   const auto found = referred_.find(group.path);
   return found != referred_.end() && found->second == group.images.size();
 }
 
-// Outside of the asset's folder no file is made.
+// New files are never outside the folder of the asset.
 std::string ImageStore::new_path(const ImageGroup& group, const NewImage& image) {
   std::string stem = stem_of(group.path);
   if (stem.starts_with("..") || stem.starts_with('/')) stem.erase(0, stem.rfind('/') + 1);
@@ -202,7 +202,7 @@ std::string ImageStore::new_path(const ImageGroup& group, const NewImage& image)
   return names_.take(stem, ending);
 }
 
-// As the old one is written, where that names the new path.
+// Keeps the spelling of the old URI if it then refers to the new path.
 std::string ImageStore::uri_for(json::NodeId image, const std::string& old_path,
                                 const std::string& path) const {
   const std::string old = model::string_member(document_, image, "uri");
@@ -215,7 +215,7 @@ std::string ImageStore::uri_for(json::NodeId image, const std::string& old_path,
   return container::uri_of_path(path);
 }
 
-// `add`: also where there is no such member.
+// `add`: append the member if it does not exist.
 void ImageStore::set(json::NodeId object, std::string_view name, const std::string& json,
                      bool add) {
   const json::NodeId old = document_.find(object, name);

@@ -18,7 +18,7 @@ namespace {
 using model::RootArray;
 using schema::SlotUse;
 
-/// Finds what refers to images and textures without saying what it reads.
+/// Finds references to images and textures that are not texture slots of a schema.
 class OtherUserFinder {
  public:
   OtherUserFinder(const model::Asset& asset, const graph::Graph& graph)
@@ -82,11 +82,11 @@ class OtherUserFinder {
   const model::Asset& asset_;
   const json::Document& document_;
   const graph::Graph& graph_;
-  std::unordered_set<json::NodeId> known_;  ///< the numbers of slots and sources
+  std::unordered_set<json::NodeId> known_;  ///< index values of slots and sources
   OtherUsers found_;
 };
 
-/// What slots say of the images of one group.
+/// Properties of all slots that use the images of one group.
 struct Tally {
   std::set<ImageClass> kinds;
   bool alpha_alone = false;  ///< a slot reads nothing but alpha
@@ -100,7 +100,7 @@ codec::Wrap wrap_of(model::Wrap wrap) {
   return wrap == model::Wrap::clamp_to_edge ? codec::Wrap::clamp : codec::Wrap::mirror;
 }
 
-// What repeats needs its other side more than what does not.
+// If slots differ, repeat has priority, then mirror.
 codec::Wrap stronger(codec::Wrap one, codec::Wrap other) {
   if (one == codec::Wrap::repeat || other == codec::Wrap::repeat) return codec::Wrap::repeat;
   return one == codec::Wrap::mirror ? one : other;
@@ -212,7 +212,7 @@ class UseReader {
   const graph::Graph& graph_;
   const std::vector<std::size_t>& groups_;
   std::vector<ImageUse> uses_;  ///< by group
-  std::vector<Tally> tallies_;  ///< likewise
+  std::vector<Tally> tallies_;  ///< by group
   std::vector<model::Texture> textures_;
 };
 

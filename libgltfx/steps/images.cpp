@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images in another format or of another size (glTF 2.0 section 3.8; EXT_texture_webp).
+// Stores images in another format or size (glTF 2.0 section 3.8; EXT_texture_webp).
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -24,12 +24,12 @@
 namespace gltfx::steps {
 namespace {
 
-/// What came of the plan of one group.
+/// The result for one group of images.
 struct Encoded {
-  const ImageAttempt* attempt = nullptr;  ///< that worked; null: none
+  const ImageAttempt* attempt = nullptr;  ///< that succeeded; null: none
   std::string bytes;
   codec::Raster source, raster;
-  std::optional<ImageDistance> distance;  ///< of a lossy file
+  std::optional<ImageDistance> distance;  ///< for lossy formats
 };
 
 /// One group of images with its plan.
@@ -40,7 +40,7 @@ struct Job {
   Encoded encoded;
 };
 
-// Of each value, in steps of 8 bits, that a lossy format promises; 0: nothing is promised.
+// The greatest error of a value in units of 1/255 that a lossy format guarantees; 0: no guarantee.
 double bound_of(const ImageAttempt& attempt, const codec::Raster& source) {
   if (attempt.request.options.near_lossless == 100) return 0;
   constexpr double kNearlyLossless = 2;
@@ -48,14 +48,14 @@ double bound_of(const ImageAttempt& attempt, const codec::Raster& source) {
   return kNearlyLossless + (source.bits > 8 ? kRounding : 0);
 }
 
-// A sentence of a decoder as half of one.
+// A message of a decoder, printable and without its full stop.
 std::string half_sentence(std::string_view sentence) {
   std::string text = printable(sentence);
   if (text.ends_with('.')) text.pop_back();
   return text;
 }
 
-// What a decoder says of bytes that are broken is a reason to leave them, all else one to refuse.
+// Broken images are left; other errors of a decoder refuse the image.
 void take_error(Job& job, const codec::DecodeError& error, std::string_view what) {
   const std::string why = half_sentence(error.message);
   if (error.kind == codec::ErrorKind::malformed && job.file.format) {
@@ -65,7 +65,7 @@ void take_error(Job& job, const codec::DecodeError& error, std::string_view what
   }
 }
 
-// Whether a decoder reads all of an image. Its size is known then.
+// Whether an image can be decoded completely. Also sets the size in all attempts.
 bool is_whole(Job& job) {
   codec::ImageRequest request = job.plan.attempts.front().request.image;
   request.resize = {};
@@ -83,7 +83,7 @@ bool is_whole(Job& job) {
   return true;
 }
 
-// Whether a file may take the place of the old one.
+// Whether a new file can replace the old one.
 bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& image) {
   const std::string_view name = format_name(attempt.format);
   if (!attempt.may_grow && image.size >= job.file.bytes.size()) {
@@ -99,7 +99,7 @@ bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& i
   return false;
 }
 
-// Tries the attempts in their order. Any number of threads.
+// Tries the attempts in order. Thread-safe for different jobs.
 void encode(Job& job) {
   if (job.plan.attempts.empty() || !is_whole(job)) return;
   for (const ImageAttempt& attempt : job.plan.attempts) {
@@ -119,12 +119,12 @@ void encode(Job& job) {
   }
 }
 
-/// One loss of all images.
+/// One kind of loss, over all images.
 struct Loss {
   std::uint64_t images = 0;
   double bound = 0;                ///< as bound_of()
-  double greatest = 0;             ///< the distance of a value
-  std::optional<double> decibels;  ///< the least
+  double greatest = 0;             ///< the greatest error of a value
+  std::optional<double> decibels;  ///< the lowest
 };
 
 class ImageStep {

@@ -15,13 +15,13 @@ using model::Quaternion;
 using Keys = std::vector<std::uint32_t>;
 
 constexpr double kRotationBound = 1.0 / (1 << 24);
-// Beyond, rotations are so far apart that the shorter arc may be the other one.
+// Below this cosine, rotations are so far apart that rounding may flip the shorter arc.
 constexpr double kLeastCosine = 0.1;
 constexpr double kLongArc = 0.6;  // rotations by some 106 degrees
-// As AnimationComparison::curves compares.
+// The bound of AnimationComparison::curves.
 constexpr double kCurveBound = 1.0 / (1 << 22);
 constexpr int kParts = 5;
-// Of splits: more are only needed where each cuts off next to nothing.
+// Maximum depth of splits; only splits that remove almost nothing go deeper.
 constexpr int kMostDepth = 64;
 
 double last_place(float value) {
@@ -36,12 +36,12 @@ Quaternion quaternion_at(const KeyedCurve& curve, std::size_t key) {
   return q;
 }
 
-/// Keyframes `from` and `to`, with none between them.
+/// An interpolation from keyframe `from` to keyframe `to`.
 struct Arc {
   std::uint32_t from, to;
 };
 
-/// How far a keyframe is from an arc.
+/// The distance of a keyframe from an arc.
 struct Misfit {
   double away = 0;
   bool counts = false;  ///< it is more than rounding
@@ -58,8 +58,8 @@ struct Farthest {
   Misfit misfit;
 };
 
-/// Arcs are split where they miss most, as of Douglas and Peucker: that keyframe is kept, so the
-/// same call for those that are kept splits in the same places.
+/// Splits arcs at the farthest keyframe, as the Douglas-Peucker algorithm does. That keyframe is
+/// kept, so a second call for the kept keyframes splits at the same places.
 class Choice {
  public:
   Choice(std::span<const float> times, std::span<const KeyedCurve> curves)
@@ -84,7 +84,7 @@ class Choice {
  private:
   double time(std::size_t key) const { return static_cast<double>(times_[key]); }
 
-  // Whether a step has another value from here on.
+  // Whether a step curve changes its value at this keyframe.
   bool begins_step(std::size_t key) const {
     return std::any_of(curves_.begin(), curves_.end(), [&](const KeyedCurve& curve) {
       const float* const here = curve.values.data() + key * curve.width;
@@ -93,7 +93,7 @@ class Choice {
     });
   }
 
-  // Whether a rotation is too far from another one for a long arc.
+  // Whether a rotation is too far from another one for a single arc.
   bool turns_far(std::size_t from, std::size_t key) const {
     return std::any_of(curves_.begin(), curves_.end(), [&](const KeyedCurve& curve) {
       return curve.kind == CurveKind::rotation && cosine(curve, from, key) < kLongArc;
@@ -106,7 +106,7 @@ class Choice {
     return std::inner_product(p.begin(), p.end(), q.begin(), 0.0);
   }
 
-  // Keeps what the arc needs.
+  // Keeps the keyframes that the arc needs.
   void thin(const Arc& whole) {
     struct Part {
       Arc arc;
@@ -133,7 +133,7 @@ class Choice {
     std::fill(kept_.begin() + arc.from, kept_.begin() + arc.to, true);
   }
 
-  // The first of those that are as far, of those that count if there are some.
+  // The farthest keyframe; keyframes beyond the bound have priority, then earlier ones.
   Farthest farthest_from(const Arc& arc) const {
     Farthest found{arc.from + 1, misfit_of(arc, arc.from + 1)};
     for (std::uint32_t key = arc.from + 2; key < arc.to; ++key) {
@@ -189,7 +189,7 @@ class Choice {
     return true;
   }
 
-  // Whether the arc is what the curves were from a keyframe to the next one.
+  // Whether the arc reproduces the curves from a keyframe to the next one.
   bool follows(const Arc& arc, std::size_t key) const {
     const Arc old{static_cast<std::uint32_t>(key), static_cast<std::uint32_t>(key + 1)};
     return std::all_of(curves_.begin(), curves_.end(), [&](const KeyedCurve& curve) {
@@ -240,7 +240,7 @@ class Choice {
     const double to = static_cast<double>(curve.values[arc.to * curve.width + i]);
     return static_cast<double>(static_cast<float>(from * (1 - t) + to * t));
   }
-  // Rounded as a reader in single precision rounds it.
+  // Rounds like a reader in single precision.
   Quaternion rotation(const KeyedCurve& curve, const Arc& arc, double moment) const {
     const auto rounded = [](Quaternion q) {
       for (double& each : q) each = static_cast<double>(static_cast<float>(each));

@@ -38,7 +38,7 @@ using model::Storage;
 using Ranges = std::vector<ByteRange>;
 using Trouble = std::optional<Error>;
 
-// In order, without overlaps.
+// Merges ranges: sorted, without overlaps.
 Ranges united(Ranges ranges) {
   std::sort(ranges.begin(), ranges.end(),
             [](const ByteRange& a, const ByteRange& b) { return a.begin < b.begin; });
@@ -53,7 +53,7 @@ Ranges united(Ranges ranges) {
   return whole;
 }
 
-// Those of `ranges` that are not in `taken`. Both in order, without overlaps.
+// The parts of `ranges` that are not in `taken`. Both are sorted and have no overlaps.
 Ranges without(const Ranges& ranges, const Ranges& taken) {
   Ranges left;
   auto next = taken.begin();
@@ -74,7 +74,7 @@ std::uint64_t size_of(const Ranges& ranges) {
   return size;
 }
 
-/// The named bytes of all buffers of one asset.
+/// The bytes of all buffers of an asset that have users.
 class Named {
  public:
   Named(const OpenedAsset& asset, const schema::Set& schemas)
@@ -96,12 +96,12 @@ class Named {
   const Ranges none_;
 };
 
-/// A buffer of the new asset in the making.
+/// The unfinished content of a buffer of the new asset.
 struct NewContent {
   std::vector<Bytes> pieces;
   std::uint64_t size = 0;
 
-  // Returns where the range begins now.
+  // Returns the new offset of the range.
   std::uint64_t add(const Bytes& bytes, const ByteRange& range) {
     const std::uint64_t gap =
         (range.begin % kAlignment + kAlignment - size % kAlignment) % kAlignment;
@@ -113,7 +113,7 @@ struct NewContent {
   }
 };
 
-/// Bytes of a buffer as the steps left it, and where they begin now.
+/// A range of bytes after the steps, and its new offset.
 struct Moved {
   ByteRange from;
   std::uint64_t to;
@@ -175,7 +175,7 @@ class Layout {
     return index >= old_count_ && NewBuffer::is_own(path_of(buffer(index)));
   }
 
-  // Files by how often they are referred to.
+  // Counts the references to each file.
   void list_files() {
     for (const auto& [node, path] : change::referred_files(document_)) ++files_[path];
     outcome_.removed.assign(count(), false);
@@ -185,7 +185,7 @@ class Layout {
     return found != files_.end() && found->second > 1;
   }
 
-  // Bytes of an old buffer that lost their last user.
+  // The bytes of an old buffer that lost their last user.
   Ranges freed(std::uint64_t index) {
     const Storage storage = bytes_.buffer_storage(index);
     if (!may_cut_ || storage == Storage::nowhere || is_shared(index)) return {};
@@ -210,8 +210,8 @@ class Layout {
     return Error{"no buffer of the asset can store new bytes"};
   }
 
-  // Buffers of steps, and those that steps left without a use; these only where no unknown index
-  // may move.
+  // Chooses the buffers of steps, and buffers that lost their last use if no unknown index would
+  // change.
   void choose_removed() {
     const bool certain = graph::find_unknown_with_integer(now_.graph) == json::kNoNode;
     for (std::uint64_t i = count(); i > 0; --i) {
@@ -258,7 +258,7 @@ class Layout {
     return std::nullopt;
   }
 
-  // Lets all users begin where their bytes are now, and takes the removed buffers out.
+  // Updates the offsets of all users and removes buffers.
   void renumber() {
     for (const BufferUser& user : *now_.users) move(user);
     std::vector<std::uint64_t> position(count());
@@ -344,13 +344,13 @@ class Layout {
   json::Editor editor_;
   const bool may_cut_;
   std::map<std::string, unsigned> files_;
-  /// What becomes of buffers, by index.
+  /// The outcome for buffers, by index.
   struct {
-    std::uint64_t home = UINT64_MAX;  ///< takes new bytes
+    std::uint64_t home = UINT64_MAX;  ///< buffer for new bytes
     bool home_gets_more = false;
     std::vector<bool> removed;
     std::map<std::uint64_t, NewContent> contents;
-    std::map<std::uint64_t, std::vector<Moved>> moved;  ///< of old buffers, in order
+    std::map<std::uint64_t, std::vector<Moved>> moved;  ///< by old buffer, sorted
   } outcome_;
   change::Change change_;
 };

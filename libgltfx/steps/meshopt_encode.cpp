@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffer views become streams of meshoptimizer (EXT_meshopt_compression), exact to the bit.
+// Stores buffer views as meshoptimizer streams (EXT_meshopt_compression), without loss.
 #include "model/meshopt_encode.hpp"
 
 #include <algorithm>
@@ -31,13 +31,13 @@ namespace {
 
 using model::meshopt::Mode;
 
-// Of a view without a stride: elements of any format may lie there one behind the other.
+// Stride unit of a view without a stride, which may contain elements of several formats.
 constexpr std::uint64_t kStrideUnit = 4;
 constexpr std::size_t kMostStrides = 4;
-// Of an attribute stream.
+// Limit of an attribute stream.
 constexpr std::uint64_t kGreatestStride = 256;
-// What text comes to on its way, where it is compressed: the object of an extension, and the buffer
-// and the names in the lists of extensions.
+// Estimated sizes of JSON after compression for transfer: the object of an extension; and the new
+// buffer with the names in the lists of extensions.
 constexpr std::int64_t kStreamText = 40;
 constexpr std::int64_t kAssetText = 60;
 
@@ -50,13 +50,13 @@ std::string_view mode_text(Mode mode) {
 struct StreamJob {
   std::uint32_t view = 0;
   container::Bytes bytes;
-  std::vector<std::uint64_t> strides;  ///< to try
+  std::vector<std::uint64_t> strides;  ///< candidates
   Mode mode = Mode::attributes;
   std::shared_ptr<const std::vector<std::byte>> stream;  ///< null: none is smaller
   std::uint64_t stride = 0;                              ///< of the stream
-  std::uint64_t count = 0;                               ///< likewise
+  std::uint64_t count = 0;                               ///< of elements in the stream
 
-  // Elements that the bytes do not fill end in zeros.
+  // An incomplete last element is padded with zeros.
   void encode() {
     for (const std::uint64_t each : strides) {
       const std::uint64_t elements = (bytes.size() + each - 1) / each;
@@ -126,7 +126,7 @@ class MeshoptStep {
     outcome_.row.refused.push_back({fmt::format("/bufferViews/{}", view), std::move(reason)});
   }
 
-  // Indices of triangles, each of which may begin with another of its corners.
+  // Finds index accessors of triangles that may start at any of their corners.
   void find_turnable() {
     if (!step_.options.reorder && !step_.options.shrink) return;
     std::set<std::uint32_t> others;
@@ -145,7 +145,7 @@ class MeshoptStep {
     for (const std::uint32_t other : others) turnable_.erase(other);
   }
 
-  // What else than an accessor uses a view.
+  // Names a user of a view that is not an accessor.
   std::string name_other_user(json::NodeId view) const {
     for (const graph::Use& use : input_.graph.users(view)) {
       if (input_.accessor_of(use)) continue;
@@ -224,8 +224,7 @@ class MeshoptStep {
     return turnable && *view.byte_length % (3 * size) == 0 ? Mode::triangles : Mode::indices;
   }
 
-  // Elements that a stream compares with each other have one size; where a view has several, each
-  // of them is tried.
+  // A stream compares elements of one size. If a view has several sizes, each one is a candidate.
   std::vector<std::uint64_t> strides_of(Mode mode,
                                         const std::vector<std::uint32_t>& accessors) const {
     const std::uint64_t first = model::packed_stride(accessor(accessors.front()).format);
@@ -246,7 +245,7 @@ class MeshoptStep {
     return strides;
   }
 
-  // What a stream saves, with the text that describes it.
+  // The bytes that a stream saves, minus the JSON for it.
   static std::int64_t gain_of(const StreamJob& job) {
     if (!job.stream) return 0;
     return static_cast<std::int64_t>(job.bytes.size()) -
@@ -276,7 +275,7 @@ class MeshoptStep {
     ++stored_;
   }
 
-  // All views that gain, if together they gain more than the text of the asset grows.
+  // Stores all views that become smaller, if they save more than the JSON of the asset grows.
   void store_all() {
     std::int64_t gain = -kAssetText;
     for (const StreamJob& job : jobs_) gain += std::max<std::int64_t>(gain_of(job), 0);

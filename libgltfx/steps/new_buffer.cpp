@@ -16,7 +16,7 @@ namespace {
 
 using container::Bytes;
 
-// No file on a disk is looked for under such a name: the resolver has its bytes.
+// The resolver has the bytes of files with this prefix and does not search the disk for them.
 constexpr std::string_view kPrefix = "gltfx-new-bytes-";
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What nothing uses goes: objects that cannot be reached from what an asset consists of, and
-// vertices that no index reads.
+// Removes unused objects, which cannot be reached from the roots of an asset, and vertices that no
+// index uses.
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 8> kPrunedLists{
 constexpr std::array<std::string_view, 5> kListsOfLibrary{"images", "materials", "meshes", "skins",
                                                           "textures"};
 
-/// Finds elements of root arrays that nothing leads to.
+/// Finds elements of root arrays that cannot be reached.
 class Unreached {
  public:
   explicit Unreached(const graph::Graph& graph)
@@ -45,7 +45,7 @@ class Unreached {
     open_ = {document_.root()};
   }
 
-  /// The elements, in the order of the text. Notes in `row` lists whose elements stay.
+  /// The elements, in document order. Adds notes to `row` about lists whose elements stay.
   std::vector<NodeId> find(ConvertStep& row) {
     expand();
     std::vector<NodeId> kept;
@@ -69,7 +69,7 @@ class Unreached {
 
  private:
   struct Kept {
-    std::string reason;  ///< empty: elements may go
+    std::string reason;  ///< empty: elements may be removed
     bool is_refusal = false;
   };
 
@@ -98,7 +98,7 @@ class Unreached {
     if (element != json::kNoNode && lists_.contains(graph_.tree().parent(element))) reach(element);
   }
 
-  // Of the root, what is in its other members.
+  // Follows references. At the root, skips the lists that are pruned.
   void expand() {
     for (; next_ < open_.size(); ++next_) {
       const NodeId from = open_[next_];
@@ -126,7 +126,7 @@ class Unreached {
   std::map<NodeId, Kept> lists_;
   std::unordered_set<NodeId> reached_;
   std::vector<NodeId> open_;
-  std::size_t next_ = 0;  ///< the first of open_ whose references are not followed yet
+  std::size_t next_ = 0;  ///< the first element of open_ that is not followed yet
 };
 
 class PruneRun {
@@ -172,7 +172,7 @@ class PruneRun {
     return std::nullopt;
   }
 
-  // Plans it; gives the number of objects.
+  // Plans the deletion and returns the number of objects.
   std::size_t remove(const graph::Graph& graph, const std::vector<NodeId>& unused) {
     std::vector<std::string> pointers;
     for (const NodeId element : unused) pointers.push_back(graph.tree().pointer(element));
@@ -197,7 +197,7 @@ class PruneRun {
     vertices_ = pruned->vertices;
     if (vertices_ == 0) return std::nullopt;
     if (auto error = stages_.add(std::move(pruned->change))) return error;
-    // Accessors that did not fit into their views left them.
+    // Accessors may have moved to new views, so old views may be unused now.
     const std::uint64_t objects = objects_;
     auto error = remove_objects();
     objects_ = objects;
@@ -208,7 +208,7 @@ class PruneRun {
   Stages stages_;
   StepOutcome outcome_;
   std::optional<change::Change> plan_;
-  std::uint64_t objects_ = 0, vertices_ = 0;  ///< that are gone
+  std::uint64_t objects_ = 0, vertices_ = 0;  ///< removed
   bool is_safe_ = true;
 };
 

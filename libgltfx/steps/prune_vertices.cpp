@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::uint32_t kUnread = UINT32_MAX;
 
-/// The vertices that stay.
+/// The vertices that indices use.
 struct ReadVertices {
-  std::vector<std::uint32_t> numbers;  ///< new ones, by old number; kUnread: none
-  std::vector<std::uint32_t> kept;     ///< old numbers, in order
+  std::vector<std::uint32_t> numbers;  ///< new number by old number; kUnread: none
+  std::vector<std::uint32_t> kept;     ///< old numbers, sorted
 };
 
 class VertexPruner {
@@ -49,7 +49,7 @@ class VertexPruner {
   }
 
  private:
-  // Why a set is left, or nothing.
+  // Why a set is left; empty: it is not.
   std::string prune(const VertexSet& set) {
     OpenedVertices vertices;
     if (std::string why = open_vertices(data_, set, vertices); !why.empty()) return why;
@@ -69,7 +69,7 @@ class VertexPruner {
     return {};
   }
 
-  // Whether indices read all vertices, so that there is nothing to say about a set that stays.
+  // Whether indices use all vertices, so that a set that stays needs no note.
   bool is_known_to_read_all(const VertexSet& set) {
     const model::Views& views = data_.views();
     const std::uint64_t count = views.accessors[set.accessors.front()].count.value_or(0);
@@ -96,8 +96,8 @@ class VertexPruner {
     return std::find(is_read.begin(), is_read.end(), false) == is_read.end();
   }
 
-  // Why it is not known which vertices are read, or nothing. The greatest index of a type has no
-  // vertex: it may restart a primitive.
+  // Finds the vertices that indices use. Returns why that is unknown, or an empty string. The
+  // greatest index of a type is never a vertex, because it may restart a primitive.
   static std::string find_read(const OpenedVertices& vertices,
                                const std::vector<std::vector<std::uint32_t>>& lists,
                                ReadVertices& read) {

@@ -19,7 +19,7 @@ bool overlap(const json::Document& document, json::NodeId one, json::NodeId othe
   return inside || (other >= one && other < document.next(one));
 }
 
-// Properties of materials in the order of the materials.
+// Whether VRM stores properties in the order of the materials.
 bool has_parallel_list(const graph::Tree& tree, json::NodeId list) {
   if (tree.name(list) != "materials") return false;
   return tree.find("/extensions/VRM/materialProperties").node != json::kNoNode;

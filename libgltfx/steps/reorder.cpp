@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles and vertices in an order that suits the caches of a GPU.
+// Orders triangles and vertices for GPU caches.
 #include <algorithm>
 #include <numeric>
 #include <string>
@@ -28,8 +28,8 @@ class TriangleOrder {
   explicit TriangleOrder(std::uint64_t vertices)
       : local_(static_cast<std::size_t>(vertices), kNoNumber) {}
 
-  // Whether the list has another order now. Again on the result, it has not: an order only changes
-  // for one that is better by more than 1 %, until there is none.
+  // Whether the order of the list changed. Repeats as long as an order is better by more than 1 %,
+  // so a second call changes nothing.
   bool improve(Indices& indices) {
     constexpr double kWorthwhile = 0.99;
     bool improved = false;
@@ -44,7 +44,7 @@ class TriangleOrder {
   }
 
  private:
-  // Vertices numbered by their first use, so that the time is that of the list.
+  // Numbers vertices by first use, so that the time depends only on the length of the list.
   Indices localized(const Indices& indices) {
     Indices numbers;
     numbers.reserve(indices.size());
@@ -60,11 +60,11 @@ class TriangleOrder {
     return numbers;
   }
 
-  Indices local_;  ///< by vertex; no number between calls
+  Indices local_;  ///< by vertex; kNoNumber between calls
   Indices used_;   ///< vertices by local number
 };
 
-// Old vertices in the order of their first use; those without a use follow in theirs.
+// Old vertices by first use, followed by unused ones in their old order.
 Indices order_of_use(const std::vector<Indices>& lists, std::uint64_t vertices) {
   std::vector<bool> is_used(static_cast<std::size_t>(vertices));
   Indices order;
@@ -106,7 +106,7 @@ class Reorderer {
   }
 
  private:
-  // Why a set is left, or nothing.
+  // Why a set is left; empty: it is not.
   std::string reorder(const VertexSet& set) {
     for (const model::Primitive* primitive : set.primitives) {
       if (primitive->mode != model::Mode::triangles) return "has primitives that are not triangles";
@@ -138,7 +138,7 @@ class Reorderer {
     return {};
   }
 
-  // With any material that the primitive can get.
+  // Whether any material of the primitive, including those of variants, is blended.
   bool is_blended(const model::Primitive& primitive) {
     bool found = false;
     data_.graph.each_use_in(primitive.node, [&](const graph::Use& use) {

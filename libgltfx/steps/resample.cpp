@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keyframes that interpolation between their neighbours gives go (glTF 2.0 section 3.11).
+// Removes keyframes that interpolation of the others reproduces (glTF 2.0 section 3.11).
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -22,19 +22,19 @@ using model::AnimationPath;
 using model::AnimationSampler;
 using model::Interpolation;
 
-/// A sampler and what its channels move.
+/// A sampler and the kinds of properties that its channels animate.
 struct UsedSampler {
   const AnimationSampler* sampler = nullptr;
   bool rotations = false;
   bool others = false;
-  bool unknown = false;  ///< what an extension moves, or nothing
+  bool unknown = false;  ///< a property of an extension, or none
 };
 
-/// The samplers that give the values of an accessor.
+/// The samplers that use an accessor for their values.
 struct ValueUses {
   std::uint64_t count = 0;
-  std::optional<std::uint32_t> input;  ///< accessor with their times
-  bool apart = false;                  ///< not all have the same
+  std::optional<std::uint32_t> input;  ///< accessor of their times
+  bool apart = false;                  ///< their times differ
 
   void note(const std::optional<std::uint32_t>& other) {
     apart |= !other || (count > 0 && other != input);
@@ -50,10 +50,10 @@ struct Clip {
   std::string obstacle;  ///< empty: there is none
 };
 
-/// The values of a sampler.
+/// The stored values of a sampler.
 struct Output {
   std::uint32_t accessor = 0;
-  std::size_t key_size = 0;  ///< bytes of a keyframe
+  std::size_t key_size = 0;  ///< bytes per keyframe
   std::string bytes;         ///< packed
 };
 
@@ -145,7 +145,7 @@ class Resampler {
     return data_.views().accessors[index];
   }
 
-  // Why a clip is left, or nothing.
+  // Why a clip is left; empty: it is not.
   std::string resample(const Clip& clip) {
     std::optional<model::AccessorData> data;
     if (std::string why = data_.open(clip.input, data); !why.empty()) return why;

@@ -19,7 +19,7 @@ struct KeptBytes {
   std::uint32_t accessor;
 };
 
-// In the order of the bytes. Nothing: the view stays as it is.
+// Sorted by offset. Nothing: the view does not change.
 std::optional<std::vector<KeptBytes>> kept_bytes(const GeometryInput& input, std::uint32_t view,
                                                  const std::set<std::uint32_t>& gone) {
   const auto accessors = input.accessors_of(input.views.buffer_views[view].node);
@@ -46,8 +46,8 @@ void shrink(const GeometryInput& input, std::uint32_t index, const std::vector<K
   const auto old = input.resources.part(document, view, 0, *view.byte_length);
   if (!old) return;
   std::string bytes;
-  std::uint64_t copied = 0;    // of the old view
-  std::uint64_t distance = 0;  // that the bytes before `copied` moved by
+  std::uint64_t copied = 0;    // offset in the old view
+  std::uint64_t distance = 0;  // by which the bytes before `copied` moved
   std::vector<std::pair<std::uint32_t, std::uint64_t>> places;
   for (const KeptBytes& each : kept) {
     if (each.begin >= copied) {

@@ -9,7 +9,7 @@
 namespace gltfx::steps {
 namespace {
 
-// Each byte once, and some more.
+// Twice all bytes, and a minimum for small assets.
 std::uint64_t readable_bytes(const model::ResourceData& resources) {
   std::uint64_t bytes = std::uint64_t{64} << 20U;
   for (const auto& buffer : resources.buffers) {
@@ -26,7 +26,7 @@ model::ResourceData load_buffers(const StepInput& input, const model::Asset& ele
   model::ResourceData data = model::load_resources(input.asset.container(), files, elements,
                                                    input.asset.views(), input.options.jobs, &images)
                                  .data;
-  // Readers of the extension use a stream, not the plain copy for other readers.
+  // Readers that support the extension use the stream, not the plain copy.
   data.decoded_views.merge(data.unread_views);
   return data;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extensions that know vertices or triangles by their number.
+// Finds extensions that refer to vertices or triangles by number.
 #include <algorithm>
 #include <initializer_list>
 #include <string_view>
@@ -15,7 +15,7 @@ namespace {
 
 using json::NodeId;
 
-// Ids of features that are numbers of vertices.
+// Extensions whose feature ids may be vertex numbers.
 constexpr std::string_view kFeatures = "EXT_mesh_features";
 constexpr std::string_view kOldFeatures = "EXT_feature_metadata";
 
@@ -26,7 +26,7 @@ bool has_any(const json::Document& document, NodeId object,
   });
 }
 
-// Whether `is_implied` holds for an element of a list.
+// Whether `is_implied` is true for an element of a list.
 template <class IsImplied>
 bool any_element(const json::Document& document, NodeId object, std::string_view list,
                  const IsImplied& is_implied) {

@@ -19,7 +19,7 @@ using model::Primitive;
 constexpr std::size_t kNoSet = SIZE_MAX;
 constexpr const char* kBroken = "has members that cannot be read";
 
-/// Who uses one accessor.
+/// The uses of one accessor.
 struct AccessorReaders {
   std::size_t set = kNoSet;
   bool several_sets = false;

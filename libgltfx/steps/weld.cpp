@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices of a primitive that are equal in all bits become one (glTF 2.0 section 3.7.2).
+// Merges vertices of a primitive that are equal bit by bit (glTF 2.0 section 3.7.2).
 #include <algorithm>
 #include <cstring>
 #include <string_view>
@@ -17,13 +17,13 @@
 namespace gltfx::steps {
 namespace {
 
-// The vertex that takes the place of each, in new numbers, and which of the old ones stay.
+// The new number of each vertex, and the vertices that stay.
 struct Merging {
   std::vector<std::uint32_t> numbers;  ///< by old number
-  std::vector<std::uint32_t> kept;     ///< old numbers, in order
+  std::vector<std::uint32_t> kept;     ///< old numbers, sorted
 };
 
-// All bits of vertices, each as one record.
+// The bytes of all vertices, one record each.
 struct Records {
   std::size_t size = 0;  ///< of one
   std::string bytes;
@@ -51,7 +51,7 @@ Records records_of(const OpenedVertices& vertices) {
 
 using Hashed = std::pair<std::uint64_t, std::uint32_t>;  // hash, vertex
 
-// Equal records of one hash side by side, each time in the order of their vertices.
+// Sorts records of one hash so that equal ones are adjacent, in the order of their vertices.
 void order_by_bytes(const Records& records, Hashed* begin, Hashed* end) {
   const bool same = std::all_of(begin, end, [&](const Hashed& each) {
     return records.of(each.second) == records.of(begin->second);
@@ -62,7 +62,7 @@ void order_by_bytes(const Records& records, Hashed* begin, Hashed* end) {
   });
 }
 
-// Sorting takes n log n steps, whatever the hashes are.
+// Takes n log n steps for any hashes.
 Merging merge(const Records& records, std::uint32_t count) {
   std::vector<Hashed> sorted;
   sorted.reserve(count);
@@ -116,7 +116,7 @@ class Welder {
  private:
   ConvertStep& row() { return outcome_.row; }
 
-  // Why a set is left, or nothing.
+  // Why a set is left; empty: it is not.
   std::string weld(const VertexSet& set) {
     OpenedVertices vertices;
     if (std::string why = open_vertices(data_, set, vertices); !why.empty()) return why;
@@ -142,7 +142,7 @@ class Welder {
     return {};
   }
 
-  // Bytes that indices take where there are none yet, against those of merged vertices.
+  // Why a set would become larger: new indices may need more bytes than merged vertices save.
   static std::string find_loss(const VertexSet& set, const Merging& merging, std::size_t size) {
     constexpr std::uint64_t kTextOfIndices = 200;
     bool is_new = false;
@@ -158,13 +158,13 @@ class Welder {
     return saved > cost ? std::string() : "would be larger with indices";
   }
 
-  // The greatest number of a type restarts a primitive, or is not allowed.
+  // The greatest index of a type is reserved for primitive restart.
   static model::ComponentType index_type(const Merging& merging) {
     return merging.kept.size() <= UINT16_MAX ? model::ComponentType::uint16
                                              : model::ComponentType::uint32;
   }
 
-  // Empty: an index has no vertex.
+  // Empty: an index is out of range.
   static std::vector<std::uint32_t> renumbered(const IndexList& list, const Merging& merging) {
     std::vector<std::uint32_t> indices = read_index_list(list.data);
     const std::uint32_t restart = restart_index(list.data);
@@ -195,7 +195,7 @@ class Welder {
                             {index_bytes(lists[i], data.format().component), data.count(), true,
                              model::ViewTarget::indices});
     }
-    std::string added;  // of all that have none
+    std::string added;  // new indices of the primitives that have none
     for (const model::Primitive* primitive : set.primitives) {
       if (primitive->indices) continue;
       if (added.empty()) added = std::to_string(add_indices(merging));
