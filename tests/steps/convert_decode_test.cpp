@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Streams of meshoptimizer as plain bytes; Draco is beside its encoder.
+// Decoding of meshoptimizer streams; convert_draco_test.cpp tests Draco.
 #include <gmock/gmock.h>
 
 #include "geometry_support.hpp"
@@ -32,7 +32,7 @@ class Decode : public testing::Test {
     options.partial = partial;
     return convert_file(packed_.native(), options);
   }
-  // With another text.
+  // Uses a changed text.
   ConvertReport decode(const OrderedJson& json) {
     folder_.write("packed/a.gltf", json.dump());
     return decode();
@@ -46,7 +46,7 @@ class Decode : public testing::Test {
   const fs::path plain_ = folder_.path() / "plain" / "a.gltf";
 };
 
-TEST_F(Decode, StreamsBecomeTheBytesThatTheyHold) {
+TEST_F(Decode, ReplacesStreamsWithTheirContent) {
   const ConvertReport report = decode();
   ASSERT_TRUE(report.written) << report.error;
   EXPECT_EQ(report.steps[0].what, "3 buffer views");
@@ -58,7 +58,7 @@ TEST_F(Decode, StreamsBecomeTheBytesThatTheyHold) {
   for (const auto& view : plain()["bufferViews"]) EXPECT_FALSE(view.contains("extensions"));
 }
 
-TEST_F(Decode, WhatIsPlainStays) {
+TEST_F(Decode, LeavesPlainData) {
   ASSERT_TRUE(decode().written);
   const fs::path again = folder_.path() / "again" / "a.gltf";
   ConvertOptions options = test::options_to(again);
@@ -67,7 +67,7 @@ TEST_F(Decode, WhatIsPlainStays) {
   EXPECT_EQ(content_of(again), content_of(plain_));
 }
 
-TEST_F(Decode, ThereAreOtherNamesInTheLists) {
+TEST_F(Decode, UpdatesTheListsOfExtensions) {
   OrderedJson json = packed();
   json["extensionsUsed"] = OrderedJson::array({"KHR_lights_punctual", kStream});
   ASSERT_TRUE(decode(json).written);
@@ -75,7 +75,7 @@ TEST_F(Decode, ThereAreOtherNamesInTheLists) {
   EXPECT_FALSE(plain().contains("extensionsRequired"));
 }
 
-// Views whose plain bytes are in a file.
+// Compressed views with plain copies in a file.
 class DecodeCopies : public Decode {
  protected:
   OrderedJson with_copies(bool exact) {
@@ -93,7 +93,7 @@ class DecodeCopies : public Decode {
   }
 };
 
-TEST_F(DecodeCopies, AreUsedWhereTheyAreTheSame) {
+TEST_F(DecodeCopies, KeepsPlainCopiesThatAreEqual) {
   const ConvertReport report = decode(with_copies(true));
   ASSERT_TRUE(report.written) << report.error;
   EXPECT_EQ(view_bytes(plain_), view_bytes(folder_.path() / "a.gltf"));
@@ -104,13 +104,13 @@ TEST_F(DecodeCopies, AreUsedWhereTheyAreTheSame) {
             content_of(packed_.parent_path() / "copy.bin"));
 }
 
-TEST_F(DecodeCopies, AreDroppedWhereTheyAreNot) {
+TEST_F(DecodeCopies, DropsPlainCopiesThatDiffer) {
   const ConvertReport report = decode(with_copies(false));
   ASSERT_TRUE(report.written) << report.error;
   EXPECT_EQ(view_bytes(plain_), view_bytes(folder_.path() / "a.gltf"));
 }
 
-TEST_F(Decode, ABrokenStreamIsRefused) {
+TEST_F(Decode, RefusesABrokenStream) {
   std::string bytes = content_of(packed_.parent_path() / "b.bin");
   bytes[0] = 'x';
   folder_.write("packed/b.bin", bytes);
@@ -123,14 +123,14 @@ TEST_F(Decode, ABrokenStreamIsRefused) {
   EXPECT_EQ(plain()["extensionsRequired"], OrderedJson::array({kStream}));
 }
 
-TEST_F(Decode, AStreamThatIsNotDescribedIsRefused) {
+TEST_F(Decode, RefusesAStreamWithoutADescription) {
   OrderedJson json = packed();
   json["bufferViews"][1]["extensions"][kStream]["mode"] = "WHATEVER";
   EXPECT_THAT(decode(json).error,
               HasSubstr("/bufferViews/1: the description of its stream is invalid"));
 }
 
-TEST_F(Decode, AStreamOutsideOfItsBufferIsRefused) {
+TEST_F(Decode, RefusesAStreamOutsideItsBuffer) {
   OrderedJson json = packed();
   json["bufferViews"][1]["extensions"][kStream]["byteOffset"] = 4000000000U;
   EXPECT_THAT(decode(json).error, HasSubstr("/bufferViews/1: it has no bytes for its stream"));

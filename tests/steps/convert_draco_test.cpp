@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Geometry as bitstreams of Draco, and back.
+// Geometry is stored as Draco bitstreams and decoded again.
 #include <map>
 
 #include <gmock/gmock.h>
@@ -41,7 +41,7 @@ class Draco : public testing::Test {
     EXPECT_TRUE(report_.written) << report_.error;
     return StoredAsset::at(output_).json();
   }
-  // As plain accessors again.
+  // Decodes to plain accessors.
   OrderedJson decoded() {
     const ConvertReport report = convert(output_, plain_, Compression::none);
     EXPECT_TRUE(report.written) << report.error;
@@ -54,8 +54,8 @@ class Draco : public testing::Test {
     return error;
   }
 
-  // Corners of the triangles of a plain primitive of float attributes, each triangle from its least
-  // corner on, and all sorted.
+  // Triangles of a plain primitive with float attributes. Each triangle starts at its least corner;
+  // triangles are sorted.
   static std::vector<std::vector<std::vector<float>>> triangles(const fs::path& path,
                                                                 const OrderedJson& primitive) {
     const OrderedJson json = StoredAsset::at(path).json();
@@ -99,7 +99,7 @@ OrderedJson primitive_of(const OrderedJson& json, std::size_t mesh = 0) {
   return json["meshes"][mesh]["primitives"][0];
 }
 
-TEST_F(Draco, TrianglesComeBackBitForBit) {
+TEST_F(Draco, KeepsTrianglesBitForBit) {
   AssetText asset;
   asset.mesh(asset.grid());
   const OrderedJson now = converted(asset);
@@ -122,7 +122,7 @@ TEST_F(Draco, TrianglesComeBackBitForBit) {
   EXPECT_EQ(plain["accessors"][0]["min"], asset.json["accessors"][0]["min"]);
 }
 
-TEST_F(Draco, AgainNothingChanges) {
+TEST_F(Draco, ChangesNothingTheSecondTime) {
   AssetText asset;
   asset.mesh(asset.grid());
   converted(asset);
@@ -134,7 +134,7 @@ TEST_F(Draco, AgainNothingChanges) {
               ElementsAre("/meshes/0/primitives/0: it is already compressed"));
 }
 
-TEST_F(Draco, AStripBecomesAList) {
+TEST_F(Draco, ConvertsAStripToAList) {
   AssetText asset;
   OrderedJson primitive = asset.grid();
   std::vector<std::uint16_t> strip;
@@ -156,7 +156,7 @@ TEST_F(Draco, AStripBecomesAList) {
   EXPECT_EQ(now["accessors"][3]["count"], 15 * 15 * 6);
 }
 
-TEST_F(Draco, WithoutIndicesThereIsANewAccessor) {
+TEST_F(Draco, AddsAnAccessorForMissingIndices) {
   AssetText asset;
   const Grid grid;
   std::vector<float> positions;
@@ -173,7 +173,7 @@ TEST_F(Draco, WithoutIndicesThereIsANewAccessor) {
   EXPECT_EQ(now["accessors"][indices]["componentType"], 5123);
 }
 
-TEST_F(Draco, EqualPrimitivesShareABitstream) {
+TEST_F(Draco, StoresEqualPrimitivesInOneBitstream) {
   AssetText asset;
   const OrderedJson primitive = asset.grid();
   asset.mesh(primitive);
@@ -184,7 +184,7 @@ TEST_F(Draco, EqualPrimitivesShareABitstream) {
   EXPECT_EQ(now["accessors"].size(), 3U);
 }
 
-TEST_F(Draco, VerticesOfTwoMeshesAreOfTwoBitstreams) {
+TEST_F(Draco, StoresSharedVerticesOfTwoMeshesInTwoBitstreams) {
   AssetText asset;
   const OrderedJson whole = asset.grid(Grid(32));
   OrderedJson half = whole;
@@ -211,7 +211,7 @@ TEST_F(Draco, VerticesOfTwoMeshesAreOfTwoBitstreams) {
   }
 }
 
-TEST_F(Draco, WhatDracoCannotHoldStays) {
+TEST_F(Draco, LeavesUnsupportedPrimitives) {
   AssetText asset;
   asset.mesh(asset.grid());
   OrderedJson lines = asset.grid();
@@ -238,8 +238,8 @@ TEST_F(Draco, WhatDracoCannotHoldStays) {
   EXPECT_TRUE(primitive_of(now, 0).contains("extensions"));
 }
 
-// Of one view, the indices of the triangles and half of the positions go.
-TEST_F(Draco, WhatStaysInAViewMovesTogether) {
+// One view loses the indices of the triangles and half of the positions.
+TEST_F(Draco, ShrinksAViewThatLosesSomeAccessors) {
   AssetText asset;
   const Grid grid;
   const std::string points = test::bytes_of(grid.positions);
@@ -269,7 +269,7 @@ TEST_F(Draco, WhatStaysInAViewMovesTogether) {
   EXPECT_EQ(now["bufferViews"].size(), 2U);
 }
 
-TEST_F(Draco, SmallOnesStay) {
+TEST_F(Draco, LeavesSmallPrimitives) {
   AssetText asset;
   asset.mesh(asset.grid(Grid(2)));
   converted(asset);
@@ -278,7 +278,7 @@ TEST_F(Draco, SmallOnesStay) {
               ElementsAre("/meshes/0/primitives/0: its bitstream would not be smaller"));
 }
 
-TEST_F(Draco, AnUnrelatedIndexOfAnUnknownExtensionStaysTrue) {
+TEST_F(Draco, KeepsIndicesInUnknownExtensionsValid) {
   AssetText asset;
   asset.mesh(asset.grid());
   const auto curve = asset.accessor(std::vector<float>(10, 3), 5126, "SCALAR", 1);
@@ -287,7 +287,7 @@ TEST_F(Draco, AnUnrelatedIndexOfAnUnknownExtensionStaysTrue) {
   EXPECT_EQ(now["nodes"], asset.json["nodes"]);
   EXPECT_EQ(view_bytes(output_)[now["accessors"][curve]["bufferView"]],
             test::bytes_of(std::vector<float>(10, 3)));
-  // Views that may be meant stay in their places.
+  // Views whose index may occur in the extension keep their index.
   EXPECT_EQ(now["bufferViews"].size(), 4U);
   EXPECT_THAT(texts_of(step().left),
               Contains(HasSubstr("/bufferViews/2: it is unused, but /nodes/0/extensions/"
@@ -295,14 +295,14 @@ TEST_F(Draco, AnUnrelatedIndexOfAnUnknownExtensionStaysTrue) {
   EXPECT_LT(fs::file_size(output_.parent_path() / "b.bin"), asset.buffer.size() * 3 / 4);
 }
 
-TEST_F(Draco, AnIndexThatMayMeanTheVerticesIsRefused) {
+TEST_F(Draco, RefusesIfAnUnknownExtensionMayReferToAnAccessor) {
   AssetText asset;
   asset.mesh(asset.grid());
   asset.json["nodes"][0]["extensions"]["ACME_curve"] = {{"accessor", 1}};
   EXPECT_THAT(refusal(asset), HasSubstr("ACME_curve may hold the index of /accessors/1"));
 }
 
-TEST_F(Draco, NumbersOfAnUnknownExtensionOnAPrimitiveAreRefused) {
+TEST_F(Draco, RefusesNumbersInAnUnknownExtensionOfAPrimitive) {
   AssetText asset;
   OrderedJson primitive = asset.grid();
   primitive["extensions"]["ACME_outline"] = {{"vertices", {0.5, 7.5}}};
@@ -310,7 +310,7 @@ TEST_F(Draco, NumbersOfAnUnknownExtensionOnAPrimitiveAreRefused) {
   EXPECT_THAT(refusal(asset), HasSubstr("ACME_outline may hold data about its vertices"));
 }
 
-TEST_F(Draco, TextOfAnUnknownExtensionOnAPrimitiveStays) {
+TEST_F(Draco, AllowsTextInAnUnknownExtensionOfAPrimitive) {
   AssetText asset;
   OrderedJson primitive = asset.grid();
   primitive["extensions"]["ACME_label"] = {{"text", "x"}};
@@ -320,14 +320,14 @@ TEST_F(Draco, TextOfAnUnknownExtensionOnAPrimitiveStays) {
   EXPECT_TRUE(primitive_of(now)["extensions"].contains(kDraco));
 }
 
-TEST_F(Draco, BrokenDataIsRefused) {
+TEST_F(Draco, RefusesBrokenData) {
   AssetText asset;
   asset.mesh(asset.grid());
   asset.json["accessors"][1]["count"] = 999999;
   EXPECT_THAT(refusal(asset), HasSubstr("/accessors/1 does not fit into its buffer view"));
 }
 
-TEST_F(Draco, ABitstreamThatIsNoneIsRefused) {
+TEST_F(Draco, RefusesAnInvalidBitstream) {
   AssetText asset;
   asset.mesh(asset.grid());
   converted(asset);
@@ -339,7 +339,7 @@ TEST_F(Draco, ABitstreamThatIsNoneIsRefused) {
   EXPECT_FALSE(fs::exists(plain_));
 }
 
-TEST_F(Draco, AnotherCodecTakesItsPlace) {
+TEST_F(Draco, CanBeReplacedByAnotherCodec) {
   AssetText asset;
   asset.mesh(asset.grid());
   converted(asset);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All fixtures are packed into a GLB and unpacked: only the places of bytes change.
+// All fixtures are packed into a GLB and unpacked. Only the location of bytes changes.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -36,7 +36,7 @@ std::vector<fs::path> assets_below_fixtures() {
   return assets;
 }
 
-// Removes all members that define places of bytes.
+// Removes all members that define the location of bytes.
 void forget_places(OrderedJson& json) {
   for (auto& image : json["images"]) {
     for (const char* member : {"uri", "bufferView", "mimeType"}) image.erase(member);
@@ -97,7 +97,7 @@ model::OpenedAsset open(const fs::path& path) {
           container::Resolver(path.parent_path(), path.parent_path())};
 }
 
-// The bytes of all views, and of images separately.
+// The bytes of all views, with images separate.
 std::vector<std::string> data_of(const fs::path& path) {
   const model::OpenedAsset asset = open(path);
   const model::Asset elements(asset.document());
@@ -123,7 +123,7 @@ bool is_binary(const fs::path& path) { return path.extension() == ".glb"; }
 
 class EveryFixture : public testing::Test {
  protected:
-  // Nothing: the asset was refused, with a reason.
+  // Nothing: the asset was refused with a reason.
   std::optional<fs::path> stored(const fs::path& from, std::string_view folder, StoredAs to) {
     ConvertOptions options =
         options_to(folder_.path() / folder / (to == StoredAs::glb ? "a.glb" : "a.gltf"));
@@ -140,7 +140,7 @@ class EveryFixture : public testing::Test {
     EXPECT_EQ(data_of(from), data_of(now)) << from;
   }
 
-  // Another conversion changes nothing.
+  // A second conversion changes nothing.
   void expect_settled(const fs::path& now, StoredAs to) {
     const auto again = stored(now, "again", to);
     ASSERT_TRUE(again) << now;
@@ -151,7 +151,7 @@ class EveryFixture : public testing::Test {
   TempFolder folder_;
 };
 
-TEST_F(EveryFixture, GoesIntoAGlbAndBack) {
+TEST_F(EveryFixture, CanBePackedAndUnpacked) {
   std::vector<std::string> refused;
   for (const fs::path& from : assets_below_fixtures()) {
     const auto glb = stored(from, "glb", StoredAs::glb);
@@ -176,7 +176,7 @@ TEST_F(EveryFixture, GoesIntoAGlbAndBack) {
                                    "tumbler-version-3.glb", "version-1.gltf"));
 }
 
-TEST_F(EveryFixture, GoesIntoDataUris) {
+TEST_F(EveryFixture, CanBeStoredInDataUris) {
   for (const fs::path& from : assets_below_fixtures()) {
     const auto embedded = stored(from, "embedded", StoredAs::embedded);
     if (!embedded) continue;
@@ -208,7 +208,7 @@ TEST_F(EveryFixture, StoresItsImagesInAnotherFormat) {
   EXPECT_GT(changed, 20U);
 }
 
-TEST_F(EveryFixture, LosesWhatItDoesNotUseOnce) {
+TEST_F(EveryFixture, CanBePrunedOnce) {
   int changed = 0;
   for (const fs::path& from : assets_below_fixtures()) {
     ConvertOptions options = options_to(folder_.path() / "once" / from.filename());
@@ -232,7 +232,7 @@ TEST_F(EveryFixture, LosesWhatItDoesNotUseOnce) {
   EXPECT_GE(changed, 10);
 }
 
-TEST_F(EveryFixture, BecomesTheSameInMemory) {
+TEST_F(EveryFixture, ConvertsToTheSameBytesInMemory) {
   for (const fs::path& from : assets_below_fixtures()) {
     if (is_binary(from)) continue;
     const auto glb = stored(from, "glb", StoredAs::glb);
@@ -252,7 +252,7 @@ TEST_F(EveryFixture, BecomesTheSameInMemory) {
   }
 }
 
-TEST_F(EveryFixture, GivesTheSameBytesForAnyNumberOfThreads) {
+TEST_F(EveryFixture, ConvertsToTheSameBytesForAnyNumberOfThreads) {
   std::map<fs::path, std::string> results[2];
   for (const unsigned jobs : {1U, 4U}) {
     std::vector<EditInput> inputs;
@@ -276,8 +276,8 @@ TEST_F(EveryFixture, GivesTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(results[0], results[1]);
 }
 
-// The proof of each conversion compares all geometry; what is compressed once stays.
-TEST_F(EveryFixture, GoesIntoBothCodecsAndBack) {
+// Each conversion compares all geometry; a second compression changes nothing.
+TEST_F(EveryFixture, CanBeCompressedAndDecodedWithBothCodecs) {
   for (const Compression codec : {Compression::meshopt, Compression::draco, Compression::none}) {
     for (const fs::path& from : assets_below_fixtures()) {
       ConvertOptions options = options_to(folder_.path() / "one" / "a.gltf");

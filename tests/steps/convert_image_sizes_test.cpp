@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images that become smaller: by size, by better packing; and names of files that keep their
-// ending.
+// Resized and recompressed images, and names of files whose ending does not change.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -38,7 +37,7 @@ ImageConversionCase resized(std::string_view slot, const std::string& file,
   return conversion;
 }
 
-// Black and white in turn.
+// Alternates black and white.
 std::string checkers() {
   const Raster raster{64, 64, 3, 8};
   test::Texels texels;
@@ -48,7 +47,7 @@ std::string checkers() {
   return test::image_file(EncodedFormat::png, raster, texels);
 }
 
-// A fifth is opaque, in random places.
+// A fifth of the texels, at random, is opaque.
 std::string cutout() {
   const Raster raster{64, 64, 4, 8};
   std::mt19937 random(1);
@@ -82,7 +81,7 @@ TEST(ImageSizes, ShrinkToTheLongerSideAndNeverGrow) {
   EXPECT_FALSE(large.step().changes);
 }
 
-TEST(ImageSizes, AverageByWhatTheImageIsUsedAs) {
+TEST(ImageSizes, AverageTexelsAccordingToTheirUse) {
   ImageConversionCase color = resized(kColorSlot, checkers());
   color.run();
   EXPECT_EQ(decoded(color.result.files.at("a.png"))[0], std::byte{188});  // half the light
@@ -106,7 +105,7 @@ TEST(ImageSizes, KeepNormalsOfUnitLength) {
   }
 }
 
-TEST(ImageSizes, KeepHowMuchOfAMaskIsThere) {
+TEST(ImageSizes, KeepTheCoverageOfAMask) {
   for (const char* cutoff : {"0.5", "0.25"}) {
     const std::string slot = R"("alphaMode": "MASK", "alphaCutoff": )" + std::string(cutoff) +
                              R"(, "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}})";
@@ -136,7 +135,7 @@ TEST(ImageSizes, KeepFormatAndDepth) {
   EXPECT_THAT(jpeg.losses(), HasSubstr("JPEG of quality 30"));
 }
 
-TEST(ImageSizes, GoWithAnotherFormat) {
+TEST(ImageSizes, ChangeTogetherWithTheFormat) {
   ImageConversionCase conversion = resized(kColorSlot, test::png_file(kWide));
   conversion.options.images = {{ImageTarget::webp, std::nullopt}};
   conversion.run();
@@ -145,7 +144,7 @@ TEST(ImageSizes, GoWithAnotherFormat) {
   expect_nothing_left_to_do(conversion);
 }
 
-TEST(ImageSizes, StayWhereTheUseIsUnclear) {
+TEST(ImageSizes, StayIfTheUseIsAmbiguous) {
   const std::string both = std::string(kColorSlot) + ", " + R"("normalTexture": {"index": 0})";
   const std::map<std::string, std::string> cases{
       {both, "it is used as color and as data"},
@@ -163,7 +162,7 @@ TEST(ImageSizes, StayWhereTheUseIsUnclear) {
   }
 }
 
-TEST(ImageSizes, StayWhereTexelsAreNumbersOfFeatures) {
+TEST(ImageSizes, StayIfTexelsAreFeatureIds) {
   ImageConversionCase conversion = resized(
       R"("name": "none")", test::png_file(kWide), "a.png", 16,
       R"(, "extensionsUsed": ["EXT_mesh_features"], "meshes": [{"primitives": [{"attributes": {},
@@ -173,7 +172,7 @@ TEST(ImageSizes, StayWhereTexelsAreNumbersOfFeatures) {
   EXPECT_THAT(conversion.left(), HasSubstr("uses it, but no schema describes how"));
 }
 
-TEST(BetterPacking, KeepsTexelsAndComesOnce) {
+TEST(BetterPacking, KeepsTexelsAndHappensOnce) {
   const std::string png = test::png_file(kWide);
   std::string padded = png;
   const std::string text("\0\0\0\x08tEXtabc\0defg\xBB\xD1\x27\x0B", 20);
@@ -211,7 +210,7 @@ TEST_F(FilesThatKeepTheirEnding, KeepTheirNameInAnotherFolder) {
   EXPECT_EQ(content_of(image_), png_);
 }
 
-TEST_F(FilesThatKeepTheirEnding, GetAnotherNameBesideTheOldAsset) {
+TEST_F(FilesThatKeepTheirEnding, GetANewNameInTheFolderOfTheOldAsset) {
   const std::string before = content_of(source_);
   const ConvertReport report = run(test::options_to(folder_.path() / "b.gltf"));
   EXPECT_TRUE(report.written) << report.error;
@@ -222,7 +221,7 @@ TEST_F(FilesThatKeepTheirEnding, GetAnotherNameBesideTheOldAsset) {
   EXPECT_EQ(header_of(content_of(folder_.path() / report.new_files.front())).width, 16U);
 }
 
-TEST_F(FilesThatKeepTheirEnding, StayForOthersInPlace) {
+TEST_F(FilesThatKeepTheirEnding, AreNotReplacedInPlace) {
   ConvertOptions options;
   options.in_place = true;
   const ConvertReport report = run(options);
@@ -233,7 +232,7 @@ TEST_F(FilesThatKeepTheirEnding, StayForOthersInPlace) {
   EXPECT_FALSE(run(options).changes);
 }
 
-TEST_F(FilesThatKeepTheirEnding, LeaveOldFilesOfAnotherEndingBehind) {
+TEST_F(FilesThatKeepTheirEnding, DoNotRemoveOldFilesWithAnotherEnding) {
   ConvertOptions options = test::options_to(folder_.path() / "out" / "a.gltf");
   options.images = {{ImageTarget::webp, std::nullopt}};
   const ConvertReport report = run(options);

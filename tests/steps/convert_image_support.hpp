@@ -23,7 +23,7 @@ namespace gltfx::test {
 
 using Texels = std::vector<std::byte>;
 
-/// Smooth colours with some noise. An alpha is 0 in places, or 255 throughout where `opaque`.
+/// Smooth colors with some noise. Alpha is 255 everywhere if `opaque`, otherwise 0 in parts.
 inline Texels texels_of(const codec::Raster& raster, bool opaque = false) {
   std::mt19937 random(raster.width * 31 + raster.channels);
   Texels texels;
@@ -73,7 +73,7 @@ inline image::Header header_of(const std::string& file) {
   return header == nullptr ? image::Header() : *header;
 }
 
-/// RGBA of 8 bits.
+/// RGBA, 8 bits per channel.
 inline Texels decoded(const std::string& file) {
   codec::ImageRequest request;
   request.bytes = std::as_bytes(std::span(file.data(), file.size()));
@@ -94,7 +94,7 @@ inline Texels decoded(const std::string& file) {
   return texels;
 }
 
-/// An asset in memory, and what came of it.
+/// An asset in memory, and its conversion.
 struct ImageConversionCase {
   MemoryAsset asset;
   ConvertOptions options;
@@ -105,7 +105,7 @@ struct ImageConversionCase {
     asset.name = "a.gltf";
     asset.files = std::move(files);
   }
-  /// Must succeed.
+  /// Converts the asset; expects success.
   OrderedJson run() {
     result = convert_bytes(asset, options);
     EXPECT_EQ(result.report.error, "");
@@ -116,7 +116,7 @@ struct ImageConversionCase {
     return *std::find_if(steps.begin(), steps.end(),
                          [](const ConvertStep& step) { return step.step == "images"; });
   }
-  /// The asset and its files as they are now.
+  /// The asset and its files after the conversion.
   ImageConversionCase again() const {
     std::map<std::string, std::string> files = asset.files;
     for (const auto& [path, bytes] : result.files) files[path] = bytes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images in another format: texels, references of textures, and the places of the new bytes.
+// Images in another format: texels, references of textures, and storage of the new bytes.
 #include <gmock/gmock.h>
 
 #include "convert_image_support.hpp"
@@ -52,7 +52,7 @@ void expect_settled(const ImageConversionCase& conversion) {
   EXPECT_THAT(again.result.files, IsEmpty());
 }
 
-TEST(WebpImages, HoldTheSameTexelsAlsoBelowAlphaZero) {
+TEST(WebpImages, KeepTexelsEvenIfTransparent) {
   for (const Raster& raster : {kRgb, kRgba, kGrey, Raster{64, 32, 2, 8}}) {
     const std::string png = png_file(raster);
     ImageConversionCase conversion = color_file(ImageTarget::webp, png);
@@ -90,14 +90,14 @@ TEST(WebpImages, ChangeNothingElseInTheText) {
   EXPECT_TRUE(conversion.result.files.contains("maps/my wood.v2.webp"));
 }
 
-TEST(WebpImages, ThatKeepAnOpaqueAlphaSayThatTheyHaveOne) {
+TEST(WebpImages, DeclareAnOpaqueAlphaChannel) {
   const std::string png = png_file(kRgba, true);
   ImageConversionCase conversion = color_file(ImageTarget::webp, png);
   conversion.run();
   EXPECT_TRUE(image::has_alpha(header_of(conversion.result.files.at("a.webp")).channels));
 }
 
-TEST(WebpImages, StayWhereTheyAre) {
+TEST(WebpImages, KeepTheirStorage) {
   const std::string png = png_file(kRgb);
   const std::string view = R"({"bufferView": 0, "mimeType": "image/png"})";
   const std::string chunk = std::string((png.size() + 3) / 4 * 4, '\0').replace(0, png.size(), png);
@@ -124,7 +124,7 @@ TEST(WebpImages, StayWhereTheyAre) {
   EXPECT_THAT(std::string(uri.run()["images"][0]["uri"]), testing::StartsWith("data:image/webp;"));
 }
 
-TEST(WebpImages, GetAViewOfTheirOwnWhereSomethingElseUsesTheOld) {
+TEST(WebpImages, GetANewViewIfTheOldOneHasOtherUsers) {
   const std::string png = png_file(kRgb);
   const std::string length = std::to_string(png.size());
   ImageConversionCase conversion =
@@ -141,7 +141,7 @@ TEST(WebpImages, GetAViewOfTheirOwnWhereSomethingElseUsesTheOld) {
   EXPECT_EQ(conversion.result.files.at("b.bin").substr(0, png.size()), png);
 }
 
-TEST(WebpImages, OfOneFileAreEncodedOnce) {
+TEST(WebpImages, AreEncodedOncePerFile) {
   ImageConversionCase conversion =
       to(ImageTarget::webp, asset_with(kColorSlot, {file_image("a.png"), file_image("./a.png")}),
          {{"a.png", png_file(kRgb)}});
@@ -152,7 +152,7 @@ TEST(WebpImages, OfOneFileAreEncodedOnce) {
   EXPECT_EQ(conversion.step().what, "2 PNG -> WebP exact");
 }
 
-TEST(WebpImages, TakeNoNameThatIsTaken) {
+TEST(WebpImages, DoNotUseExistingNames) {
   ImageConversionCase conversion =
       to(ImageTarget::webp, asset_with(kColorSlot, {file_image("a.png"), file_image("A.webp")}),
          {{"a.png", png_file(kRgb)}, {"A.webp", png_file(kGrey)}});
@@ -161,7 +161,7 @@ TEST(WebpImages, TakeNoNameThatIsTaken) {
   EXPECT_EQ(json["images"][1]["uri"], "A.webp");
 }
 
-TEST(WebpImages, ThatWouldBeLargerStay) {
+TEST(WebpImages, MustNotBeLarger) {
   const std::string jpeg = jpeg_file(kRgb, 40);
   ImageConversionCase conversion = color_file(ImageTarget::webp, jpeg, "a.jpg");
   conversion.run();
@@ -170,7 +170,7 @@ TEST(WebpImages, ThatWouldBeLargerStay) {
   EXPECT_EQ(conversion.result.bytes, conversion.asset.bytes);
 }
 
-TEST(WebpImages, OfSixteenBitsNeedAQuality) {
+TEST(WebpImages, RequireAQualityForSixteenBits) {
   const std::string png = png_file({64, 32, 3, 16});
   ImageConversionCase conversion = color_file(ImageTarget::webp, png);
   conversion.run();
@@ -221,7 +221,7 @@ unsigned sampling(const std::string& jpeg) {
   return 0;
 }
 
-TEST(LossyImages, InJpegHaveHalfResolutionOfColorsAlone) {
+TEST(LossyImages, AreSubsampledInJpegOnlyForColor) {
   const std::map<std::string_view, unsigned> slots{
       {kColorSlot, 0x22}, {kNormalSlot, 0x11}, {kDataSlot, 0x11}};
   for (const auto& [slot, factors] : slots) {
@@ -236,7 +236,7 @@ TEST(LossyImages, InJpegHaveHalfResolutionOfColorsAlone) {
   }
 }
 
-TEST(LossyImages, InJpegHaveNoAlpha) {
+TEST(LossyImages, CannotHaveAlphaInJpeg) {
   for (const std::string_view slot : {kColorSlot, kBlendedSlot}) {
     for (const bool opaque : {false, true}) {
       ImageConversionCase conversion =
@@ -250,7 +250,7 @@ TEST(LossyImages, InJpegHaveNoAlpha) {
   }
 }
 
-TEST(ClassesOfImages, ChooseWhatIsConverted) {
+TEST(ClassesOfImages, SelectConversions) {
   const std::string text = asset_with(
       R"("pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
          "metallicRoughnessTexture": {"index": 1}}, "normalTexture": {"index": 2})",
@@ -265,7 +265,7 @@ TEST(ClassesOfImages, ChooseWhatIsConverted) {
   EXPECT_EQ(conversion.step().what, "1 PNG -> JPEG, 1 PNG -> WebP exact");
 }
 
-TEST(CoreImages, ComeBackFromExtensions) {
+TEST(CoreImages, ReplaceImagesOfExtensions) {
   const std::string webp = webp_file(kRgba);
   const std::string text = R"({"asset": {"version": "2.0"},
     "extensionsUsed": ["KHR_texture_transform", "EXT_texture_webp"],
@@ -304,14 +304,14 @@ TEST(FallbackImages, Stay) {
   EXPECT_EQ(png.left(), "/images/0: not PNG: /textures/0 has another image in another format\n");
 }
 
-TEST(ImagesWithoutATexture, BecomeNoWebp) {
+TEST(ImagesWithoutATexture, DoNotBecomeWebp) {
   const std::string text = R"({"asset": {"version": "2.0"}, "images": [{"uri": "a.png"}]})";
   ImageConversionCase conversion = to(ImageTarget::webp, text, {{"a.png", png_file(kRgb)}});
   conversion.run();
   EXPECT_EQ(conversion.left(), "/images/0: not WebP: no texture uses it\n");
 }
 
-TEST(ImagesOfUnknownExtensions, StayWhatReadersOfItExpect) {
+TEST(ImagesOfUnknownExtensions, AreNotConvertedWithLoss) {
   const std::string text = asset_with(kColorSlot, {file_image("a.png")}, R"(,
     "extensionsUsed": ["ACME_logo"], "extensions": {"ACME_logo": {"image": 0}})");
   ImageConversionCase conversion = to(ImageTarget::webp, text, {{"a.png", png_file(kRgb)}});
@@ -355,7 +355,7 @@ TEST(BrokenTextures, KeepTheirImages) {
   }
 }
 
-TEST(Images, AreTheSameForAnyNumberOfThreads) {
+TEST(Images, DoNotDependOnTheNumberOfThreads) {
   std::vector<std::string> images;
   std::map<std::string, std::string> files;
   for (std::uint32_t i = 0; i < 6; ++i) {

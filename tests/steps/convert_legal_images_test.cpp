@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images in formats that an asset cannot have become PNG.
+// Images in formats that are not allowed become PNG.
 #include <gmock/gmock.h>
 
 #include "codec/support/foreign_files.hpp"
@@ -27,7 +27,7 @@ ImageConversionCase made_legal(std::string text, std::map<std::string, std::stri
   return conversion;
 }
 
-TEST(LegalImages, AreMadeOfForeignOnes) {
+TEST(LegalImages, ReplaceUnsupportedFormats) {
   const std::map<std::string, std::string> files{
       {"a.bmp", test::bmp_file()}, {"a.tga", test::tga_file()},
       {"a.gif", test::gif_file()}, {"a.tif", test::tiff_file(test::TiffAlpha::unassociated)},
@@ -57,7 +57,7 @@ TEST(LegalImages, KeepAlpha) {
   }
 }
 
-TEST(LegalImages, AreMadeOfThoseThatNoExtensionAllows) {
+TEST(LegalImages, ReplaceFormatsThatNoExtensionAllows) {
   const std::string webp = test::webp_file(kPicture);
   ImageConversionCase conversion =
       made_legal(asset_with(kColorSlot, {file_image("a.webp")}), {{"a.webp", webp}});
@@ -67,7 +67,7 @@ TEST(LegalImages, AreMadeOfThoseThatNoExtensionAllows) {
   EXPECT_EQ(decoded(conversion.result.files.at("a.png")), decoded(webp));
 }
 
-TEST(LegalImages, StayAsTheyAre) {
+TEST(LegalImages, DoNotChange) {
   const std::string text = R"({"asset": {"version": "2.0"},
     "extensionsUsed": ["EXT_texture_webp"], "extensionsRequired": ["EXT_texture_webp"],
     "textures": [{"extensions": {"EXT_texture_webp": {"source": 0}}}, {"source": 1},
@@ -81,7 +81,7 @@ TEST(LegalImages, StayAsTheyAre) {
   EXPECT_THAT(conversion.step().left, IsEmpty());
 }
 
-TEST(LegalImages, AreNotMadeOfColorsWithoutALimit) {
+TEST(LegalImages, AreRefusedForUnlimitedColors) {
   const std::map<std::string, std::string> files{
       {"a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\x80"},
       {"a.tif", test::tiff_file(test::TiffAlpha::none, true)}};
@@ -98,7 +98,7 @@ TEST(LegalImages, AreNotMadeOfColorsWithoutALimit) {
   }
 }
 
-TEST(LegalImages, OfManyTexelsAreRefused) {
+TEST(LegalImages, AreRefusedForTooManyTexels) {
   ImageConversionCase conversion = made_legal(asset_with(kColorSlot, {file_image("a.bmp")}),
                                               {{"a.bmp", test::bmp_file(1U << 28U)}});
   conversion.result = convert_bytes(conversion.asset, conversion.options);
@@ -106,7 +106,7 @@ TEST(LegalImages, OfManyTexelsAreRefused) {
   EXPECT_THAT(conversion.step().refused, SizeIs(1));
 }
 
-TEST(ForeignImages, BecomeWhatIsAskedFor) {
+TEST(ForeignImages, ConvertToTheRequestedFormat) {
   for (const auto& [target, uri] : std::map<ImageTarget, std::string>{
            {ImageTarget::png, "a.png"}, {ImageTarget::webp, "a.webp"}}) {
     ImageConversionCase conversion(asset_with(kColorSlot, {file_image("a.bmp")}),

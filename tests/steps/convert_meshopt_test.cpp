@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffer views as streams of meshoptimizer.
+// Buffer views are stored as meshoptimizer streams.
 #include <gmock/gmock.h>
 
 #include "geometry_support.hpp"
@@ -31,7 +31,7 @@ class Meshopt : public testing::Test {
     return options;
   }
   const ConvertStep& step() const { return test::step_of(report_, "meshopt"); }
-  // The same container.
+  // The container does not change.
   StoredAsset converted(AssetText& asset) {
     report_ = convert_file(asset.write(folder_).native(), options(output_));
     EXPECT_TRUE(report_.written) << report_.error;
@@ -47,7 +47,7 @@ class Meshopt : public testing::Test {
   ConvertReport report_;
 };
 
-TEST_F(Meshopt, ViewsComeBackBitForBitUnderTheirIndices) {
+TEST_F(Meshopt, KeepsViewsBitForBitAndTheirIndices) {
   AssetText asset;
   asset.mesh(asset.grid());
   const StoredAsset now = converted(asset);
@@ -63,7 +63,7 @@ TEST_F(Meshopt, ViewsComeBackBitForBitUnderTheirIndices) {
   EXPECT_THAT(step().left, IsEmpty());
 }
 
-TEST_F(Meshopt, PlainBytesAreThoseOfABufferWithoutData) {
+TEST_F(Meshopt, DescribesPlainBytesInABufferWithoutData) {
   AssetText asset;
   asset.mesh(asset.grid());
   const OrderedJson now = converted(asset).json();
@@ -82,7 +82,7 @@ TEST_F(Meshopt, PlainBytesAreThoseOfABufferWithoutData) {
   EXPECT_EQ(now["buffers"][1]["byteLength"], (end + 7) / 8 * 8);
 }
 
-TEST_F(Meshopt, NothingElseOfTheTextChanges) {
+TEST_F(Meshopt, ChangesNoOtherText) {
   AssetText asset;
   asset.mesh(asset.grid());
   OrderedJson before = OrderedJson::parse(asset.text());
@@ -98,7 +98,7 @@ TEST_F(Meshopt, NothingElseOfTheTextChanges) {
   EXPECT_EQ(before, now);
 }
 
-TEST_F(Meshopt, AgainNothingChanges) {
+TEST_F(Meshopt, ChangesNothingTheSecondTime) {
   AssetText asset;
   asset.mesh(asset.grid());
   converted(asset);
@@ -110,7 +110,7 @@ TEST_F(Meshopt, AgainNothingChanges) {
               Contains("/bufferViews/0: it is already compressed"));
 }
 
-TEST_F(Meshopt, InterleavedVerticesKeepTheirStride) {
+TEST_F(Meshopt, KeepsTheStrideOfInterleavedVertices) {
   AssetText asset;
   const Grid grid;
   std::string bytes;
@@ -130,8 +130,8 @@ TEST_F(Meshopt, InterleavedVerticesKeepTheirStride) {
   EXPECT_EQ(view_bytes(output_), view_bytes(folder_.path() / "a.gltf"));
 }
 
-// The last vertex of an interleaved view need not be whole.
-TEST_F(Meshopt, AViewThatEndsEarlyEndsInZeros) {
+// The last vertex of an interleaved view may be incomplete.
+TEST_F(Meshopt, PadsAnIncompleteLastElementWithZeros) {
   AssetText asset;
   std::vector<float> values(256 * 5 - 2, 0.5F);
   const auto view = asset.view(test::bytes_of(values), {{"byteStride", 20}});
@@ -144,7 +144,7 @@ TEST_F(Meshopt, AViewThatEndsEarlyEndsInZeros) {
   EXPECT_EQ(view_bytes(output_)[0], test::bytes_of(values) + std::string(8, '\0'));
 }
 
-TEST_F(Meshopt, OneViewOfManyKeyframesIsOneStream) {
+TEST_F(Meshopt, StoresAViewOfManyKeyframesInOneStream) {
   AssetText asset;
   asset.mesh(asset.grid());
   std::vector<float> keys;
@@ -163,7 +163,7 @@ TEST_F(Meshopt, OneViewOfManyKeyframesIsOneStream) {
   EXPECT_EQ(view_bytes(output_)[view], test::bytes_of(all));
 }
 
-TEST_F(Meshopt, AfterReorderTrianglesAreTriangles) {
+TEST_F(Meshopt, UsesTriangleModeAfterReorder) {
   AssetText asset;
   asset.mesh(asset.grid());
   ConvertOptions more = options(output_);
@@ -173,7 +173,7 @@ TEST_F(Meshopt, AfterReorderTrianglesAreTriangles) {
   EXPECT_EQ(stream_of(StoredAsset::at(output_), 2)["mode"], "TRIANGLES");
 }
 
-TEST_F(Meshopt, LinesAreNoTriangles) {
+TEST_F(Meshopt, DoesNotUseTriangleModeForLines) {
   AssetText asset;
   OrderedJson primitive = asset.grid();
   primitive["mode"] = 1;
@@ -185,7 +185,7 @@ TEST_F(Meshopt, LinesAreNoTriangles) {
   EXPECT_EQ(stream_of(StoredAsset::at(output_), 2)["mode"], "INDICES");
 }
 
-TEST_F(Meshopt, WhatIsNoGeometryStays) {
+TEST_F(Meshopt, LeavesDataThatIsNotGeometry) {
   AssetText asset;
   asset.mesh(asset.grid());
   const auto image = asset.view(test::picture(std::string(500, 'x')));
@@ -206,7 +206,7 @@ TEST_F(Meshopt, WhatIsNoGeometryStays) {
   EXPECT_EQ(view_bytes(output_), view_bytes(folder_.path() / "a.gltf"));
 }
 
-TEST_F(Meshopt, NoiseStays) {
+TEST_F(Meshopt, LeavesNoise) {
   AssetText asset;
   std::vector<std::uint32_t> noise;
   for (std::uint32_t i = 1, x = 7; i <= 600; ++i) noise.push_back(x = x * 1664525U + 1013904223U);
@@ -221,7 +221,7 @@ TEST_F(Meshopt, NoiseStays) {
   EXPECT_THAT(texts_of(step().left), ElementsAre(HasSubstr("would not be smaller")));
 }
 
-TEST_F(Meshopt, AViewWithExtensionsStays) {
+TEST_F(Meshopt, LeavesAViewWithExtensions) {
   AssetText asset;
   asset.mesh(asset.grid());
   asset.json["bufferViews"][0]["extensions"]["ACME_view"] = {{"label", "x"}};
@@ -231,7 +231,7 @@ TEST_F(Meshopt, AViewWithExtensionsStays) {
   EXPECT_EQ(now["extensionsUsed"], OrderedJson::array({"ACME_view", kExtension}));
 }
 
-TEST_F(Meshopt, AnUnknownPlaceInABufferKeepsAll) {
+TEST_F(Meshopt, LeavesEverythingIfAnOffsetIsUnknown) {
   AssetText asset;
   asset.mesh(asset.grid());
   asset.json["nodes"][0]["extensions"]["ACME_bytes"] = {{"byteOffset", 4}};
@@ -241,7 +241,7 @@ TEST_F(Meshopt, AnUnknownPlaceInABufferKeepsAll) {
               ElementsAre(HasSubstr("/nodes/0/extensions/ACME_bytes: it may hold an offset")));
 }
 
-TEST_F(Meshopt, BrokenDataIsRefused) {
+TEST_F(Meshopt, RefusesBrokenData) {
   AssetText asset;
   asset.mesh(asset.grid());
   asset.json["accessors"][0]["count"] = 1000000;
@@ -255,7 +255,7 @@ TEST_F(Meshopt, BrokenDataIsRefused) {
               HasSubstr("/bufferViews/1: its bytes are missing"));
 }
 
-TEST_F(Meshopt, ThreadsMakeNoDifference) {
+TEST_F(Meshopt, DoesNotDependOnTheNumberOfThreads) {
   AssetText asset;
   for (unsigned side = 4; side < 20; ++side) asset.mesh(asset.grid(Grid(side)));
   converted(asset);

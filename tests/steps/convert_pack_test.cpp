@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buffers and images that are packed into one GLB.
+// Buffers and images are packed into one GLB.
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -48,7 +48,7 @@ class Pack : public testing::Test {
 
 const std::string kAsset = R"("asset": {"version": "2.0"})";
 
-TEST_F(Pack, OneBufferLosesItsUriAndNothingElse) {
+TEST_F(Pack, RemovesOnlyTheUriOfASingleBuffer) {
   folder_.write("b.bin", "abcdef");
   const StoredAsset now = packed(R"({ "asset": {"version": "2.0", "extras": {"n": 1.10}},
   "buffers" : [ {"uri":"b.bin", "byteLength": 6, "name" : "B"} ] })");
@@ -60,7 +60,7 @@ TEST_F(Pack, OneBufferLosesItsUriAndNothingElse) {
   EXPECT_THAT(report_.steps[0].losses, IsEmpty());
 }
 
-TEST_F(Pack, BuffersBecomeOneAndTheirUsersMoveByMultiplesOfEight) {
+TEST_F(Pack, MergesBuffersAtMultiplesOfEight) {
   folder_.write("b.bin", "abcdef");
   const StoredAsset now = packed("{" + kAsset + R"(,
   "buffers": [{"byteLength": 6, "uri": "b.bin"}, {"uri": "data:;base64,MTIzNDU=", "byteLength": 5}],
@@ -75,14 +75,14 @@ TEST_F(Pack, BuffersBecomeOneAndTheirUsersMoveByMultiplesOfEight) {
             "12345\0\0\0"s.replace(7, 1, 1, '\0'));
 }
 
-TEST_F(Pack, BuffersOfOneFileShareItsBytes) {
+TEST_F(Pack, StoresTheBytesOfAFileOnce) {
   folder_.write("b.bin", "abcdefgh");
   const StoredAsset now = packed("{" + kAsset + R"(,
   "buffers": [{"byteLength": 8, "uri": "b.bin"}, {"byteLength": 4, "uri": "./b.bin"}]})");
   EXPECT_EQ(now.bin, "abcdefgh");
 }
 
-TEST_F(Pack, ImagesGetViewsAndOneForEachFile) {
+TEST_F(Pack, AddsOneViewForEachImageFile) {
   folder_.write("leaf.png", picture("leaf"));
   const StoredAsset now = packed("{" + kAsset + R"(,
   "images": [{"uri": "leaf.png", "name": "L"}, {"name": "M", "mimeType": "image/png", "uri": "./leaf.png"}]})");
@@ -93,7 +93,7 @@ TEST_F(Pack, ImagesGetViewsAndOneForEachFile) {
   EXPECT_EQ(std::distance(fs::directory_iterator(output().parent_path()), {}), 1);
 }
 
-TEST_F(Pack, ObjectsOfExtensionsMoveToo) {
+TEST_F(Pack, UpdatesObjectsOfExtensions) {
   folder_.write("b.bin", "abcdefgh");
   folder_.write("c.bin", "12345678");
   const StoredAsset now = packed("{" + kAsset + R"(,
@@ -120,7 +120,7 @@ std::string with_value(std::string_view value) {
   return text.replace(text.find("VALUE"), 5, value);
 }
 
-TEST_F(Pack, AnUnknownExtensionWithAWholeNumberRefusesToMerge) {
+TEST_F(Pack, RefusesToMergeIfAnUnknownExtensionHasAnInteger) {
   folder_.write("b.bin", "abcd");
   folder_.write("c.bin", "efgh");
   const ConvertReport report = refused(with_value("[0.5, 1]"));
@@ -134,7 +134,7 @@ TEST_F(Pack, AnUnknownExtensionWithAWholeNumberRefusesToMerge) {
   EXPECT_EQ(content_of(output().parent_path() / "c.bin"), "efgh");
 }
 
-TEST_F(Pack, AnUnknownExtensionWithoutWholeNumbersDoesNot) {
+TEST_F(Pack, MergesIfAnUnknownExtensionHasNoInteger) {
   folder_.write("b.bin", "abcd");
   folder_.write("c.bin", "efgh");
   EXPECT_EQ(packed(with_value(R"([0.5, "1", true, null])")).bin, "abcd\0\0\0\0efgh"s);
@@ -142,7 +142,7 @@ TEST_F(Pack, AnUnknownExtensionWithoutWholeNumbersDoesNot) {
   EXPECT_EQ(report_.steps[0].losses[0].quantity, "the name of /buffers/1");
 }
 
-TEST_F(Pack, ASchemaOfTheExtensionLetsItMerge) {
+TEST_F(Pack, MergesIfASchemaDescribesTheExtension) {
   folder_.write("b.bin", "abcd");
   folder_.write("c.bin", "efgh");
   const schema::Compiled compiled = schema::compile_with({{"ref.json", R"({
@@ -159,7 +159,7 @@ TEST_F(Pack, ASchemaOfTheExtensionLetsItMerge) {
   EXPECT_TRUE(convert_file(folder_.write("a.gltf", with_value("1")).native(), options).written);
 }
 
-TEST_F(Pack, ABufferWithMembersOfItsOwnStaysApart) {
+TEST_F(Pack, DoesNotMergeABufferWithOtherMembers) {
   folder_.write("b.bin", "abcd");
   folder_.write("c.bin", "efgh");
   EXPECT_THAT(refused("{" + kAsset + R"(, "buffers": [{"byteLength": 4, "uri": "b.bin"},
@@ -168,20 +168,20 @@ TEST_F(Pack, ABufferWithMembersOfItsOwnStaysApart) {
               HasSubstr("/buffers/1: its 'extras' would be lost"));
 }
 
-TEST_F(Pack, WhatCannotBeReadIsRefusedByName) {
+TEST_F(Pack, NamesUnreadableObjects) {
   const std::string missing = "{" + kAsset + R"(, "images": [{"uri": "no.png"}]})";
   EXPECT_THAT(refused(missing).error, HasSubstr("/images/0: "));
   EXPECT_EQ(refused(missing, true).refused(), 1U);
   EXPECT_EQ(StoredAsset::at(output()).json()["images"][0]["uri"], "no.png");
 }
 
-TEST_F(Pack, AShortBufferIsRefused) {
+TEST_F(Pack, RefusesAShortBuffer) {
   folder_.write("b.bin", "abc");
   EXPECT_THAT(refused("{" + kAsset + R"(, "buffers": [{"byteLength": 4, "uri": "b.bin"}]})").error,
               HasSubstr("/buffers/0: its data has only 3 bytes"));
 }
 
-TEST_F(Pack, MoreThanAGlbHoldsIsRefusedBeforeAnythingIsWritten) {
+TEST_F(Pack, RefusesTooManyBytesBeforeWriting) {
   std::ofstream(folder_.path() / "b.bin");
   fs::resize_file(folder_.path() / "b.bin", 4'300'000'000);  // a sparse file
   EXPECT_THAT(
@@ -189,7 +189,7 @@ TEST_F(Pack, MoreThanAGlbHoldsIsRefusedBeforeAnythingIsWritten) {
       HasSubstr("a GLB has at most 4 GiB; use --to gltf"));
 }
 
-TEST_F(Pack, ALargeGlbLeavesNothingBesideIt) {
+TEST_F(Pack, RemovesTemporaryFilesOfALargeGlb) {
   std::ofstream(folder_.path() / "b.bin");
   fs::resize_file(folder_.path() / "b.bin", 20'000'000);
   folder_.write("c.bin", "abcd");
@@ -210,7 +210,7 @@ TEST_F(Pack, ALargeGlbLeavesNothingBesideIt) {
   EXPECT_EQ(folder_.entries(), 4);
 }
 
-TEST_F(Pack, TheRestOfAGlbGoesIntoItAndItsChunksStay) {
+TEST_F(Pack, MovesExternalFilesIntoAGlbAndKeepsItsChunks) {
   folder_.write("leaf.png", picture("leaf"));
   const fs::path file = folder_.write(
       "a.glb",
@@ -228,7 +228,7 @@ TEST_F(Pack, TheRestOfAGlbGoesIntoItAndItsChunksStay) {
   EXPECT_EQ(now.chunk(now.container.chunks[2]), "more");
 }
 
-TEST_F(Pack, BytesAfterTheByteLengthOfAChunkStay) {
+TEST_F(Pack, KeepsBytesAfterTheByteLengthOfAChunk) {
   folder_.write("leaf.png", picture("leaf"));
   const fs::path file = folder_.write(
       "a.glb",
@@ -240,7 +240,7 @@ TEST_F(Pack, BytesAfterTheByteLengthOfAChunkStay) {
   EXPECT_EQ(StoredAsset::at(output()).bin, "abcdmore bytes  " + picture("leaf"));
 }
 
-TEST_F(Pack, InPlaceTheContainerStays) {
+TEST_F(Pack, KeepsTheContainerInPlace) {
   const fs::path file = folder_.write("a.gltf", "{" + kAsset + "}");
   ConvertOptions options;
   options.in_place = true;

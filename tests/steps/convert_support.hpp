@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Assets in another storage, and the content of their files.
+/// Converts assets to other containers and reads the files.
 #pragma once
 
 #include <gltfx/pipeline.hpp>
@@ -40,7 +40,7 @@ struct StoredAsset {
   std::string bin;
 };
 
-/// A GLB with a text, the data of its BIN chunk, which needs no padding, and chunks after it.
+/// A GLB with a text, a BIN chunk (data without padding), and further chunks.
 inline std::string glb_of(std::string text, std::string_view bin, std::string_view more = {}) {
   text.resize((text.size() + 3) / 4 * 4, ' ');
   return container::test::glb(container::test::chunk(container::kChunkJson, text) +
@@ -53,7 +53,7 @@ inline ConvertOptions options_to(const std::filesystem::path& output) {
   return options;
 }
 
-/// Converts, which must succeed.
+/// Converts; expects success.
 inline ConvertReport converted(const std::filesystem::path& from,
                                const std::filesystem::path& output) {
   ConvertReport report = convert_file(from.native(), options_to(output));
@@ -63,7 +63,7 @@ inline ConvertReport converted(const std::filesystem::path& from,
 
 inline constexpr std::string_view kPng("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
 
-/// Bytes with the beginning of a PNG.
+/// Bytes that start like a PNG.
 inline std::string picture(std::string_view content) { return std::string(kPng).append(content); }
 
 }  // namespace gltfx::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// GLBs and data URIs that are unpacked into files.
+// GLBs and data URIs are unpacked into files.
 #include <fstream>
 
 #include <gmock/gmock.h>
@@ -62,14 +62,14 @@ struct Pictures {
   std::string text, bin;
 };
 
-TEST_F(Unpack, TheChunkBecomesAFileAndTheTextGetsItsName) {
+TEST_F(Unpack, StoresTheChunkInANamedFile) {
   EXPECT_EQ(unpacked(kHead + R"("buffers":[{"byteLength":6}]})", "abcdef\0\0"sv),
             kHead + R"("buffers":[{"byteLength":6,"uri":"a.bin"}]})");
   EXPECT_EQ(content_of(out() / "a.bin"), "abcdef");
   EXPECT_THAT(report_.new_files, ElementsAre("a.bin"));
 }
 
-TEST_F(Unpack, ImagesAreCutOutAndWhatIsBehindThemMoves) {
+TEST_F(Unpack, RemovesImagesAndMovesTheBytesAfterThem) {
   const std::string text =
       kHead +
       R"("accessors":[{"bufferView":2,"componentType":5126,"count":1,"type":"SCALAR"}],"images":[{"bufferView":1,)"
@@ -87,14 +87,14 @@ TEST_F(Unpack, ImagesAreCutOutAndWhatIsBehindThemMoves) {
   EXPECT_EQ(content_of(out() / "leaf.png"), picture("leaf"));
 }
 
-TEST_F(Unpack, ABufferOfNothingButImagesGoes) {
+TEST_F(Unpack, RemovesABufferThatHasOnlyImages) {
   const Pictures one({R"("name":"one")"});
   EXPECT_EQ(unpacked(one.text, one.bin),
             kHead + R"("images":[{"mimeType":"image/png","uri":"one.png","name":"one"}]})");
   EXPECT_THAT(report_.new_files, ElementsAre("one.png"));
 }
 
-TEST_F(Unpack, NamesAreCleanAndTellFilesApart) {
+TEST_F(Unpack, CreatesCleanAndUniqueNames) {
   const Pictures all({R"("name":"../../etc/passwd")", R"("name":"C:\\temp\\wood")",
                       R"("name":"Wood")", R"("name":"con")", R"("name":"a:b*c?d")",
                       R"("name":"\u202egnp.exe")", R"("name":"...")", "", R"("name":"wood.PNG")",
@@ -108,7 +108,7 @@ TEST_F(Unpack, NamesAreCleanAndTellFilesApart) {
   EXPECT_TRUE(fs::exists(out() / "50% \xC3\xA9.png"));
 }
 
-TEST_F(Unpack, AFileWithOtherBytesIsNotReplaced) {
+TEST_F(Unpack, DoesNotReplaceAFileWithOtherBytes) {
   const Pictures one({R"("name":"one")"});
   folder_.write("out/one.png", "something else");
   const ConvertReport report =
@@ -121,7 +121,7 @@ TEST_F(Unpack, AFileWithOtherBytesIsNotReplaced) {
   converted(folder_.path() / "a.glb", out() / "a.gltf");
 }
 
-TEST_F(Unpack, AViewThatHasAnotherUseStays) {
+TEST_F(Unpack, KeepsAViewThatHasAnotherUse) {
   Pictures one({R"("name":"one")"});
   one.text.insert(
       one.text.size() - 1,
@@ -131,7 +131,7 @@ TEST_F(Unpack, AViewThatHasAnotherUseStays) {
   EXPECT_EQ(content_of(out() / "a.bin"), one.bin);
 }
 
-TEST_F(Unpack, AnUnknownExtensionMayReferToViewsThatWouldMove) {
+TEST_F(Unpack, LeavesImagesIfAnUnknownExtensionMayReferToViews) {
   Pictures one({R"("name":"one","extensions":{"ACME_ref":{"view":0}})"});
   const auto json = OrderedJson::parse(unpacked(one.text, one.bin));
   EXPECT_EQ(json["images"][0]["bufferView"], 0);
@@ -141,7 +141,7 @@ TEST_F(Unpack, AnUnknownExtensionMayReferToViewsThatWouldMove) {
   EXPECT_EQ(content_of(out() / "a.bin"), one.bin);
 }
 
-TEST_F(Unpack, AChunkThatATextHasNoPlaceForIsNamed) {
+TEST_F(Unpack, NamesAChunkThatAGltfCannotHold) {
   const fs::path file =
       folder_.write("a.glb", glb_of(kHead + R"("buffers":[{"byteLength":4}]})", "abcd",
                                     container::test::chunk(container::test::kChunkOther, "more")));
@@ -150,7 +150,7 @@ TEST_F(Unpack, AChunkThatATextHasNoPlaceForIsNamed) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-TEST_F(Unpack, DataUrisBecomeFilesAndFilesDataUris) {
+TEST_F(Unpack, ConvertsBetweenDataUrisAndFiles) {
   const std::string text =
       kHead + R"("buffers":[{"byteLength":4,"uri":"data:;base64,YWJjZA=="}],)"
               R"("images":[{"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUg==","name":"x"}]})";
@@ -173,7 +173,7 @@ TEST_F(Unpack, DataUrisBecomeFilesAndFilesDataUris) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_.path() / "back"), {}), 1);
 }
 
-TEST_F(Unpack, InAFolderOfManyTheNameOfAnImageSaysWhatIsInIt) {
+TEST_F(Unpack, AddsAHashToImageNamesInASharedFolder) {
   const Pictures one({R"("name":"one")"});
   ConvertOptions options = options_to(out() / "a.gltf");
   options.shared_folder = true;
@@ -182,8 +182,8 @@ TEST_F(Unpack, InAFolderOfManyTheNameOfAnImageSaysWhatIsInIt) {
   EXPECT_THAT(report.new_files[0], testing::MatchesRegex("one-[0-9a-f]{8}\\.png"));
 }
 
-// The buffers of one asset and the name of another one can be alike.
-TEST_F(Unpack, AssetsOfOneFolderDoNotShareTheNamesOfBuffers) {
+// A buffer of one asset and another asset may have similar names.
+TEST_F(Unpack, CreatesUniqueBufferNamesInASharedFolder) {
   const auto text = [](const std::string& buffers) {
     return kHead + R"("buffers":[)" + buffers + "]}";
   };
@@ -208,7 +208,7 @@ TEST_F(Unpack, AssetsOfOneFolderDoNotShareTheNamesOfBuffers) {
   EXPECT_EQ(content("m-1.gltf", 0), "ijkl");
 }
 
-TEST_F(Unpack, FilesOfExtensionsAreCopiedByEveryMemberThatNamesOne) {
+TEST_F(Unpack, CopiesFilesThatExtensionsReferTo) {
   folder_.write("classes.json", "{}");
   folder_.write("a.gltf", kHead + R"("extensionsUsed":["EXT_structural_metadata"],"extensions":)"
                                   R"({"EXT_structural_metadata":{"schemaUri":"classes.json"}}})");
@@ -216,7 +216,7 @@ TEST_F(Unpack, FilesOfExtensionsAreCopiedByEveryMemberThatNamesOne) {
   EXPECT_EQ(content_of(out() / "classes.json"), "{}");
 }
 
-TEST_F(Unpack, AnImageDoesNotTakeTheNameOfTheAsset) {
+TEST_F(Unpack, DoesNotGiveAnImageTheNameOfTheAsset) {
   const std::string text = kHead +
                            R"("images":[{"mimeType":"image/x","bufferView":0,"name":"a.gltf"}],)"
                            R"("bufferViews":[{"buffer":0,"byteLength":8}],)"
@@ -227,8 +227,8 @@ TEST_F(Unpack, AnImageDoesNotTakeTheNameOfTheAsset) {
   EXPECT_EQ(content_of(out() / uri), "no image");
 }
 
-// Each reference would be encoded again.
-TEST_F(Unpack, TextLongerThan4GiBIsRefusedBeforeAnythingIsEncoded) {
+// Each reference to a file would be encoded separately.
+TEST_F(Unpack, RefusesTextLongerThan4GiBBeforeEncoding) {
   std::ofstream(folder_.path() / "b.bin");
   fs::resize_file(folder_.path() / "b.bin", 100'000'000);  // a sparse file
   std::string buffers;
@@ -243,7 +243,7 @@ TEST_F(Unpack, TextLongerThan4GiBIsRefusedBeforeAnythingIsEncoded) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-TEST_F(Unpack, AMediaTypeThatADataUriCannotHoldIsLeftOut) {
+TEST_F(Unpack, OmitsAMediaTypeThatADataUriCannotHold) {
   folder_.write("x.any", "no image");
   ConvertOptions options = options_to(out() / "a.gltf");
   options.to = StoredAs::embedded;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Equal objects become one; what differs in anything that counts stays apart.
+// Equal objects are merged; different ones are not.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -50,7 +50,7 @@ class Dedup : public test::ConvertMade {
     EXPECT_FALSE(report.steps[0].changes) << why << ": " << report.steps[0].what;
     EXPECT_THAT(report.steps[0].refused, IsEmpty()) << why;
   }
-  // Of a text and files that the folder has.
+  // Converts a text with files that exist in the folder.
   StoredAsset merged(const std::string& text) {
     ConvertOptions options = options_;
     options.output = (folder_.path() / "out" / "a.gltf").native();
@@ -61,7 +61,7 @@ class Dedup : public test::ConvertMade {
   }
 };
 
-TEST_F(Dedup, ReferencesLeadToTheFirst) {
+TEST_F(Dedup, SetsReferencesToTheFirstObject) {
   MadeAsset made = twice();
   made.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
       made.accessor<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
@@ -76,7 +76,7 @@ TEST_F(Dedup, ReferencesLeadToTheFirst) {
   EXPECT_LE(now.bin.size(), 88U);
 }
 
-TEST_F(Dedup, OnlyTheTextOfWhatGoesAndIndicesChange) {
+TEST_F(Dedup, ChangesOnlyRemovedObjectsAndIndices) {
   const StoredAsset now = merged(R"({ "asset" : {"version": "2.0"},
   "samplers" : [ {"wrapS" : 33071}, {"wrapS": 10497, "name": "s"}, { "wrapS":33071 } ],
   "textures": [ {"sampler": 0, "name" : "t"}, {"sampler": 2, "name": "t"}, {"sampler": 1} ],
@@ -91,7 +91,7 @@ TEST_F(Dedup, OnlyTheTextOfWhatGoesAndIndicesChange) {
   EXPECT_EQ(row_.what, "1 sampler, 1 texture, 1 material");
 }
 
-TEST_F(Dedup, AccessorsThatDifferStayApart) {
+TEST_F(Dedup, KeepsDifferentAccessors) {
   for (const char* patch : {
            R"({"name": "b"})",
            R"({"extras": {"a": 1}})",
@@ -116,7 +116,7 @@ TEST_F(Dedup, AccessorsThatDifferStayApart) {
   expect_apart(values, "the sign of a zero");
 }
 
-TEST_F(Dedup, AccessorsOfDifferentUsesStayApart) {
+TEST_F(Dedup, KeepsAccessorsOfDifferentUses) {
   MadeAsset made;
   const std::size_t indices = made.accessor<std::uint16_t>({0, 1, 2, 0}, "SCALAR");
   const std::size_t ids = made.accessor<std::uint16_t>({0, 1, 2, 0}, "SCALAR");
@@ -127,9 +127,9 @@ TEST_F(Dedup, AccessorsOfDifferentUsesStayApart) {
   expect_apart(made, "indices and vertices");
 }
 
-TEST_F(Dedup, ElementsCountAndNotHowTheyAreStored) {
+TEST_F(Dedup, ComparesElementsNotTheirStorage) {
   MadeAsset made = twice();
-  // The second set of positions, between others.
+  // The second set of positions, interleaved with other data.
   const std::size_t mixed =
       made.accessor<float>({0, 0, 0, 5, 5, 5, 1, 0, 0, 5, 5, 5, 0, 1, 0, 5, 5, 5}, "VEC3");
   made.json["bufferViews"][mixed]["byteStride"] = 24;
@@ -148,7 +148,7 @@ TEST_F(Dedup, ElementsCountAndNotHowTheyAreStored) {
   EXPECT_THAT(numbers_of(now, position_of(now, 3)), ElementsAre(5, 5, 5, 5, 5, 5, 5, 5, 5));
 }
 
-TEST_F(Dedup, SparseAccessorsOfEqualViewsBecomeOne) {
+TEST_F(Dedup, MergesSparseAccessorsOfEqualViews) {
   MadeAsset made = twice();
   for (int i = 0; i < 2; ++i) {
     const std::size_t at = made.accessor<std::uint8_t>({2}, "SCALAR");
@@ -166,13 +166,13 @@ TEST_F(Dedup, SparseAccessorsOfEqualViewsBecomeOne) {
   const StoredAsset now = converted_twice(made.glb());
   EXPECT_THAT(now.json()["accessors"], SizeIs(1));
   EXPECT_EQ(row_.what, "1 accessor, 3 buffer views");
-  // One value that differs keeps them apart.
+  // A single different value prevents the merge.
   made.json["accessors"][1]["sparse"]["values"]["bufferView"] = 0;
   made.json["accessors"][1]["max"] = {1, 1, 0};
   EXPECT_THAT(row_of(made.glb()).what, Not(HasSubstr("accessor")));
 }
 
-TEST_F(Dedup, ViewsWithoutAStrideStayForAttributesOfOtherNames) {
+TEST_F(Dedup, KeepsViewsWithoutAStrideForDifferentAttributes) {
   MadeAsset made = twice();
   made.json["accessors"][1]["name"] = "other";
   expect_apart(made, "vertex attributes that share a view need its stride");
@@ -182,7 +182,7 @@ TEST_F(Dedup, ViewsWithoutAStrideStayForAttributesOfOtherNames) {
   EXPECT_EQ(now.json()["accessors"][1]["bufferView"], 0);
 }
 
-TEST_F(Dedup, ViewsOfDifferentTargetsStayApart) {
+TEST_F(Dedup, KeepsViewsOfDifferentTargets) {
   MadeAsset made = twice();
   for (auto& view : made.json["bufferViews"]) view["byteStride"] = 12;
   made.json["accessors"][1]["name"] = "other";
@@ -190,7 +190,7 @@ TEST_F(Dedup, ViewsOfDifferentTargetsStayApart) {
   expect_apart(made, "target");
 }
 
-TEST_F(Dedup, ImagesBecomeOneAndALostNameIsSaid) {
+TEST_F(Dedup, MergesImagesAndListsLostNames) {
   folder_.write("one.png", picture("leaf"));
   folder_.write("two.png", picture("leaf"));
   folder_.write("three.png", picture("twig"));
@@ -206,7 +206,7 @@ TEST_F(Dedup, ImagesBecomeOneAndALostNameIsSaid) {
   EXPECT_EQ(row_.losses[0].quantity, "the name of /images/2");
 }
 
-TEST_F(Dedup, ImagesOfOtherExtrasAndTypesStayApart) {
+TEST_F(Dedup, KeepsImagesOfDifferentExtrasAndTypes) {
   folder_.write("one.png", picture("leaf"));
   folder_.write("two.png", picture("leaf"));
   for (const char* more : {R"("extras": 1)", R"("mimeType": "image/jpeg")", R"("x": {})"}) {
@@ -218,7 +218,7 @@ TEST_F(Dedup, ImagesOfOtherExtrasAndTypesStayApart) {
   }
 }
 
-TEST_F(Dedup, TheLastImageInAChunkTakesItsViewAndBufferAlong) {
+TEST_F(Dedup, RemovesTheViewAndBufferOfTheLastImageInAChunk) {
   folder_.write("leaf.png", picture("leaf"));
   const std::string png = picture("leaf");
   const std::string text = fmt::format(
@@ -238,7 +238,7 @@ TEST_F(Dedup, TheLastImageInAChunkTakesItsViewAndBufferAlong) {
   EXPECT_FALSE(now.container.bin);
 }
 
-TEST_F(Dedup, MaterialsAndTexturesOfOtherNamesMeshesAndNodesStayApart) {
+TEST_F(Dedup, KeepsMeshesNodesAndObjectsOfDifferentNames) {
   MadeAsset made;
   made.json["materials"] = {{{"name", "a"}}, {{"name", "b"}}, {{"alphaCutoff", 0.5}}};
   made.json["textures"] = {{{"name", "a"}}, {{"name", "b"}}, {{"extras", 1}}};
@@ -249,7 +249,7 @@ TEST_F(Dedup, MaterialsAndTexturesOfOtherNamesMeshesAndNodesStayApart) {
   expect_apart(made, "names");
 }
 
-TEST_F(Dedup, WhatAPointerTellsApartStaysApart) {
+TEST_F(Dedup, KeepsObjectsThatAPointerDistinguishes) {
   MadeAsset made = twice();
   made.json["accessors"][1]["name"] = "other";
   made.json["extensionsUsed"] = {"KHR_animation_pointer"};
@@ -264,7 +264,7 @@ TEST_F(Dedup, WhatAPointerTellsApartStaysApart) {
   expect_apart(made, "a pointer");
 }
 
-TEST_F(Dedup, PointersFollow) {
+TEST_F(Dedup, UpdatesPointers) {
   MadeAsset made = twice();
   made.json["extensionsUsed"] = {"KHR_animation_pointer"};
   const std::size_t input = made.accessor<float>({0, 1}, "SCALAR", true);
@@ -278,7 +278,7 @@ TEST_F(Dedup, PointersFollow) {
   EXPECT_THAT(converted_twice(made.glb()).text, HasSubstr("\"/materials/1/alphaCutoff\""));
 }
 
-TEST_F(Dedup, AccessorsThatADecoderFillsStayApart) {
+TEST_F(Dedup, KeepsAccessorsThatADecoderFills) {
   MadeAsset made = twice();
   made.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
   for (std::size_t i = 0; i < 2; ++i) {
@@ -288,10 +288,10 @@ TEST_F(Dedup, AccessorsThatADecoderFillsStayApart) {
   }
   const StoredAsset now = converted_twice(made.glb());
   EXPECT_THAT(now.json()["accessors"], SizeIs(2));
-  EXPECT_EQ(row_.what, "1 buffer view");  // of the two equal streams
+  EXPECT_EQ(row_.what, "1 buffer view");  // one of two equal streams
 }
 
-TEST_F(Dedup, AnUnknownExtensionWithAWholeNumberRefuses) {
+TEST_F(Dedup, RefusesIfAnUnknownExtensionHasAnInteger) {
   MadeAsset made = twice();
   made.json["extensionsUsed"] = {"ACME_ref"};
   made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 1;
@@ -301,7 +301,7 @@ TEST_F(Dedup, AnUnknownExtensionWithAWholeNumberRefuses) {
   EXPECT_EQ(position_of(converted_twice(made.glb()), 1), 0);
 }
 
-TEST_F(Dedup, PropertiesInTheOrderOfTheMaterialsRefuseTheseOnly) {
+TEST_F(Dedup, RefusesMaterialsIfPropertiesFollowTheirOrder) {
   MadeAsset made = twice();
   made.json["materials"] = {OrderedJson::object(), OrderedJson::object()};
   made.json["extensionsUsed"] = {"VRM"};
@@ -313,8 +313,8 @@ TEST_F(Dedup, PropertiesInTheOrderOfTheMaterialsRefuseTheseOnly) {
   EXPECT_THAT(now.json()["accessors"], SizeIs(1));
 }
 
-// Ranges of one buffer that overlap: they are not read again and again without end.
-TEST_F(Dedup, SharedBytesAreReadWithinABudget) {
+// Overlapping ranges of one buffer are read only within a budget.
+TEST_F(Dedup, ReadsSharedBytesWithinABudget) {
   MadeAsset made;
   made.accessor(std::vector<float>(300000), "SCALAR");
   made.json["accessors"] = OrderedJson::array();
@@ -330,7 +330,7 @@ TEST_F(Dedup, SharedBytesAreReadWithinABudget) {
   EXPECT_EQ(row.left[0].reason, "objects share too many bytes to compare all of them");
 }
 
-TEST_F(Dedup, ManyEqualObjectsBecomeOne) {
+TEST_F(Dedup, MergesManyEqualObjects) {
   MadeAsset made = twice();
   for (int i = 0; i < 20000; ++i) {
     made.json["samplers"].push_back({{"wrapS", 33071}});
@@ -342,7 +342,7 @@ TEST_F(Dedup, ManyEqualObjectsBecomeOne) {
   EXPECT_EQ(now.json()["materials"][0]["normalTexture"]["index"], 0);
 }
 
-TEST_F(Dedup, BrokenReferencesStayAndCrashNothing) {
+TEST_F(Dedup, KeepsBrokenReferences) {
   for (
       const char* text : {
           R"({"asset":{"version":"2.0"},"textures":[{"source":7},{"source":7},{"source":-1}]})",

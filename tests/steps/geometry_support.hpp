@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Small assets with geometry, and the bytes that a reader gets of stored ones.
+/// Creates small assets with geometry, and reads the bytes of stored ones.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ std::string bytes_of(const std::vector<T>& values) {
   return bytes;
 }
 
-/// A square of `side` times `side` points that is bent a little.
+/// A slightly bent square of `side` times `side` points.
 struct Grid {
   explicit Grid(unsigned side = 16) {
     const auto part = [&](unsigned at) {
@@ -49,10 +49,10 @@ struct Grid {
   std::vector<std::uint16_t> indices;
 };
 
-/// A document in the making, with one buffer, "b.bin".
+/// Builds a document with one buffer, "b.bin".
 class AssetText {
  public:
-  /// Gives the index of a buffer view.
+  /// Returns the index of the buffer view.
   std::size_t view(const std::string& bytes, OrderedJson more = OrderedJson::object()) {
     buffer.resize((buffer.size() + 3) / 4 * 4);
     more["buffer"] = 0;
@@ -62,7 +62,7 @@ class AssetText {
     json["bufferViews"].push_back(more);
     return json["bufferViews"].size() - 1;
   }
-  /// Gives the index of an accessor. `component`: the number of the type in glTF.
+  /// Returns the index of the accessor. `component`: the glTF number of the type.
   template <class T>
   std::size_t accessor(const std::vector<T>& values, unsigned component, const char* type,
                        unsigned components, OrderedJson more = OrderedJson::object()) {
@@ -77,7 +77,7 @@ class AssetText {
     json["accessors"].push_back(more);
     return json["accessors"].size() - 1;
   }
-  /// Accessors of a grid: POSITION, TEXCOORD_0 and indices. Gives the primitive.
+  /// Adds accessors of a grid: POSITION, TEXCOORD_0 and indices. Returns the primitive.
   OrderedJson grid(const Grid& grid = Grid()) {
     std::vector<float> least(3, INFINITY), most(3, -INFINITY);
     for (std::size_t i = 0; i < grid.positions.size(); ++i) {
@@ -110,7 +110,7 @@ class AssetText {
   std::string buffer;
 };
 
-/// The bytes of each buffer view for a reader that knows all extensions; "none": there are none.
+/// The decoded bytes of each buffer view; "none": there are none.
 inline std::vector<std::string> view_bytes(const std::filesystem::path& path) {
   const model::OpenedAsset opened(path.native(), *container::open_file(path.native()),
                                   container::Resolver(path.parent_path(), path.parent_path()));
@@ -125,7 +125,7 @@ inline std::vector<std::string> view_bytes(const std::filesystem::path& path) {
   return all;
 }
 
-/// The row of a step, which ran.
+/// The row of a step; expects that it ran.
 inline const ConvertStep& step_of(const ConvertReport& report, std::string_view name) {
   const auto found = std::find_if(report.steps.begin(), report.steps.end(),
                                   [&](const ConvertStep& step) { return step.step == name; });

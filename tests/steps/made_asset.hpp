@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Assets with geometry and animations that tests make, and their numbers after a conversion.
+/// Builds assets with geometry and animations, and reads their numbers after a conversion.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace gltfx::test {
 
-/// An asset in the making, one buffer view an accessor.
+/// Builds an asset with one buffer view per accessor.
 class MadeAsset {
  public:
   MadeAsset() {
@@ -42,7 +42,7 @@ class MadeAsset {
     return json["accessors"].size() - 1;
   }
 
-  /// Adds a mesh with that primitive, and a node with it.
+  /// Adds a mesh with a primitive, and a node with the mesh.
   void mesh(const OrderedJson& primitive) {
     json["meshes"].push_back({{"primitives", {primitive}}});
     json["nodes"].push_back({{"mesh", json["meshes"].size() - 1}});
@@ -90,7 +90,7 @@ double number_at(const std::string& bytes, std::size_t at) {
   return static_cast<double>(value);
 }
 
-/// All components of an accessor, one element after the other.
+/// All components of an accessor, element by element.
 inline std::vector<double> numbers_of(const StoredAsset& asset, std::size_t index) {
   const OrderedJson json = asset.json();
   const OrderedJson& accessor = json["accessors"][index];
@@ -127,7 +127,7 @@ inline std::vector<double> numbers_of(const StoredAsset& asset, std::size_t inde
   return numbers;
 }
 
-/// Runs steps on assets that it made.
+/// Runs steps on built assets.
 class ConvertMade : public testing::Test {
  protected:
   explicit ConvertMade(ConvertOptions options) : options_(std::move(options)) {}
@@ -148,7 +148,7 @@ class ConvertMade : public testing::Test {
     return report.steps.empty() ? ConvertStep() : report.steps.front();
   }
 
-  /// Converts, and again, which must change nothing.
+  /// Converts twice; expects that the second conversion changes nothing.
   StoredAsset converted_twice(const std::string& glb) {
     const ConvertReport report = run(glb);
     EXPECT_TRUE(report.written) << report.error;
@@ -161,7 +161,7 @@ class ConvertMade : public testing::Test {
     return StoredAsset(once);
   }
 
-  /// Expects that nothing changes, with one note of that reason.
+  /// Expects no change and one note with this reason.
   void expect_left(MadeAsset& asset, const std::string& reason) {
     const ConvertStep row = row_of(asset.glb());
     EXPECT_FALSE(row.changes);

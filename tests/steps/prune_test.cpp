@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What nothing uses goes; all that an asset consists of stays.
+// Unused objects are removed; all others stay.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -24,7 +24,7 @@ ConvertOptions prune_options() {
   return options;
 }
 
-// A triangle that a scene shows: accessor 0.
+// A triangle in a scene; it uses accessor 0.
 MadeAsset shown_triangle() {
   MadeAsset made;
   made.mesh({{"attributes",
@@ -33,7 +33,7 @@ MadeAsset shown_triangle() {
   return made;
 }
 
-// Something that nothing refers to in front of all else.
+// Adds unused objects before all others.
 MadeAsset with_unused_material() {
   MadeAsset made = shown_triangle();
   made.json["materials"] = {{{"name", "unused"}}, {{"name", "used"}}};
@@ -61,7 +61,7 @@ class Prune : public test::ConvertMade {
   }
 };
 
-TEST_F(Prune, OnlyTheTextOfWhatGoesAndIndicesChange) {
+TEST_F(Prune, ChangesOnlyRemovedObjectsAndIndices) {
   const std::string before = R"({ "asset" : {"version": "2.0", "extras": {"n": 1.10}},
   "scenes" : [ {"nodes": [0]} ], "nodes": [{"mesh":1}],
   "meshes": [ {"primitives": [{"attributes": {"POSITION": 1}, "material": 0}]},
@@ -81,7 +81,7 @@ TEST_F(Prune, OnlyTheTextOfWhatGoesAndIndicesChange) {
   EXPECT_THAT(row_.left, IsEmpty());
 }
 
-TEST_F(Prune, TheirBytesGoWithThem) {
+TEST_F(Prune, RemovesBytesOfRemovedObjects) {
   MadeAsset made;
   made.accessor<float>(std::vector<float>(300, 7), "VEC3", true);
   made.mesh({{"attributes",
@@ -94,7 +94,7 @@ TEST_F(Prune, TheirBytesGoWithThem) {
   EXPECT_EQ(row_.what, "2 objects");
 }
 
-TEST_F(Prune, ABufferWithoutUsersGoesAndWithItItsChunk) {
+TEST_F(Prune, RemovesABufferWithoutUsersAndItsChunk) {
   MadeAsset made;
   made.accessor<float>({1, 2, 3}, "VEC3", true);
   made.json["nodes"] = {{{"name", "empty"}}};
@@ -105,7 +105,7 @@ TEST_F(Prune, ABufferWithoutUsersGoesAndWithItItsChunk) {
   EXPECT_FALSE(now.container.bin);
 }
 
-TEST_F(Prune, ABufferWithoutALengthGetsOne) {
+TEST_F(Prune, AddsAMissingLengthToABuffer) {
   MadeAsset made = shown_triangle();
   made.accessor<float>({1, 2, 3}, "VEC3");
   std::string glb = made.glb();
@@ -117,7 +117,7 @@ TEST_F(Prune, ABufferWithoutALengthGetsOne) {
   EXPECT_EQ(now.json()["buffers"][0]["byteLength"], now.bin.size());
 }
 
-TEST_F(Prune, ScenesNodesCamerasAnimationsStay) {
+TEST_F(Prune, KeepsScenesNodesCamerasAndAnimations) {
   MadeAsset made = shown_triangle();
   made.json["nodes"].push_back({{"name", "of no scene"}});
   made.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
@@ -130,7 +130,7 @@ TEST_F(Prune, ScenesNodesCamerasAnimationsStay) {
   expect_nothing_to_do(made);
 }
 
-TEST_F(Prune, WhatExtensionsReferToStays) {
+TEST_F(Prune, KeepsObjectsThatExtensionsReferTo) {
   MadeAsset made = shown_triangle();
   made.json["extensionsUsed"] = {"KHR_materials_variants", "KHR_texture_basisu",
                                  "KHR_materials_clearcoat"};
@@ -144,7 +144,7 @@ TEST_F(Prune, WhatExtensionsReferToStays) {
   expect_nothing_to_do(made);
 }
 
-TEST_F(Prune, WhatAPointerLeadsIntoStays) {
+TEST_F(Prune, KeepsObjectsThatAPointerRefersTo) {
   MadeAsset made = with_unused_material();
   made.json["extensionsUsed"] = {"KHR_animation_pointer"};
   const std::size_t input = made.accessor<float>({0, 1}, "SCALAR", true);
@@ -161,7 +161,7 @@ TEST_F(Prune, WhatAPointerLeadsIntoStays) {
   EXPECT_THAT(now.text, HasSubstr("\"/materials/0/alphaCutoff\""));
 }
 
-TEST_F(Prune, ObjectsThatReferOnlyToEachOtherGo) {
+TEST_F(Prune, RemovesObjectsThatReferOnlyToEachOther) {
   MadeAsset made = with_unused_material();
   made.json["extensionsUsed"] = {"MSFT_lod"};
   made.json["materials"][0]["extensions"]["MSFT_lod"]["ids"] = {2};
@@ -171,7 +171,7 @@ TEST_F(Prune, ObjectsThatReferOnlyToEachOtherGo) {
   EXPECT_FALSE(now.json().contains("extensionsUsed"));
 }
 
-TEST_F(Prune, NamesOfExtensionsGoWithTheirLastObjectOnly) {
+TEST_F(Prune, RemovesNamesOfExtensionsWithTheirLastObject) {
   MadeAsset made = with_unused_material();
   made.json["extensionsUsed"] = {"KHR_materials_unlit", "KHR_materials_ior", "ACME_rules",
                                  "KHR_mesh_quantization"};
@@ -183,7 +183,7 @@ TEST_F(Prune, NamesOfExtensionsGoWithTheirLastObjectOnly) {
               ElementsAre("KHR_materials_ior", "ACME_rules", "KHR_mesh_quantization"));
 }
 
-TEST_F(Prune, AnAssetWithoutScenesIsALibrary) {
+TEST_F(Prune, TreatsAnAssetWithoutScenesAsALibrary) {
   MadeAsset made = with_unused_material();
   made.json.erase("scenes");
   const std::size_t unused = made.accessor<float>({1, 2, 3}, "VEC3");
@@ -195,7 +195,7 @@ TEST_F(Prune, AnAssetWithoutScenesIsALibrary) {
   EXPECT_EQ(row_.left[0].reason, "without scenes, the asset is a library");
 }
 
-TEST_F(Prune, AnUnknownExtensionWithAWholeNumberRefuses) {
+TEST_F(Prune, RefusesIfAnUnknownExtensionHasAnInteger) {
   MadeAsset made = with_unused_material();
   made.json["extensionsUsed"] = {"ACME_ref"};
   made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = {0.5, 1};
@@ -207,14 +207,14 @@ TEST_F(Prune, AnUnknownExtensionWithAWholeNumberRefuses) {
   EXPECT_FALSE(report.steps[0].changes);
 }
 
-TEST_F(Prune, ItDoesNotWhereThereIsNothingToDo) {
+TEST_F(Prune, DoesNotRefuseIfNothingIsUnused) {
   MadeAsset made = shown_triangle();
   made.json["extensionsUsed"] = {"ACME_ref"};
   made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 1;
   expect_nothing_to_do(made);
 }
 
-TEST_F(Prune, ASchemaOfTheExtensionLetsItAndIsFollowed) {
+TEST_F(Prune, UpdatesExtensionsThatASchemaDescribes) {
   const schema::Compiled compiled = schema::compile_with({{"ref.json", R"({
     "$schema": "https://json-schema.org/draft/2020-12/schema",
     "$id": "gltfx:ext/ACME_ref", "title": "ACME_ref", "description": "A curve.",
@@ -235,7 +235,7 @@ TEST_F(Prune, ASchemaOfTheExtensionLetsItAndIsFollowed) {
   EXPECT_THAT(numbers_of(now, 1), ElementsAre(4, 5, 6));
 }
 
-TEST_F(Prune, UnknownExtensionsWithoutWholeNumbersAndThoseThatGoDoNot) {
+TEST_F(Prune, AllowsUnknownExtensionsWithoutIntegersOrInRemovedObjects) {
   MadeAsset made = with_unused_material();
   made.json["extensionsUsed"] = {"ACME_ref", "ACME_words"};
   made.json["nodes"][0]["extensions"]["ACME_words"] = {{"curve", {0.5, 2.5}},
@@ -248,7 +248,7 @@ TEST_F(Prune, UnknownExtensionsWithoutWholeNumbersAndThoseThatGoDoNot) {
   EXPECT_THAT(now.json()["extensionsUsed"], ElementsAre("ACME_words"));
 }
 
-TEST_F(Prune, APointerThatIsCompletedLaterRefusesItsListOnly) {
+TEST_F(Prune, RefusesTheListOfAPointerThatIsSetAtRunTime) {
   MadeAsset made = with_unused_material();
   made.json["samplers"] = {OrderedJson::object()};
   made.json["extensionsUsed"] = {"KHR_interactivity"};
@@ -265,14 +265,14 @@ TEST_F(Prune, APointerThatIsCompletedLaterRefusesItsListOnly) {
   EXPECT_THAT(row_.refused[0].reason, HasSubstr("is set at run time"));
 }
 
-TEST_F(Prune, PropertiesInTheOrderOfTheMaterialsRefuseTheseOnly) {
+TEST_F(Prune, RefusesMaterialsIfPropertiesFollowTheirOrder) {
   MadeAsset made = with_unused_material();
   made.json["extensionsUsed"] = {"VRM"};
   made.json["extensions"]["VRM"]["materialProperties"] = {{{"name", "unused"}}, {{"name", "used"}}};
   expect_refused(made, "/materials", "/extensions/VRM/materialProperties follows their order");
 }
 
-TEST_F(Prune, ExtrasThatLookLikeIndicesAreNoted) {
+TEST_F(Prune, NotesExtrasThatMayBeIndices) {
   MadeAsset made = with_unused_material();
   made.json["nodes"][0]["extras"] = {{"materialIndex", 1}, {"speed", 3}, {"textures", {0, 1}}};
   const StoredAsset now = converted_twice(made.glb());
@@ -283,7 +283,7 @@ TEST_F(Prune, ExtrasThatLookLikeIndicesAreNoted) {
   EXPECT_EQ(row_.left[0].reason, "may be an index, like 1 more in extras; it is not updated");
 }
 
-TEST_F(Prune, BrokenReferencesStayAndCrashNothing) {
+TEST_F(Prune, KeepsBrokenReferences) {
   for (
       const char* text : {
           R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0,9]}],"nodes":[{"mesh":7}],"meshes":[{}]})",
@@ -297,8 +297,8 @@ TEST_F(Prune, BrokenReferencesStayAndCrashNothing) {
   }
 }
 
-// Each texture refers to a sampler of its own: neither time nor stack grows with the square.
-TEST_F(Prune, ManyObjectsGoAtOnce) {
+// Each texture has its own sampler: time does not grow with the square, and the stack is limited.
+TEST_F(Prune, RemovesManyObjectsAtOnce) {
   MadeAsset made = shown_triangle();
   for (int i = 0; i < 20000; ++i) {
     made.json["samplers"].push_back(OrderedJson::object());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices that no index reads go.
+// Vertices that no index uses are removed.
 #include <gmock/gmock.h>
 
 #include "made_asset.hpp"
@@ -22,7 +22,7 @@ ConvertOptions vertex_options() {
   return options;
 }
 
-// Five vertices, of which a triangle reads 1, 3 and 4.
+// Five vertices; a triangle uses 1, 3 and 4.
 struct Unread {
   Unread() {
     positions = made.accessor<float>({9, 9, 9, 1, 0, 0, 8, 8, 8, 0, 2, 0, 0, 0, 3}, "VEC3", true);
@@ -41,7 +41,7 @@ class PruneVertices : public test::ConvertMade {
   PruneVertices() : ConvertMade(vertex_options()) {}
 };
 
-TEST_F(PruneVertices, TheOthersKeepTheirOrderAndTheirIndicesTheirType) {
+TEST_F(PruneVertices, KeepsTheOrderOfVerticesAndTheTypeOfIndices) {
   Unread asset;
   asset.primitive()["attributes"]["_ID"] =
       asset.made.accessor<std::uint8_t>({10, 11, 12, 13, 14}, "SCALAR");
@@ -62,7 +62,7 @@ TEST_F(PruneVertices, TheOthersKeepTheirOrderAndTheirIndicesTheirType) {
   EXPECT_THAT(json["bufferViews"], SizeIs(4));
 }
 
-TEST_F(PruneVertices, BoundsThatStayKeepTheirText) {
+TEST_F(PruneVertices, KeepsTheTextOfUnchangedBounds) {
   MadeAsset made;
   const std::size_t positions =
       made.accessor<float>({0.1F, 0, 0, 5, 0, 0, 0, 0.3F, 0, 0, 0, 9}, "VEC3");
@@ -80,7 +80,7 @@ TEST_F(PruneVertices, BoundsThatStayKeepTheirText) {
   EXPECT_EQ(converted_twice(made.glb()).json()["accessors"][positions]["max"].dump(), "[5,0.3,9]");
 }
 
-TEST_F(PruneVertices, OneReaderOfAllIsEnough) {
+TEST_F(PruneVertices, KeepsVerticesThatOnePrimitiveUses) {
   Unread asset;
   OrderedJson second = asset.primitive();
   second["indices"] = asset.made.accessor<std::uint8_t>({0, 1, 3}, "SCALAR");
@@ -89,13 +89,13 @@ TEST_F(PruneVertices, OneReaderOfAllIsEnough) {
   EXPECT_EQ(row_.what, "1 vertex");
   EXPECT_THAT(numbers_of(now, asset.indices), ElementsAre(3, 1, 2));
   EXPECT_THAT(numbers_of(now, 2), ElementsAre(0, 1, 2));
-  // Without indices, all are read.
+  // A primitive without indices uses all vertices.
   second.erase("indices");
   asset.made.json["meshes"][0]["primitives"].push_back(second);
   EXPECT_FALSE(row_of(asset.made.glb()).changes);
 }
 
-TEST_F(PruneVertices, AnUnusedMeshDoesNotCount) {
+TEST_F(PruneVertices, IgnoresAnUnusedMesh) {
   Unread asset;
   OrderedJson second = asset.primitive();
   second.erase("indices");
@@ -105,7 +105,7 @@ TEST_F(PruneVertices, AnUnusedMeshDoesNotCount) {
   EXPECT_THAT(numbers_of(now, asset.indices), ElementsAre(2, 0, 1));
 }
 
-TEST_F(PruneVertices, ARestartStaysOne) {
+TEST_F(PruneVertices, KeepsRestartIndices) {
   Unread asset;
   asset.primitive()["mode"] = 5;
   asset.primitive()["indices"] =
@@ -117,8 +117,8 @@ TEST_F(PruneVertices, ARestartStaysOne) {
   EXPECT_THAT(numbers_of(now, 1), ElementsAre(2, 0, 1, 255, 1, 0, 2));
 }
 
-// Two meshes in one view, interleaved: they lose different numbers of vertices.
-TEST_F(PruneVertices, ViewsThatNothingFitsAnyMoreGo) {
+// Two meshes are interleaved in one view and lose different numbers of vertices.
+TEST_F(PruneVertices, RemovesViewsThatNoAccessorFits) {
   MadeAsset made;
   const std::size_t first = made.accessor<float>(
       {0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7}, "VEC3");
@@ -146,7 +146,7 @@ TEST_F(PruneVertices, ViewsThatNothingFitsAnyMoreGo) {
   EXPECT_EQ(row_.left.size(), 0U);
 }
 
-TEST_F(PruneVertices, WhatCannotBeReadOrIsSharedStays) {
+TEST_F(PruneVertices, LeavesUnreadableAndSharedVertices) {
   Unread sparse;
   sparse.made.json["accessors"][0]["sparse"] = {
       {"count", 1},
@@ -174,7 +174,7 @@ TEST_F(PruneVertices, WhatCannotBeReadOrIsSharedStays) {
   EXPECT_THAT(row.left[0].reason, HasSubstr("with other primitives"));
 }
 
-TEST_F(PruneVertices, CompressedPrimitivesStay) {
+TEST_F(PruneVertices, LeavesCompressedPrimitives) {
   Unread draco;
   draco.made.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
   draco.primitive()["extensions"]["KHR_draco_mesh_compression"] = {
@@ -182,7 +182,7 @@ TEST_F(PruneVertices, CompressedPrimitivesStay) {
   expect_left(draco.made, "is compressed; decode it first: --compress none");
 }
 
-TEST_F(PruneVertices, ExtensionsThatKnowVerticesRefuse) {
+TEST_F(PruneVertices, RefusesIfAnExtensionRefersToVertices) {
   Unread ids;
   ids.made.json["extensionsUsed"] = {"EXT_mesh_features"};
   ids.primitive()["extensions"]["EXT_mesh_features"]["featureIds"] = {{{"featureCount", 5}}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles and vertices in an order for the caches of a GPU.
+// Triangles and vertices are ordered for GPU caches.
 #include <array>
 #include <set>
 
@@ -19,7 +19,7 @@ using testing::Gt;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-constexpr std::uint32_t kSide = 33;  // vertices of a grid
+constexpr std::uint32_t kSide = 33;  // vertices per side of a grid
 
 ConvertOptions reorder_options() {
   ConvertOptions options;
@@ -27,7 +27,7 @@ ConvertOptions reorder_options() {
   return options;
 }
 
-// Two triangles for each cell of a grid; cells in an order that jumps.
+// Two triangles for each cell of a grid, with cells in a scattered order.
 std::vector<std::uint16_t> jumping_triangles() {
   constexpr std::uint32_t kCells = (kSide - 1) * (kSide - 1);
   std::vector<std::uint16_t> indices;
@@ -40,7 +40,7 @@ std::vector<std::uint16_t> jumping_triangles() {
   return indices;
 }
 
-// A grid whose vertices have their number as another attribute and in a morph target.
+// A grid with the number of each vertex in an attribute and in a morph target.
 struct ShuffledGrid {
   ShuffledGrid() {
     std::vector<float> positions, targets;
@@ -79,7 +79,7 @@ class Reorder : public test::ConvertMade {
  protected:
   Reorder() : ConvertMade(reorder_options()) {}
 
-  // The triangles by the numbers that their vertices had, each from its least corner on.
+  // The triangles as old vertex numbers; each starts at its least corner.
   static std::multiset<std::array<double, 3>> triangles(const StoredAsset& asset,
                                                         const ShuffledGrid& grid) {
     const auto targets = numbers_of(asset, grid.target);
@@ -95,7 +95,7 @@ class Reorder : public test::ConvertMade {
     return all;
   }
 
-  // Vertices that a cache of 16, first in first out, shades.
+  // The number of vertices that a FIFO cache of 16 entries shades.
   static std::size_t misses(const std::vector<double>& indices) {
     std::vector<double> cache;
     std::size_t count = 0;
@@ -109,7 +109,7 @@ class Reorder : public test::ConvertMade {
   }
 };
 
-TEST_F(Reorder, TrianglesSuitACacheAndVerticesFollowThem) {
+TEST_F(Reorder, OrdersTrianglesForACacheAndVerticesByUse) {
   ShuffledGrid grid;
   const StoredAsset old(grid.made.glb());
   const StoredAsset now = converted_twice(grid.made.glb());
@@ -126,7 +126,7 @@ TEST_F(Reorder, TrianglesSuitACacheAndVerticesFollowThem) {
   EXPECT_THAT(row_.left, IsEmpty());
 }
 
-TEST_F(Reorder, AttributesAndTargetsFollowAlike) {
+TEST_F(Reorder, OrdersAttributesAndTargets) {
   ShuffledGrid grid;
   const StoredAsset now = converted_twice(grid.made.glb());
   const auto positions = numbers_of(now, grid.position);
@@ -139,7 +139,7 @@ TEST_F(Reorder, AttributesAndTargetsFollowAlike) {
   EXPECT_EQ(now.json()["accessors"][grid.position]["max"].dump(), "[32.0,32.0,0.0]");
 }
 
-TEST_F(Reorder, UnusedVerticesGoToTheEnd) {
+TEST_F(Reorder, MovesUnusedVerticesToTheEnd) {
   MadeAsset made;
   const std::size_t at =
       made.accessor<float>({9, 9, 9, 0, 0, 0, 1, 0, 0, 8, 8, 8, 0, 1, 0}, "VEC3", true);
@@ -152,7 +152,7 @@ TEST_F(Reorder, UnusedVerticesGoToTheEnd) {
   EXPECT_EQ(now.json()["accessors"][indices]["max"].dump(), "[2]");
 }
 
-TEST_F(Reorder, PrimitivesOfTheSameVerticesAreOrderedTogether) {
+TEST_F(Reorder, OrdersPrimitivesThatShareVerticesTogether) {
   ShuffledGrid grid;
   auto backwards = jumping_triangles();
   std::reverse(backwards.begin(), backwards.end());
@@ -166,7 +166,7 @@ TEST_F(Reorder, PrimitivesOfTheSameVerticesAreOrderedTogether) {
   EXPECT_LT(2 * misses(numbers_of(now, other)), misses(numbers_of(old, other)));
 }
 
-TEST_F(Reorder, BlendedTrianglesStay) {
+TEST_F(Reorder, LeavesBlendedTriangles) {
   const std::string why = "is blended, so the order of its triangles is visible";
   ShuffledGrid blended;
   blended.material({{"alphaMode", "BLEND"}});
@@ -187,7 +187,7 @@ TEST_F(Reorder, BlendedTrianglesStay) {
   converted_twice(variant.made.glb());
 }
 
-TEST_F(Reorder, OtherModesStay) {
+TEST_F(Reorder, LeavesOtherModes) {
   ShuffledGrid points;
   points.primitive()["mode"] = 0;
   expect_left(points.made, "has primitives that are not triangles");
@@ -202,7 +202,7 @@ TEST_F(Reorder, OtherModesStay) {
   EXPECT_EQ(row.left[0].reason, "has triangles without indices");
 }
 
-TEST_F(Reorder, WhatIsBrokenStays) {
+TEST_F(Reorder, LeavesBrokenPrimitives) {
   ShuffledGrid outside;
   outside.primitive()["indices"] =
       outside.made.accessor<std::uint16_t>({0, 1, kSide * kSide}, "SCALAR");
@@ -212,7 +212,7 @@ TEST_F(Reorder, WhatIsBrokenStays) {
   expect_left(torn.made, "has an incomplete triangle");
 }
 
-TEST_F(Reorder, WhatKnowsVerticesRefuses) {
+TEST_F(Reorder, RefusesIfAnExtensionRefersToVertices) {
   ShuffledGrid unknown;
   unknown.use("ACME_outline");
   unknown.primitive()["extensions"]["ACME_outline"]["name"] = "front";
@@ -231,8 +231,8 @@ TEST_F(Reorder, WhatKnowsVerticesRefuses) {
                  "(describe it with --schema)");
 }
 
-// Corners that become one vertex make no triangle that could be missed.
-TEST_F(Reorder, FollowsWeldAlsoWhereTrianglesAreLines) {
+// Weld merges all corners of the last triangle, which becomes degenerate.
+TEST_F(Reorder, AcceptsDegenerateTrianglesAfterWeld) {
   options_.weld = true;
   MadeAsset made;
   std::vector<float> positions;

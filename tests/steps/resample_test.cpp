@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keyframes that interpolation between their neighbours gives go.
+// Keyframes that interpolation reproduces are removed.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -27,14 +27,14 @@ ConvertOptions resample_options() {
   return options;
 }
 
-// Moments that single precision has exactly.
+// Times that single precision represents exactly.
 std::vector<float> moments(std::size_t count) {
   std::vector<float> times;
   for (std::size_t i = 0; i < count; ++i) times.push_back(static_cast<float>(i) / 64);
   return times;
 }
 
-// As often as there are keyframes.
+// Repeats values for all keyframes.
 std::vector<float> repeated(const std::vector<float>& value, std::size_t count) {
   std::vector<float> values;
   for (std::size_t i = 0; i < count; ++i) values.insert(values.end(), value.begin(), value.end());
@@ -83,7 +83,7 @@ class Resample : public test::ConvertMade {
   Resample() : ConvertMade(resample_options()) {}
 };
 
-TEST_F(Resample, OnlyTheEndsOfALineStay) {
+TEST_F(Resample, KeepsOnlyTheEndsOfALine) {
   Clip clip(100);
   std::vector<float> line;
   for (std::size_t i = 0; i < 100; ++i) {
@@ -101,7 +101,7 @@ TEST_F(Resample, OnlyTheEndsOfALineStay) {
   EXPECT_LT(row_.bytes_after, row_.bytes_before);
 }
 
-TEST_F(Resample, CornersStay) {
+TEST_F(Resample, KeepsCorners) {
   Clip clip(41);
   std::vector<float> values;
   for (std::size_t i = 0; i < 41; ++i)
@@ -112,7 +112,7 @@ TEST_F(Resample, CornersStay) {
   EXPECT_THAT(numbers_of(now, output), ElementsAre(0, 0, 0, 20, 0, 0, 20, 0, 0));
 }
 
-TEST_F(Resample, StepsKeepEachChange) {
+TEST_F(Resample, KeepsEachChangeOfASteppedCurve) {
   Clip clip(8);
   const std::vector<float> values{1, 1, 1, 5, 5, 1, 1, 1};
   std::vector<float> scales;
@@ -122,7 +122,7 @@ TEST_F(Resample, StepsKeepEachChange) {
               ElementsAre(0, 3.0 / 64, 5.0 / 64, 7.0 / 64));
 }
 
-TEST_F(Resample, RotationsFollowTheShorterArc) {
+TEST_F(Resample, InterpolatesRotationsAlongTheShorterArc) {
   Clip clip(200);
   const std::size_t output = clip.add("rotation", turning(200, 1.5), "VEC4");
   const StoredAsset now = converted_twice(clip.made.glb());
@@ -130,7 +130,7 @@ TEST_F(Resample, RotationsFollowTheShorterArc) {
   EXPECT_THAT(numbers_of(now, output), SizeIs(8));
 }
 
-TEST_F(Resample, ManyTurnsStayTurns) {
+TEST_F(Resample, KeepsSeveralTurns) {
   Clip clip(2000);
   const std::size_t output = clip.add("rotation", turning(2000, 100), "VEC4");
   const StoredAsset now = converted_twice(clip.made.glb());
@@ -143,8 +143,8 @@ TEST_F(Resample, ManyTurnsStayTurns) {
   }
 }
 
-// Interpolating quaternions as numbers would give this, and not what readers do.
-TEST_F(Resample, RotationsOnAStraightLineOfNumbersStay) {
+// Linear interpolation of components gives this curve, but readers use slerp.
+TEST_F(Resample, KeepsRotationsThatAreLinearInTheirComponents) {
   Clip clip(3);
   const double half = std::sqrt(0.5);
   std::vector<float> values{0, 0, 0, 1};
@@ -156,7 +156,7 @@ TEST_F(Resample, RotationsOnAStraightLineOfNumbersStay) {
   EXPECT_FALSE(row_of(clip.made.glb()).changes);
 }
 
-TEST_F(Resample, NormalizedIntegersAreTakenAsTheirValues) {
+TEST_F(Resample, InterpolatesNormalizedIntegers) {
   Clip clip(50);
   const std::size_t output = clip.add(
       "rotation",
@@ -171,7 +171,7 @@ TEST_F(Resample, NormalizedIntegersAreTakenAsTheirValues) {
               ElementsAre(0, 0, 23170, 23170, 0, 0, 23170, 23170));
 }
 
-TEST_F(Resample, AllWeightsOfAKeyframeCount) {
+TEST_F(Resample, ComparesAllWeightsOfAKeyframe) {
   Clip clip(5);
   // The second of two weights bends at the third keyframe.
   const std::size_t output =
@@ -185,7 +185,7 @@ TEST_F(Resample, AllWeightsOfAKeyframeCount) {
   EXPECT_THAT(numbers_of(now, clip.input), ElementsAre(0, 2.0 / 64, 4.0 / 64));
 }
 
-TEST_F(Resample, AKeyframeGoesWhereAllSamplersAgree) {
+TEST_F(Resample, RemovesAKeyframeOnlyFromAllSamplers) {
   Clip clip(5);
   clip.add("translation", std::vector<float>{0, 0, 0, 1, 0, 0, 2, 0, 0, 3, 0, 0, 9, 0, 0}, "VEC3");
   const std::size_t other = clip.add(
@@ -193,7 +193,7 @@ TEST_F(Resample, AKeyframeGoesWhereAllSamplersAgree) {
   clip.made.json["animations"].push_back(clip.made.json["animations"][0]);
   const auto same = row_of(clip.made.glb());
   EXPECT_FALSE(same.changes);
-  clip.made.json["accessors"][other]["bufferView"] = 1;  // as the translations
+  clip.made.json["accessors"][other]["bufferView"] = 1;  // the same view as the translations
   for (OrderedJson& animation : clip.made.json["animations"])
     animation["samplers"][1]["interpolation"] = "LINEAR";
   const StoredAsset now = converted_twice(clip.made.glb());
@@ -201,7 +201,7 @@ TEST_F(Resample, AKeyframeGoesWhereAllSamplersAgree) {
   EXPECT_THAT(numbers_of(now, other), ElementsAre(0, 0, 0, 3, 0, 0, 9, 0, 0));
 }
 
-TEST_F(Resample, OneUnitInTheLastPlaceIsTheBound) {
+TEST_F(Resample, AllowsOneUnitInTheLastPlace) {
   const auto kept = [](int units) {
     const float value = 0.7F;
     KeyedCurve curve{CurveKind::linear, 1, {value, value, value}};
@@ -213,8 +213,8 @@ TEST_F(Resample, OneUnitInTheLastPlaceIsTheBound) {
   EXPECT_EQ(kept(2), 3U);
 }
 
-// Noise of the last place, which is at the bound everywhere.
-TEST_F(Resample, WhatStaysOnceStays) {
+// Noise in the last place is at the bound everywhere.
+TEST_F(Resample, ChangesNothingTheSecondTime) {
   for (const CurveKind kind : {CurveKind::linear, CurveKind::rotation}) {
     std::uint32_t state = 1;
     KeyedCurve curve{kind, 4, {}};
@@ -237,8 +237,8 @@ TEST_F(Resample, WhatStaysOnceStays) {
   }
 }
 
-// A curve that is split next to its end each time, and a long straight one.
-TEST_F(Resample, LongCurvesTakeFewPasses) {
+// One curve is always split near its end; the other one is a long straight line.
+TEST_F(Resample, HandlesLongCurvesInFewPasses) {
   constexpr std::size_t kKeys = 200000;
   std::vector<float> growing, straight;
   for (std::size_t i = 0; i < kKeys; ++i) {
@@ -250,7 +250,7 @@ TEST_F(Resample, LongCurvesTakeFewPasses) {
   EXPECT_THAT(choose_keyframes(moments(kKeys), {{{CurveKind::linear, 1, straight}}}), SizeIs(2));
 }
 
-TEST_F(Resample, OtherCurvesStay) {
+TEST_F(Resample, LeavesOtherCurves) {
   Clip spline(2);
   spline.add("translation", std::vector<float>(18, 1), "VEC3", "CUBICSPLINE");
   expect_left(spline.made, "shares its times with CUBICSPLINE, which does not change");
@@ -273,7 +273,7 @@ TEST_F(Resample, OtherCurvesStay) {
   expect_left(both.made, "animates both rotations and other properties");
 }
 
-TEST_F(Resample, AccessorsOfOthersStay) {
+TEST_F(Resample, LeavesAccessorsWithOtherUsers) {
   Clip times(9);
   times.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   times.made.mesh({{"attributes", {{"POSITION", 1}, {"_TIME", times.input}}}});
@@ -294,7 +294,7 @@ TEST_F(Resample, AccessorsOfOthersStay) {
   EXPECT_FALSE(row_of(inputs.made.glb()).changes);
 }
 
-TEST_F(Resample, BrokenCurvesStay) {
+TEST_F(Resample, LeavesBrokenCurves) {
   Clip back(9);
   back.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   back.sampler()["input"] = back.made.accessor<float>({0, 1, 2, 3, 3, 5, 6, 7, 8}, "SCALAR", true);
@@ -322,7 +322,7 @@ TEST_F(Resample, BrokenCurvesStay) {
   expect_left(sparse.made, "has a sparse accessor");
 }
 
-TEST_F(Resample, UnknownIndicesRefuse) {
+TEST_F(Resample, RefusesIfIndicesAreUnknown) {
   Clip clip(9);
   clip.add("translation", repeated({1, 2, 3}, 9), "VEC3");
   clip.made.json["extensionsUsed"] = {"ACME_ref"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page about conversions lists the steps with their descriptions.
+// docs/convert.md lists the steps with their descriptions.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-TEST(Steps, AreOnThePageInTheirOrder) {
+TEST(Steps, AreDocumentedInOrder) {
   const std::string page =
       container::test::content_of(std::string(GLTFX_SOURCE_DIR) + "/docs/convert.md");
   std::string rows;
@@ -22,27 +22,27 @@ TEST(Steps, AreOnThePageInTheirOrder) {
   EXPECT_THAT(page, HasSubstr(rows + "\n"));
 }
 
-TEST(Steps, AreAskedForByOptions) {
+TEST(Steps, AreSelectedByOptions) {
   ConvertOptions options;
   for (const StepDescription& step : steps()) EXPECT_FALSE(step.asked(options)) << step.name;
   options.to = StoredAs::glb;
   EXPECT_TRUE(steps().back().asked(options));
 }
 
-TEST(FileNames, LongNamesAreCutBetweenCodePoints) {
+TEST(FileNames, AreCutBetweenCodePoints) {
   std::string name;
   for (int i = 0; i < 100; ++i) name += "\xF0\x9F\x8C\xBF";
   EXPECT_EQ(clean_name(name), name.substr(0, 4 * 56));
 }
 
-TEST(FileNames, AreTakenOnceInAnyCase) {
+TEST(FileNames, AreUniqueIgnoringCase) {
   FileNames names({"Wood.png"});
   EXPECT_EQ(names.take("wood", ".png"), "wood-2.png");
   EXPECT_EQ(names.take("WOOD.PNG", ".png"), "WOOD-3.png");
   EXPECT_EQ(names.take("wood.jpeg", ".jpg"), "wood.jpg");
 }
 
-TEST(FileNames, EndAsTheirBytesSay) {
+TEST(FileNames, HaveTheEndingOfTheirContent) {
   const auto bytes = [](std::string_view text) {
     return container::Bytes::from_string(std::string(text));
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vertices that are equal in all bits become one.
+// Vertices that are equal bit by bit are merged.
 #include <gmock/gmock.h>
 
 #include "made_asset.hpp"
@@ -22,7 +22,7 @@ ConvertOptions weld_options() {
   return options;
 }
 
-// `quads` squares side by side, two triangles of corners of their own each.
+// `quads` adjacent squares; each has two triangles with separate corners.
 std::vector<float> strip_of(int quads) {
   std::vector<float> positions;
   for (int i = 0; i < quads; ++i) {
@@ -38,7 +38,7 @@ class Weld : public test::ConvertMade {
  protected:
   Weld() : ConvertMade(weld_options()) {}
 
-  // The corners of a primitive: the numbers of an attribute in the order of its indices.
+  // The corners of a primitive: the values of an attribute in the order of its indices.
   static std::vector<double> corners(const StoredAsset& asset, const OrderedJson& primitive,
                                      const std::string& attribute, std::size_t width) {
     const auto values = numbers_of(asset, primitive["attributes"][attribute]);
@@ -52,7 +52,7 @@ class Weld : public test::ConvertMade {
   }
 };
 
-TEST_F(Weld, PrimitivesWithoutIndicesGetThem) {
+TEST_F(Weld, AddsMissingIndices) {
   MadeAsset made;
   const auto positions = strip_of(40);
   made.mesh({{"attributes", {{"POSITION", made.accessor(positions, "VEC3", true)}}},
@@ -73,7 +73,7 @@ TEST_F(Weld, PrimitivesWithoutIndicesGetThem) {
   EXPECT_EQ(primitive["extras"]["kept"], 1);
 }
 
-TEST_F(Weld, IndicesKeepTheirTypeAndTheirOrder) {
+TEST_F(Weld, KeepsTheTypeAndOrderOfIndices) {
   MadeAsset made;
   const std::vector<float> positions{5, 5, 5, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0};
   const std::size_t at = made.accessor(positions, "VEC3", true);
@@ -88,7 +88,7 @@ TEST_F(Weld, IndicesKeepTheirTypeAndTheirOrder) {
   EXPECT_EQ(row_.what, "1 vertex merged in 1 primitive");
 }
 
-TEST_F(Weld, EveryBitOfEveryAttributeCounts) {
+TEST_F(Weld, ComparesEveryBitOfEveryAttribute) {
   MadeAsset made;
   const std::vector<float> same(12, 1);
   const std::size_t position = made.accessor(same, "VEC3", true);
@@ -107,7 +107,7 @@ TEST_F(Weld, EveryBitOfEveryAttributeCounts) {
   EXPECT_EQ(now.json()["accessors"][zeros]["count"], 3);
 }
 
-TEST_F(Weld, InterleavedAttributesStayInterleaved) {
+TEST_F(Weld, KeepsAttributesInterleaved) {
   MadeAsset made;
   std::vector<float> records;
   for (const float x : {0.F, 1.F, 2.F, 1.F}) records.insert(records.end(), {x, 0, 0, x, 7});
@@ -131,7 +131,7 @@ TEST_F(Weld, InterleavedAttributesStayInterleaved) {
   EXPECT_THAT(numbers_of(now, indices), ElementsAre(0, 1, 2, 2, 1, 0));
 }
 
-TEST_F(Weld, PrimitivesOfTheSameVerticesFollowTogether) {
+TEST_F(Weld, UpdatesPrimitivesThatShareVerticesTogether) {
   MadeAsset made;
   const std::size_t at = made.accessor<float>({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0}, "VEC3", true);
   const std::size_t a = made.accessor<std::uint16_t>({0, 1, 3}, "SCALAR");
@@ -145,7 +145,7 @@ TEST_F(Weld, PrimitivesOfTheSameVerticesFollowTogether) {
   EXPECT_EQ(row_.what, "1 vertex merged in 3 primitives");
 }
 
-TEST_F(Weld, ManyVerticesGetWideIndices) {
+TEST_F(Weld, UsesWideIndicesForManyVertices) {
   MadeAsset made;
   made.mesh({{"attributes", {{"POSITION", made.accessor(strip_of(40000), "VEC3", true)}}}});
   const StoredAsset now = converted_twice(made.glb());
@@ -153,7 +153,7 @@ TEST_F(Weld, ManyVerticesGetWideIndices) {
   EXPECT_EQ(now.json()["accessors"][1]["componentType"], 5125);
 }
 
-TEST_F(Weld, ARestartStaysOne) {
+TEST_F(Weld, KeepsRestartIndices) {
   MadeAsset made;
   const std::size_t at = made.accessor<float>({0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0}, "VEC3", true);
   const std::size_t indices = made.accessor<std::uint8_t>({0, 1, 3, 255, 2, 3, 1}, "SCALAR");
@@ -161,7 +161,7 @@ TEST_F(Weld, ARestartStaysOne) {
   EXPECT_THAT(numbers_of(converted_twice(made.glb()), indices), ElementsAre(0, 1, 2, 255, 0, 2, 1));
 }
 
-// An asset with a vertex to merge, and the place of its primitive.
+// An asset with a vertex to merge, and its primitive.
 struct Welded {
   Welded() {
     position = made.accessor<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0}, "VEC3", true);
@@ -175,20 +175,20 @@ struct Welded {
   std::size_t position, indices;
 };
 
-TEST_F(Weld, NothingMergesThatWouldTakeMoreBytes) {
+TEST_F(Weld, LeavesPrimitivesThatWouldBeLarger) {
   MadeAsset made;
   made.mesh({{"attributes", {{"POSITION", made.accessor(strip_of(2), "VEC3", true)}}}});
   expect_left(made, "would be larger with indices");
 }
 
-TEST_F(Weld, PointsWithoutIndicesStay) {
+TEST_F(Weld, LeavesPointsWithoutIndices) {
   MadeAsset made;
   made.mesh(
       {{"attributes", {{"POSITION", made.accessor(strip_of(40), "VEC3", true)}}}, {"mode", 0}});
   expect_left(made, "has points without indices");
 }
 
-TEST_F(Weld, OtherSetsOfTheSameAccessorsStay) {
+TEST_F(Weld, LeavesOverlappingSetsOfAccessors) {
   Welded a;
   const std::size_t uv = a.made.accessor(std::vector<float>(8, 0), "VEC2");
   a.made.mesh({{"attributes", {{"POSITION", a.position}, {"TEXCOORD_0", uv}}},
@@ -201,7 +201,7 @@ TEST_F(Weld, OtherSetsOfTheSameAccessorsStay) {
   EXPECT_EQ(row.left[1].pointer, "/meshes/1/primitives/0");
 }
 
-TEST_F(Weld, SharedIndicesOfOtherVerticesStay) {
+TEST_F(Weld, LeavesIndicesSharedByDifferentVertices) {
   Welded a;
   const std::size_t other = a.made.accessor(std::vector<float>(12, 1), "VEC3", true);
   a.made.mesh({{"attributes", {{"POSITION", other}}}, {"indices", a.indices}});
@@ -211,7 +211,7 @@ TEST_F(Weld, SharedIndicesOfOtherVerticesStay) {
   EXPECT_EQ(row.left[0].reason, "shares its indices with primitives that have other vertices");
 }
 
-TEST_F(Weld, AccessorsOfOthersStay) {
+TEST_F(Weld, LeavesAccessorsWithOtherUsers) {
   Welded a;
   a.made.json["animations"] = {
       {{"samplers",
@@ -221,7 +221,7 @@ TEST_F(Weld, AccessorsOfOthersStay) {
   expect_left(a.made, "shares an accessor with objects other than primitives");
 }
 
-TEST_F(Weld, WhatCannotBeReadStays) {
+TEST_F(Weld, LeavesUnreadableVertices) {
   Welded sparse;
   sparse.made.json["accessors"][0]["sparse"] = {
       {"count", 1},
@@ -248,7 +248,7 @@ TEST_F(Weld, WhatCannotBeReadStays) {
   expect_left(floats.made, "has indices that are not integers");
 }
 
-TEST_F(Weld, CompressedVerticesStay) {
+TEST_F(Weld, LeavesCompressedVertices) {
   const std::string why = "is compressed; decode it first: --compress none";
   Welded draco;
   draco.use("KHR_draco_mesh_compression");
@@ -263,7 +263,7 @@ TEST_F(Weld, CompressedVerticesStay) {
   EXPECT_EQ(report.steps[0].left[0].reason, why);
 }
 
-TEST_F(Weld, UnknownExtensionsOfAPrimitiveRefuse) {
+TEST_F(Weld, RefusesUnknownExtensionsOfAPrimitive) {
   Welded a;
   a.use("ACME_outline");
   a.primitive()["extensions"]["ACME_outline"]["name"] = "front";
@@ -271,7 +271,7 @@ TEST_F(Weld, UnknownExtensionsOfAPrimitiveRefuse) {
                  "ACME_outline may hold indices of its vertices (describe it with --schema)");
 }
 
-TEST_F(Weld, UnknownIndicesAnywhereRefuse) {
+TEST_F(Weld, RefusesIfIndicesAreUnknown) {
   Welded a;
   a.use("ACME_ref");
   a.made.json["nodes"][0]["extensions"]["ACME_ref"]["curve"] = 0;
@@ -280,14 +280,14 @@ TEST_F(Weld, UnknownIndicesAnywhereRefuse) {
                  "(describe it with --schema)");
 }
 
-TEST_F(Weld, UnknownExtensionsWithoutNumbersElsewhereDoNot) {
+TEST_F(Weld, AllowsUnknownExtensionsWithoutNumbersElsewhere) {
   Welded a;
   a.use("ACME_tag");
   a.made.json["nodes"][0]["extensions"]["ACME_tag"]["label"] = "front";
   converted_twice(a.made.glb());
 }
 
-TEST_F(Weld, DataAboutVerticesRefuses) {
+TEST_F(Weld, RefusesDataAboutVertices) {
   Welded outline;
   outline.use("CESIUM_primitive_outline");
   outline.primitive()["extensions"]["CESIUM_primitive_outline"]["indices"] =
@@ -301,7 +301,7 @@ TEST_F(Weld, DataAboutVerticesRefuses) {
                  "EXT_mesh_features uses vertex numbers as ids");
 }
 
-TEST_F(Weld, IdsInAnAttributeFollow) {
+TEST_F(Weld, UpdatesIdsInAnAttribute) {
   Welded a;
   a.use("EXT_mesh_features");
   a.primitive()["attributes"]["_FEATURE_ID_0"] = a.made.accessor<float>({1, 2, 3, 2}, "SCALAR");
@@ -310,7 +310,7 @@ TEST_F(Weld, IdsInAnAttributeFollow) {
   EXPECT_THAT(numbers_of(converted_twice(a.made.glb()), 2), ElementsAre(1, 2, 3));
 }
 
-TEST_F(Weld, WithPartialTheRestIsDone) {
+TEST_F(Weld, AppliesTheRestWithPartial) {
   Welded a;
   a.use("ACME_outline");
   a.primitive()["extensions"]["ACME_outline"]["name"] = "front";
@@ -326,7 +326,7 @@ TEST_F(Weld, WithPartialTheRestIsDone) {
   EXPECT_EQ(now.json()["accessors"][at]["count"], 1);
 }
 
-TEST_F(Weld, ShrinkAsksForIt) {
+TEST_F(Weld, RunsWithShrink) {
   options_ = {};
   options_.shrink = true;
   Welded a;
@@ -336,8 +336,8 @@ TEST_F(Weld, ShrinkAsksForIt) {
   EXPECT_TRUE(welded);
 }
 
-// Its bytes are those of the chunk, whatever its length is said to be.
-TEST_F(Weld, BuffersWithoutALengthGetOne) {
+// The bytes of the chunk are used, whatever length the buffer declares.
+TEST_F(Weld, AddsAMissingLengthToABuffer) {
   for (const OrderedJson& length : {OrderedJson(), OrderedJson::array({1, 2})}) {
     Welded a;
     const StoredAsset made(a.made.glb());
@@ -352,8 +352,8 @@ TEST_F(Weld, BuffersWithoutALengthGetOne) {
   }
 }
 
-// Many primitives that read the same bytes take no time beyond what the file is worth.
-TEST_F(Weld, SharedBytesAreReadWithinABudget) {
+// Many primitives that use the same bytes do not take unlimited time.
+TEST_F(Weld, ReadsSharedBytesWithinABudget) {
   MadeAsset made;
   made.accessor(std::vector<float>(3 << 16, 0), "VEC3", true);
   const std::size_t indices = made.accessor<std::uint32_t>({0, 1, 2}, "SCALAR");
