@@ -12,20 +12,43 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "container/container.hpp"
+#include "image/foreign.hpp"
+#include "image/header.hpp"
+#include "model/image_codec.hpp"
+#include "render/tonemap.hpp"
 
 namespace gltfx {
 namespace {
 
 constexpr std::uint32_t kWidest = 4096;
 
-std::optional<codec::ImageFormat> format_of(const std::string& path) {
+// By the ending where floats are common, else by the first bytes.
+std::optional<codec::ImageFormat> format_of(const std::string& path,
+                                            const container::Bytes& bytes) {
   const std::string ending = ending_of(path);
   if (ending == ".hdr") return codec::ImageFormat::radiance;
   if (ending == ".exr") return codec::ImageFormat::openexr;
-  return std::nullopt;
+  const image::Sniffed sniffed = image::sniff(bytes.view());
+  if (sniffed.known) return model::codec_format(sniffed.format);
+  const auto foreign = image::sniff_foreign(bytes.view());
+  if (!foreign) return std::nullopt;
+  return model::codec_format(*foreign);
 }
 
 float sane(float value) { return std::isfinite(value) ? std::clamp(value, 0.0F, 1e8F) : 0.0F; }
+
+// A channel of a texel: floats are linear light, integers sRGB.
+float light_of(const codec::Image& image, std::size_t index) {
+  const std::byte* at = image.pixels.data() + index * (image.bits / 8);
+  if (image.bits == 32) {
+    float value = 0;
+    std::memcpy(&value, at, sizeof value);
+    return sane(value);
+  }
+  std::uint16_t value = std::to_integer<std::uint8_t>(*at);
+  if (image.bits == 16) std::memcpy(&value, at, sizeof value);
+  return render::srgb_decode(static_cast<float>(value) / static_cast<float>(image.full()));
+}
 
 // The mean of a square of texels.
 Float3 gather(const codec::Image& image, std::uint32_t x, std::uint32_t y, std::uint32_t step) {
@@ -35,10 +58,7 @@ Float3 gather(const codec::Image& image, std::uint32_t x, std::uint32_t y, std::
       const std::size_t texel = std::size_t{y * step + dy} * image.width + x * step + dx;
       for (std::uint32_t c = 0; c < 3; ++c) {
         const std::uint32_t channel = image.channels < 3 ? 0 : c;
-        float value = 0;
-        std::memcpy(&value, image.pixels.data() + (texel * image.channels + channel) * sizeof value,
-                    sizeof value);
-        sum[c] += sane(value);
+        sum[c] += light_of(image, texel * image.channels + channel);
       }
     }
   }
@@ -64,20 +84,16 @@ render::EnvironmentImage shrunk(const codec::Image& image) {
 }  // namespace
 
 Result<render::EnvironmentImage> read_environment(const std::string& path) {
-  const auto format = format_of(path);
   const std::string name = quoted(path, 200);
-  if (!format) {
-    return Error{
-        fmt::format("the environment {} does not end in .hdr or .exr; oiiotool, of the Debian "
-                    "package openimageio-tools, converts other formats",
-                    name)};
-  }
   const auto file = container::open_file(path);
   if (!file) return Error{fmt::format("the environment {}: {}", name, file.error().message)};
+  const auto format = format_of(path, file->bytes);
+  if (!format) return Error{fmt::format("the environment {} has no known image format", name)};
   codec::ImageRequest request;
   request.bytes = file->bytes.view();
   request.format = *format;
   request.pixels = true;
+  request.floats = true;
   request.origin = new_origin();
   const auto decoded = codec::Client::shared().decode_image(request);
   if (const auto* error = std::get_if<codec::DecodeError>(&decoded)) {

@@ -9,9 +9,10 @@
 
 namespace gltfx {
 
-/// Reads an equirectangular Radiance (.hdr) or OpenEXR (.exr) file, decoded by a worker process.
-/// Numbers that are not finite or negative count as 0. What is wider than 4096 texels is made
-/// smaller.
+/// Reads an equirectangular image, decoded by a worker process: Radiance (.hdr), OpenEXR (.exr), an
+/// image format of glTF, or one that OpenImageIO decodes, if that is installed. Floats are linear
+/// light, integers sRGB. Numbers that are not finite or negative count as 0. Images wider than 4096
+/// texels are reduced.
 Result<render::EnvironmentImage> read_environment(const std::string& path);
 
 }  // namespace gltfx

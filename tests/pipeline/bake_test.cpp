@@ -310,6 +310,17 @@ TEST(EnvironmentFile, RadianceAndOpenExrAreRead) {
   EXPECT_FALSE(read_environment(folder.write("bad.hdr", "hello").native()));
 }
 
+TEST(EnvironmentFile, IntegersAreDecodedFromSrgb) {
+  const TempFolder folder;
+  const std::string path = (folder.path() / "sky.png").native();
+  EXPECT_FALSE(write_picture(preview::Picture{2, 1, 3, {0, 188, 255, 188, 188, 188}, {}}, path));
+  const auto image = read_environment(path);
+  ASSERT_TRUE(image) << image.error().message;
+  EXPECT_NEAR(image->radiance[0][1], 0.503, 0.001);
+  EXPECT_EQ(image->radiance[0][0], 0);
+  EXPECT_EQ(image->radiance[0][2], 1);
+}
+
 TEST(BakeNames, ByNameThenByIndex) {
   const std::vector<std::string> names{"1", "front", ""};
   EXPECT_EQ(**find_named("camera", "1", names), 0U);

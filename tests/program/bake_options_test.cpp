@@ -156,9 +156,9 @@ TEST_F(BakeOptionsTest, WhatIsNotThereIsNamedWithWhatIs) {
   folder_.write("bad.hdr", "hello");
   EXPECT_THAT(complaint({"-o", "a.png", "--environment", "bad.hdr"}, 3),
               HasSubstr("'bad.hdr' cannot be read"));
-  EXPECT_THAT(
-      complaint({"-o", "a.png", "--environment", "sky.tif"}, 3),
-      AllOf(HasSubstr("'sky.tif' does not end in .hdr or .exr"), HasSubstr("openimageio-tools")));
+  folder_.write("sky.tif", "hello");
+  EXPECT_THAT(complaint({"-o", "a.png", "--environment", "sky.tif"}, 3),
+              HasSubstr("'sky.tif' has no known image format"));
   EXPECT_THAT(complaint({"-o", "a.jpg", "--transparent"}, 1),
               HasSubstr("PNG, WebP and OpenEXR do"));
   EXPECT_THAT(complaint({"-o", "a.png", "--turntable", "3", "--camera", "0"}, 1),

@@ -129,7 +129,7 @@ void declare_scene(Options& options, BakeOptions& bake) {
                                    {"studio", BakeLights::studio},
                                    {"both", BakeLights::both}}));
   options.add(
-      "--environment", "FILE", "Equirectangular environment map, .hdr or .exr",
+      "--environment", "FILE", "Equirectangular environment map (.hdr, .exr, ...)",
       text(bake.environment,
            [] {
              return values::files({"hdr", "exr"});
