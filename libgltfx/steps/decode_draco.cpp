@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replaces bitstreams of KHR_draco_mesh_compression with the decoded vertices and triangles.
 #include <algorithm>
-#include <compare>
 #include <cstring>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -30,7 +30,11 @@ struct Decoded {
   std::uint32_t view = 0;  ///< of the bitstream
   std::optional<std::uint64_t> attribute;
   ComponentType indices = ComponentType::none;
-  auto operator<=>(const Decoded&) const = default;
+  bool operator==(const Decoded&) const = default;
+  bool operator<(const Decoded& other) const {
+    return std::tie(view, attribute, indices) <
+           std::tie(other.view, other.attribute, other.indices);
+  }
 };
 
 /// An accessor that receives decoded elements.

@@ -175,7 +175,8 @@ std::optional<std::string> DedupContent::hash_of_accessor(std::uint32_t index) {
     const auto count = static_cast<std::size_t>(
         std::min<std::uint64_t>(data->block_elements(), data->count() - first));
     data->read(block.data(), first, count, replaced);
-    parts.add(hash_bytes({reinterpret_cast<const char*>(block.data()), count * stride}));
+    const auto size = static_cast<std::size_t>(count * stride);
+    parts.add(hash_bytes({reinterpret_cast<const char*>(block.data()), size}));
   }
   known->second = text_of(parts.finish());
   return known->second;
