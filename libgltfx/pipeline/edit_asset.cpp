@@ -142,9 +142,7 @@ std::optional<Draft> carry_out(const EditedFile& file, change::Change change, co
   validation.jobs = file.jobs;
   validate::ValidatedAsset after(*std::move(draft), validation);
   if (auto why = proof(after)) return refuse(*std::move(why));
-  if (change.format || !change.files.empty()) {
-    asset.companions = change::referred_paths(after.asset().document());
-  }
+  asset.companions = change::referred_paths(after.asset().document());
   after.forget_large_document();
   std::optional<Draft> proven(
       Draft{std::move(after), std::move(change.files), std::move(change.replaced)});

@@ -68,8 +68,11 @@ Farthest farthest_corner(const PrimitivePair& pair, const Sequences& corners, co
 Farthest compare_stream(const PrimitivePair& pair, const Sequences& corners, bool same_corners,
                         const Stream& stream) {
   const Metric metric = metric_of(stream);
-  // Comparing all vertices in order is faster, and in most cases there is no difference.
-  const bool in_step = same_corners && stream.ours.count() == stream.theirs.count();
+  // Comparing all vertices in order is faster, and in most cases there is no difference. Many
+  // primitives may share the vertices: then the time would grow with the square of their number.
+  constexpr std::uint64_t kMostVerticesOfACorner = 8;
+  const bool in_step = same_corners && stream.ours.count() == stream.theirs.count() &&
+                       stream.ours.count() / kMostVerticesOfACorner <= corners.ours.size();
   if (in_step && farthest(metric, stream.ours, stream.theirs).distance == 0) return {};
   return farthest_corner(pair, corners, [&](std::uint32_t here, std::uint32_t there) {
     return distance(metric, stream.ours.at(here), stream.theirs.at(there),

@@ -15,6 +15,7 @@
 #include "report/wording.hpp"
 #include "steps/dedup_content.hpp"
 #include "steps/equal_objects.hpp"
+#include "steps/image_use.hpp"
 #include "steps/references.hpp"
 
 namespace gltfx::steps {
@@ -35,7 +36,7 @@ class DedupRun {
   explicit DedupRun(const StepInput& input)
       : input_(input),
         document_(input.asset.document()),
-        graph_(document_, input.schemas),
+        graph_(document_, input.schemas, true),
         tree_(graph_.tree()),
         elements_(document_),
         content_(input, graph_, elements_),
@@ -146,11 +147,14 @@ class DedupRun {
     return text;
   }
 
-  // Names and the storage of bytes may differ. Declared formats must not.
+  // Names and the storage of bytes may differ. Declared formats and color spaces must not.
   void merge_images() {
     ContentGroups groups;
+    const std::vector<ImageUse> uses = image_uses(elements_, graph_);
     for (const NodeId image : objects(RootArray::images)) {
-      groups.add(image, describe_without(image, {"name", "uri", "bufferView", "mimeType"}));
+      const auto& kind = uses[index(image)].kind;
+      const char space = !kind ? '?' : *kind == ImageClass::color ? 'c' : 'd';
+      groups.add(image, space + describe_without(image, {"name", "uri", "bufferView", "mimeType"}));
     }
     Pairs pairs = groups.find([this](NodeId image) { return content_.hash_of_image(index(image)); },
                               [this](NodeId one, NodeId other) {

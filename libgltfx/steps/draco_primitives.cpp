@@ -134,6 +134,21 @@ Result<std::vector<std::uint32_t>> read_triangles(const GeometryInput& input,
   return list;
 }
 
+// Omits vertices that no triangle uses, if there are many: other primitives may share the vertices.
+// Returns the old positions of the others; empty: all stay.
+std::vector<std::uint32_t> take_used(DracoSource& source) {
+  if (source.triangles.size() >= source.mesh.points) return {};
+  std::vector<std::uint32_t> used = source.triangles;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  for (std::uint32_t& corner : source.triangles) {
+    const auto found = std::lower_bound(used.begin(), used.end(), corner);
+    corner = static_cast<std::uint32_t>(found - used.begin());
+  }
+  source.mesh.points = static_cast<std::uint32_t>(used.size());
+  return used;
+}
+
 }  // namespace
 
 DracoPrimitives::DracoPrimitives(const GeometryInput& input, StepOutcome& outcome)
@@ -317,16 +332,11 @@ Result<DracoSource> read_source(const GeometryInput& input, const DracoPrimitive
     if (!component || components == 0 || components > 4 || model::is_matrix(accessor.format.type)) {
       return Error{fmt::format("Draco has no type for {}", gltfx::quoted(attributes[i].name))};
     }
-    auto bytes = input.elements_of(accessor);
-    if (!bytes) {
-      return Error{
-          fmt::format("{} cannot be read (see 'gltfx fix')", gltfx::quoted(attributes[i].name))};
+    if (!accessor.count || *accessor.count > UINT32_MAX) {
+      return Error{fmt::format("{} has no count", gltfx::quoted(attributes[i].name))};
     }
-    const std::size_t count =
-        bytes->size() / components / model::component_size(accessor.format.component);
-    if (i == 0) source.mesh.points = static_cast<std::uint32_t>(count);
-    if (count != source.mesh.points) return Error{"its attributes have different counts"};
-    source.values.push_back(*std::move(bytes));
+    if (i == 0) source.mesh.points = static_cast<std::uint32_t>(*accessor.count);
+    if (*accessor.count != source.mesh.points) return Error{"its attributes have different counts"};
     codec::DracoAttribute& added = source.mesh.attributes.emplace_back();
     added.id = static_cast<std::uint32_t>(i);
     added.component = *component;
@@ -338,6 +348,16 @@ Result<DracoSource> read_source(const GeometryInput& input, const DracoPrimitive
   auto triangles = read_triangles(input, *primitive.primitive, source.mesh.points);
   if (!triangles) return triangles.error();
   source.triangles = *std::move(triangles);
+  const std::vector<std::uint32_t> used = take_used(source);
+  for (std::size_t i = 0; i < attributes.size(); ++i) {
+    const model::Accessor& accessor = input.views.accessors[*attributes[i].accessor];
+    auto bytes = used.empty() ? input.elements_of(accessor) : input.elements_of(accessor, used);
+    if (!bytes) {
+      return Error{
+          fmt::format("{} cannot be read (see 'gltfx fix')", gltfx::quoted(attributes[i].name))};
+    }
+    source.values.push_back(*std::move(bytes));
+  }
   source.mesh.faces = static_cast<std::uint32_t>(source.triangles.size() / 3);
   source.mesh.indices = source.triangles;
   for (std::size_t i = 0; i < source.values.size(); ++i) {

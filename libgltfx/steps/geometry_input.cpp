@@ -68,6 +68,21 @@ std::optional<std::string> GeometryInput::elements_of(const model::Accessor& acc
   return bytes;
 }
 
+std::optional<std::string> GeometryInput::elements_of(
+    const model::Accessor& accessor, const std::vector<std::uint32_t>& positions) const {
+  const auto data =
+      model::AccessorData::open(asset, views, resources, accessor, model::Malformed::unusable);
+  if (!data || data->implied()) return std::nullopt;
+  const std::size_t size =
+      std::size_t{data->components()} * model::component_size(data->format().component);
+  std::string bytes(positions.size() * size, '\0');
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (positions[i] >= data->count()) return std::nullopt;
+    data->read_one(reinterpret_cast<std::byte*>(bytes.data() + i * size), positions[i]);
+  }
+  return bytes;
+}
+
 void set_number(const json::Document& document, json::Editor& editor, json::NodeId object,
                 std::string_view name, std::uint64_t value) {
   const json::NodeId old = document.find(object, name);

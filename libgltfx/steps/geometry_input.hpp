@@ -34,6 +34,9 @@ struct GeometryInput {
   /// The elements of an accessor, packed without padding, after sparse replacement. Nothing if they
   /// cannot be read or are not stored.
   std::optional<std::string> elements_of(const model::Accessor& accessor) const;
+  /// The elements at `positions`, in that order. Nothing also if a position is out of range.
+  std::optional<std::string> elements_of(const model::Accessor& accessor,
+                                         const std::vector<std::uint32_t>& positions) const;
 
   const model::Asset asset;
   const model::Views& views;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "steps/image_use.hpp"
 
+#include <numeric>
 #include <set>
 #include <string_view>
 #include <unordered_set>
@@ -229,6 +230,12 @@ std::vector<ImageUse> image_uses(const model::Asset& asset, const graph::Graph& 
   for (const SlotUse& use : graph.checked().slots) reader.take(use);
   reader.take(others);
   return reader.finish();
+}
+
+std::vector<ImageUse> image_uses(const model::Asset& asset, const graph::Graph& graph) {
+  std::vector<std::size_t> groups(asset.count(model::RootArray::images));
+  std::iota(groups.begin(), groups.end(), std::size_t{0});
+  return image_uses(asset, graph, other_users(asset, graph), groups, groups.size());
 }
 
 }  // namespace gltfx::steps

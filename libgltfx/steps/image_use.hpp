@@ -43,4 +43,7 @@ std::vector<ImageUse> image_uses(const model::Asset& asset, const graph::Graph& 
                                  const OtherUsers& others, const std::vector<std::size_t>& groups,
                                  std::size_t count);
 
+/// One use for each image. Precondition: the graph has slots.
+std::vector<ImageUse> image_uses(const model::Asset& asset, const graph::Graph& graph);
+
 }  // namespace gltfx::steps

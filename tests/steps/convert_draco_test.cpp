@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Geometry is stored as Draco bitstreams and decoded again.
+#include <cmath>
 #include <map>
+#include <numeric>
 
 #include <gmock/gmock.h>
 
@@ -132,6 +134,38 @@ TEST_F(Draco, ChangesNothingTheSecondTime) {
   EXPECT_EQ(content_of(again), content_of(output_));
   EXPECT_THAT(texts_of(step_of(report, "draco").left),
               ElementsAre("/meshes/0/primitives/0: it is already compressed"));
+}
+
+// Otherwise time would grow with the square of the number of primitives.
+TEST_F(Draco, EncodesOnlyTheVerticesOfEachPrimitive) {
+  AssetText asset;
+  constexpr std::uint32_t kVertices = 60000, kCorners = 120;
+  std::vector<float> positions;
+  for (std::uint32_t i = 0; i < kVertices; ++i) {
+    const auto x = static_cast<float>(i);
+    positions.insert(positions.end(), {std::sin(x), std::cos(x * 2), x});
+  }
+  const std::size_t shared = asset.accessor(positions, 5126, "VEC3", 3);
+  OrderedJson primitives = OrderedJson::array();
+  for (std::uint32_t first = 0; first < kVertices; first += kCorners) {
+    std::vector<std::uint32_t> indices(kCorners);
+    std::iota(indices.begin(), indices.end(), first);
+    primitives.push_back({{"attributes", {{"POSITION", shared}}},
+                          {"indices", asset.accessor(indices, 5125, "SCALAR", 1)}});
+  }
+  asset.mesh(primitives[0]);
+  asset.json["meshes"][0]["primitives"] = primitives;
+  const OrderedJson now = converted(asset);
+  EXPECT_EQ(step().what, "500 of 500 primitives");
+  for (const auto& primitive : now["meshes"][0]["primitives"]) {
+    const std::size_t position = primitive["attributes"]["POSITION"];
+    ASSERT_LE(now["accessors"][position]["count"], kCorners);
+  }
+  const OrderedJson plain = decoded();
+  for (const std::size_t i : {0U, 1U, 499U}) {
+    EXPECT_EQ(triangles(plain_, plain["meshes"][0]["primitives"][i]),
+              triangles(input_, primitives[i]));
+  }
 }
 
 TEST_F(Draco, ConvertsAStripToAList) {

@@ -218,6 +218,37 @@ TEST_F(Dedup, KeepsImagesOfDifferentExtrasAndTypes) {
   }
 }
 
+TEST_F(Dedup, KeepsAnImageOfColorsApartFromOneOfData) {
+  folder_.write("one.png", picture("leaf"));
+  const auto text = [](const char* slot) {
+    return fmt::format(R"({{"asset": {{"version": "2.0"}}, "images": [{{"uri": "one.png"}},
+        {{"uri": "one.png"}}], "textures": [{{"source": 0}}, {{"source": 1}}],
+        "materials": [{{"name": "a", "pbrMetallicRoughness": {{"baseColorTexture": {{"index": 0}}}},
+                       "{}": {{"index": 1}}}}]}})",
+                       slot);
+  };
+  EXPECT_THAT(merged(text("occlusionTexture")).json()["images"], SizeIs(2));
+  EXPECT_THAT(merged(text("normalTexture")).json()["images"], SizeIs(2));
+  EXPECT_THAT(merged(text("emissiveTexture")).json()["images"], SizeIs(1));
+}
+
+TEST_F(Dedup, DoesNotCopyAFileThatLostItsReferences) {
+  const std::string triangle(36, '\1');
+  folder_.write("one.bin", triangle);
+  folder_.write("two.bin", triangle);
+  const StoredAsset now = merged(R"({"asset": {"version": "2.0"},
+  "buffers": [{"uri": "one.bin", "byteLength": 36}, {"uri": "two.bin", "byteLength": 36}],
+  "bufferViews": [{"buffer": 0, "byteLength": 36, "byteStride": 12, "target": 34962},
+                  {"buffer": 1, "byteLength": 36, "byteStride": 12, "target": 34962}],
+  "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC3"}],
+  "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}, {"attributes": {"POSITION": 1}}]}]})");
+  EXPECT_THAT(now.json()["buffers"], SizeIs(1));
+  const auto out = folder_.path() / "out";
+  EXPECT_TRUE(std::filesystem::exists(out / "one.bin"));
+  EXPECT_FALSE(std::filesystem::exists(out / "two.bin"));
+}
+
 TEST_F(Dedup, RemovesTheViewAndBufferOfTheLastImageInAChunk) {
   folder_.write("leaf.png", picture("leaf"));
   const std::string png = picture("leaf");
