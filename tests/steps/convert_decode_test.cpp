@@ -55,7 +55,8 @@ TEST_F(Decode, ReplacesStreamsWithTheirContent) {
   EXPECT_EQ(plain()["buffers"].size(), 1U);
   EXPECT_FALSE(plain().contains("extensionsUsed"));
   EXPECT_FALSE(plain().contains("extensionsRequired"));
-  for (const auto& view : plain()["bufferViews"]) EXPECT_FALSE(view.contains("extensions"));
+  const OrderedJson views = plain()["bufferViews"];
+  for (const auto& view : views) EXPECT_FALSE(view.contains("extensions"));
 }
 
 TEST_F(Decode, LeavesPlainData) {

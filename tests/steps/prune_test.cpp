@@ -250,12 +250,12 @@ TEST_F(Prune, AllowsUnknownExtensionsWithoutIntegersOrInRemovedObjects) {
 
 TEST_F(Prune, RefusesTheListOfAPointerThatIsSetAtRunTime) {
   MadeAsset made = with_unused_material();
-  made.json["samplers"] = {OrderedJson::object()};
+  made.json["samplers"] = OrderedJson::array({OrderedJson::object()});
   made.json["extensionsUsed"] = {"KHR_interactivity"};
-  made.json["extensions"]["KHR_interactivity"]["graphs"] = {OrderedJson::parse(
+  made.json["extensions"]["KHR_interactivity"]["graphs"] = OrderedJson::array({OrderedJson::parse(
       R"({"types":[{"signature":"float"},{"signature":"ref"}],"declarations":[{"op":"pointer/get"}],
           "nodes":[{"declaration":0,"configuration":{"pointer":{"value":["/materials/{m}/alphaCutoff"]},
-          "type":{"value":[1]}}}]})")};
+          "type":{"value":[1]}}}]})")});
   options_.partial = true;
   const StoredAsset now = converted_twice(made.glb());
   EXPECT_FALSE(now.json().contains("samplers"));
