@@ -46,8 +46,8 @@ Result<std::vector<BufferUser>> buffer_users(const graph::Graph& graph) {
     if (use.array != "/buffers" && (use.list != buffers || buffers == json::kNoNode)) continue;
     const json::NodeId object = use.at.element ? use.at.node : tree.parent(use.at.node);
     const auto bytes = use.at.element ? std::nullopt : bytes_of(graph, object);
-    const bool leads_somewhere = use.list == buffers && buffers != json::kNoNode &&
-                                 use.index < tree.size(use.list);
+    const bool leads_somewhere =
+        use.list == buffers && buffers != json::kNoNode && use.index < tree.size(use.list);
     if (!bytes || !leads_somewhere) return unclear(object);
     users.push_back({object, use.index, *bytes});
     known.insert(object);
