@@ -72,6 +72,15 @@ test("validate: resources, profiles, misuse", async () => {
   await assert.rejects(validate(leaf, { resources: () => "text" }), TypeError);
 });
 
+test("text in Shift-JIS is read as by the native program", async () => {
+  const { validate } = await importFrom(folder, "gltfx/index.mjs");
+  const name = Buffer.from("8365835883678160b1", "hex");
+  const bytes = Buffer.concat([Buffer.from('{"asset":{"version":"2.0","generator":"'), name, Buffer.from('"}}')]);
+  const { findings } = await validate(bytes);
+  const [{ message }] = findings.filter(({ code }) => code === "JSON_INVALID_UTF8");
+  assert.ok(message.includes("read as Shift-JIS, it is '\u30c6\u30b9\u30c8\uff5e\uff71'"), message);
+});
+
 test("resources are asked for by decoded paths, as a function or as a Map", async () => {
   const { inspect, upgrade, validate } = await importFrom(folder, "gltfx/index.mjs");
   const bytes = new Uint8Array(4);
