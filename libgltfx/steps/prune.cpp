@@ -160,9 +160,10 @@ class PruneRun {
     if (unknown) return refuse(*unknown);
     const std::size_t count = remove(graph, unused);
     if (count == 0 || !plan_) return std::nullopt;
+    // Before the document of the graph is replaced.
+    if (auto note = find_indices_in_extras(graph)) outcome_.row.left.push_back(*std::move(note));
     if (auto error = stages_.add(*std::move(plan_))) return error;
     objects_ += count;
-    if (auto note = find_indices_in_extras(graph)) outcome_.row.left.push_back(*std::move(note));
     return std::nullopt;
   }
 
