@@ -173,7 +173,8 @@ TEST(BakeFile, UnknownNamesAreRefused) {
   EXPECT_THAT(bake_file(fixture("leaf.gltf"), options).error, HasSubstr("no variant"));
   options.variant.clear();
   options.environment = fixture("leaf.gltf");
-  EXPECT_THAT(bake_file(fixture("leaf.gltf"), options).error, HasSubstr("has no known image format"));
+  EXPECT_THAT(bake_file(fixture("leaf.gltf"), options).error,
+              HasSubstr("has no known image format"));
 }
 
 TEST(BakeFile, PresetsOfTheCameraAreAngles) {
