@@ -36,8 +36,8 @@ enum class ImageTarget : std::uint8_t {
 
 /// A request for images.
 struct ImageConversion {
-  ImageTarget target = ImageTarget::png;
-  std::optional<ImageClass> only;  ///< nothing: all classes
+  ImageTarget target = ImageTarget::png;  ///< the new format
+  std::optional<ImageClass> only;         ///< nothing: all classes
 };
 
 /// Options of a run.
