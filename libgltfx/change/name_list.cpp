@@ -8,16 +8,6 @@
 #include "json/writer.hpp"
 
 namespace gltfx::change {
-namespace {
-
-std::string json_string(std::string_view text) {
-  std::string json;
-  json::append_string(json, text);
-  return json;
-}
-
-}  // namespace
-
 NameList::NameList(const json::Document& document, std::string_view member)
     : document_(document), member_(member), list_(document.find(document.root(), member)) {
   if (list_ == json::kNoNode) return;
@@ -112,7 +102,7 @@ void NameList::apply(json::Editor& editor) const {
   if (list_ == json::kNoNode) {
     std::string names;
     for (const std::string& name : added_) {
-      names.append(1, names.empty() ? '[' : ',').append(json_string(name));
+      names.append(1, names.empty() ? '[' : ',').append(json::string_value(name));
     }
     if (!names.empty()) editor.append_member(document_.root(), member_, names.append(1, ']'));
     return;
@@ -126,10 +116,10 @@ void NameList::apply(json::Editor& editor) const {
     if (text.empty()) {
       editor.remove(list_, node);
     } else if (text != document_.string(node)) {
-      editor.replace_scalar(node, json_string(text));
+      editor.replace_scalar(node, json::string_value(text));
     }
   }
-  for (const std::string& name : added_) editor.append_element(list_, json_string(name));
+  for (const std::string& name : added_) editor.append_element(list_, json::string_value(name));
 }
 
 }  // namespace gltfx::change

@@ -99,6 +99,12 @@ void append_string(std::string& out, std::string_view text) {
   out += '"';
 }
 
+std::string string_value(std::string_view text) {
+  std::string json;
+  append_string(json, text);
+  return json;
+}
+
 void Writer::begin_object() { open('{'); }
 void Writer::end_object() { close('}'); }
 void Writer::begin_array() { open('['); }

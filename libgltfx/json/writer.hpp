@@ -12,6 +12,8 @@ namespace gltfx::json {
 /// Appends `text` as a JSON string with quotes. Invalid UTF-8 becomes U+FFFD; control characters,
 /// U+2028, U+2029 and DEL are escaped, so that the output is safe in a terminal and in a script.
 void append_string(std::string& out, std::string_view text);
+/// The same as a new string.
+std::string string_value(std::string_view text);
 
 /// Writes into a string it does not own. Two-space indentation when `pretty`.
 ///

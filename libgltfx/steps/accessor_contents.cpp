@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "steps/accessor_bounds.hpp"
+#include "steps/geometry_input.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -135,9 +136,9 @@ std::optional<Error> AccessorContents::store_view(std::uint32_t index,
       declare(i, begin + offset);
     }
   }
-  set_number(view.node, "byteLength", bytes.size());
-  set_number(view.node, "buffer", buffer_.index());
-  set_number(view.node, "byteOffset", buffer_.add(std::move(bytes)));
+  set_number(document_, editor_, view.node, "byteLength", bytes.size());
+  set_number(document_, editor_, view.node, "buffer", buffer_.index());
+  set_number(document_, editor_, view.node, "byteOffset", buffer_.add(std::move(bytes)));
   return std::nullopt;
 }
 
@@ -165,27 +166,19 @@ void AccessorContents::store_alone(std::uint32_t index, const NewElements& eleme
   if (target == model::ViewTarget::vertices) json += R"(,"target":34962)";
   if (target == model::ViewTarget::indices) json += R"(,"target":34963)";
   const std::uint64_t view = additions_.add_element("bufferViews", json.append(1, '}'));
-  set_number(accessor.node, "bufferView", view);
+  set_number(document_, editor_, accessor.node, "bufferView", view);
   declare(index, 0);
 }
 
 void AccessorContents::declare(std::uint32_t index, std::uint64_t offset) {
   const Accessor& accessor = views_.accessors[index];
-  if (offset != accessor.byte_offset.value_or(0)) set_number(accessor.node, "byteOffset", offset);
+  if (offset != accessor.byte_offset.value_or(0))
+    set_number(document_, editor_, accessor.node, "byteOffset", offset);
   const auto found = set_.find(index);
   if (found == set_.end()) return;
   if (found->second.count != accessor.count)
-    set_number(accessor.node, "count", found->second.count);
+    set_number(document_, editor_, accessor.node, "count", found->second.count);
   if (found->second.other_values) mend_bounds(document_, editor_, accessor, found->second.bytes);
-}
-
-void AccessorContents::set_number(json::NodeId object, std::string_view name, std::uint64_t value) {
-  const json::NodeId old = document_.find(object, name);
-  if (old == json::kNoNode) {
-    editor_.append_member(object, name, std::to_string(value));
-  } else {
-    editor_.replace_scalar(old, std::to_string(value));
-  }
 }
 
 }  // namespace gltfx::steps

@@ -57,7 +57,6 @@ class AccessorContents {
   std::optional<Error> store_view(std::uint32_t view, const std::vector<Block>& blocks);
   void store_alone(std::uint32_t accessor, const NewElements& elements);
   void declare(std::uint32_t accessor, std::uint64_t offset);
-  void set_number(json::NodeId object, std::string_view name, std::uint64_t value);
 
   const json::Document& document_;
   const model::Views& views_;

@@ -15,13 +15,13 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "graph/unknown_indices.hpp"
 #include "json/writer.hpp"
 #include "model/draco.hpp"
 #include "report/wording.hpp"
 #include "steps/accessor_bounds.hpp"
 #include "steps/draco_primitives.hpp"
 #include "steps/new_buffer.hpp"
+#include "steps/references.hpp"
 #include "steps/shrink_views.hpp"
 #include "steps/view_pool.hpp"
 
@@ -65,11 +65,8 @@ class DracoStep {
   }
 
   Result<StepOutcome> run() {
-    const json::NodeId unknown = graph::find_unknown_offset(input_.graph);
-    if (unknown != json::kNoNode) {
-      outcome_.row.left.push_back({input_.pointer(unknown),
-                                   "it may hold an offset into a buffer, so the bytes cannot move "
-                                   "(describe it with --schema)"});
+    if (auto doubt = find_offset_doubt(input_.graph)) {
+      outcome_.row.left.push_back(*std::move(doubt));
       return std::move(outcome_);
     }
     primitives_.emplace(input_, outcome_);

@@ -26,12 +26,6 @@ using container::Bytes;
 using model::RootArray;
 using model::Storage;
 
-std::string string_json(std::string_view text) {
-  std::string json;
-  json::append_string(json, text);
-  return json;
-}
-
 std::set<std::string> names_in_use(const StepInput& input) {
   std::set<std::string> taken = change::referred_paths(input.asset.document());
   taken.insert(input.file_name);
@@ -122,13 +116,14 @@ std::string ImageStore::find_obstacle(const ImageGroup& group) const {
 }
 
 std::optional<Error> ImageStore::store(const ImageGroup& group, NewImage image) {
-  const std::string type = string_json(image.media_type);
+  const std::string type = json::string_value(image.media_type);
   const bool in_view = group.storage == Storage::buffer_view;
   if (in_view) {
     store_in_view(group, std::move(image));
   } else if (group.storage == Storage::data_uri) {
     const json::NodeId object = elements_.elements(RootArray::images)[group.images.front()];
-    set(object, "uri", string_json(container::data_uri(image.media_type, image.bytes)), false);
+    set(object, "uri", json::string_value(container::data_uri(image.media_type, image.bytes)),
+        false);
   } else if (auto trouble = store_in_file(group, std::move(image))) {
     return trouble;
   }
@@ -176,7 +171,7 @@ std::optional<Error> ImageStore::store_in_file(const ImageGroup& group, NewImage
   const std::string path = new_path(group, image);
   for (const std::uint32_t i : group.images) {
     const json::NodeId object = elements_.elements(RootArray::images)[i];
-    set(object, "uri", string_json(uri_for(object, group.path, path)), false);
+    set(object, "uri", json::string_value(uri_for(object, group.path, path)), false);
   }
   change_.files.push_back({path, {Bytes::from_string(std::move(image.bytes))}});
   return std::nullopt;

@@ -23,6 +23,7 @@
 #include "json/writer.hpp"
 #include "model/asset_bytes.hpp"
 #include "model/fields.hpp"
+#include "steps/geometry_input.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/storage.hpp"
 
@@ -298,24 +299,17 @@ class Layout {
   Trouble store(std::uint64_t index) {
     NewContent& content = outcome_.contents[index];
     const json::NodeId object = buffer(index);
-    const json::NodeId length = document_.find(object, "byteLength");
-    if (length == json::kNoNode) {
-      editor_.append_member(object, "byteLength", std::to_string(content.size));
-    } else {
-      editor_.replace(object, length, std::to_string(content.size));
-    }
+    set_number(document_, editor_, object, "byteLength", content.size);
     const json::NodeId uri = document_.find(object, "uri");
     switch (bytes_.buffer_storage(index)) {
       case Storage::bin_chunk:
         change_.bin.whole = std::move(content.pieces);
         return std::nullopt;
-      case Storage::data_uri: {
-        std::string json;
-        json::append_string(
-            json, container::data_uri("application/octet-stream", container::join(content.pieces)));
-        editor_.replace_scalar(uri, std::move(json));
+      case Storage::data_uri:
+        editor_.replace_scalar(
+            uri, json::string_value(container::data_uri("application/octet-stream",
+                                                        container::join(content.pieces))));
         return std::nullopt;
-      }
       default:
         return store_file(index, std::move(content.pieces));
     }

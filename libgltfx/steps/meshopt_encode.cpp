@@ -19,11 +19,11 @@
 #include "base/checked.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "graph/unknown_indices.hpp"
 #include "model/meshopt_view.hpp"
 #include "report/wording.hpp"
 #include "steps/geometry_input.hpp"
 #include "steps/new_buffer.hpp"
+#include "steps/references.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -89,11 +89,8 @@ class MeshoptStep {
   }
 
   Result<StepOutcome> run() {
-    const json::NodeId unknown = graph::find_unknown_offset(input_.graph);
-    if (unknown != json::kNoNode) {
-      outcome_.row.left.push_back({input_.pointer(unknown),
-                                   "it may hold an offset into a buffer, so the bytes cannot move "
-                                   "(describe it with --schema)"});
+    if (auto doubt = find_offset_doubt(input_.graph)) {
+      outcome_.row.left.push_back(*std::move(doubt));
       return std::move(outcome_);
     }
     find_turnable();

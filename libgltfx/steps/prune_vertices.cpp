@@ -120,24 +120,12 @@ class VertexPruner {
 
   void store(const OpenedVertices& vertices, std::vector<std::vector<std::uint32_t>>& lists,
              const ReadVertices& read) {
-    for (const VertexColumn& column : vertices.columns) {
-      const std::size_t size = model::packed_stride(column.data.format());
-      const std::string old = packed_bytes(column.data);
-      std::string bytes;
-      bytes.reserve(size * read.kept.size());
-      for (const std::uint32_t vertex : read.kept) bytes.append(old, vertex * size, size);
-      changes_.contents.set(
-          column.accessor, {std::move(bytes), read.kept.size(), true, model::ViewTarget::vertices});
-    }
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      const model::AccessorData& data = vertices.indices[i].data;
-      for (std::uint32_t& index : lists[i]) {
+    for (std::vector<std::uint32_t>& list : lists) {
+      for (std::uint32_t& index : list) {
         if (index < read.numbers.size()) index = read.numbers[index];
       }
-      changes_.contents.set(vertices.indices[i].accessor,
-                            {index_bytes(lists[i], data.format().component), data.count(), true,
-                             model::ViewTarget::indices});
     }
+    store_vertices(changes_, vertices, read.kept, lists, true);
   }
 
   const StepData data_;

@@ -65,6 +65,14 @@ std::optional<ConvertNote> find_unknown_index(
   return std::nullopt;
 }
 
+std::optional<ConvertNote> find_offset_doubt(const graph::Graph& graph) {
+  const json::NodeId unknown = graph::find_unknown_offset(graph);
+  if (unknown == json::kNoNode) return std::nullopt;
+  return ConvertNote{graph.tree().pointer(unknown),
+                     "it may hold an offset into a buffer, so the bytes cannot move "
+                     "(describe it with --schema)"};
+}
+
 std::optional<ConvertNote> find_indices_in_extras(const graph::Graph& graph) {
   const auto values = graph::likely_indices(
       graph.tree().document(), {"accessor", "buffer", "image", "index", "indices", "material",

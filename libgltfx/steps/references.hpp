@@ -20,6 +20,10 @@ std::optional<std::string> find_index_doubt(const graph::Graph& graph, json::Nod
 std::optional<ConvertNote> find_unknown_index(
     const graph::Graph& graph, const std::function<bool(json::NodeId element)>& is_gone);
 
+/// A note about an extension without a schema that may hold an offset into a buffer, so that bytes
+/// cannot move.
+std::optional<ConvertNote> find_offset_doubt(const graph::Graph& graph);
+
 /// A note about values in `extras` that may be indices; nothing if there are none. The values do
 /// not change.
 std::optional<ConvertNote> find_indices_in_extras(const graph::Graph& graph);

@@ -156,24 +156,12 @@ class Reorderer {
   }
 
   void store(const OpenedVertices& vertices, const Indices& order, std::vector<Indices> lists) {
-    for (const VertexColumn& column : vertices.columns) {
-      const std::size_t size = model::packed_stride(column.data.format());
-      const std::string old = packed_bytes(column.data);
-      std::string bytes;
-      bytes.reserve(old.size());
-      for (const std::uint32_t vertex : order) bytes.append(old, vertex * size, size);
-      changes_.contents.set(column.accessor,
-                            {std::move(bytes), vertices.count, false, model::ViewTarget::vertices});
-    }
     Indices numbers(order.size());
     for (std::uint32_t i = 0; i < order.size(); ++i) numbers[order[i]] = i;
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      for (std::uint32_t& index : lists[i]) index = numbers[index];
-      const model::AccessorData& data = vertices.indices[i].data;
-      changes_.contents.set(vertices.indices[i].accessor,
-                            {index_bytes(lists[i], data.format().component), data.count(), true,
-                             model::ViewTarget::indices});
+    for (Indices& list : lists) {
+      for (std::uint32_t& index : list) index = numbers[index];
     }
+    store_vertices(changes_, vertices, order, lists, false);
   }
 
   const StepData data_;

@@ -35,12 +35,6 @@ using Pieces = std::vector<Bytes>;
 constexpr std::uint64_t kMostText = UINT32_MAX;
 constexpr std::string_view kOctets = "application/octet-stream";
 
-std::string json_string(std::string_view text) {
-  std::string json;
-  json::append_string(json, text);
-  return json;
-}
-
 std::uint64_t hash_of(const Pieces& pieces) {
   constexpr std::uint64_t kPrime = 0x100000001B3;
   std::uint64_t hash = 0;
@@ -151,7 +145,7 @@ class TextStorage {
       const auto [uri, is_new] = uris.try_emplace(view);
       if (is_new) uri->second = image_file(index, bytes);
       editor_.rename(member - 1, "uri");
-      editor_.replace_scalar(member, json_string(uri->second));
+      editor_.replace_scalar(member, json::string_value(uri->second));
       moved.insert(member);
       gone.insert(view);
       ++images_;
@@ -303,7 +297,7 @@ class TextStorage {
   }
 
   void set_uri(json::NodeId object, const std::string& uri) {
-    std::string json = json_string(uri);
+    std::string json = json::string_value(uri);
     const json::NodeId old = document_.find(object, "uri");
     if (old == json::kNoNode) {
       editor_.append_member(object, "uri", json);

@@ -179,4 +179,24 @@ std::string place_of(const StepData& data, const VertexSet& set) {
   return data.pointer(set.primitives.front()->node);
 }
 
+void store_vertices(StepChanges& changes, const OpenedVertices& vertices,
+                    const std::vector<std::uint32_t>& order,
+                    const std::vector<std::vector<std::uint32_t>>& indices, bool other_values) {
+  for (const VertexColumn& column : vertices.columns) {
+    const std::size_t size = model::packed_stride(column.data.format());
+    const std::string old = packed_bytes(column.data);
+    std::string bytes;
+    bytes.reserve(size * order.size());
+    for (const std::uint32_t vertex : order) bytes.append(old, vertex * size, size);
+    changes.contents.set(column.accessor, {std::move(bytes), order.size(), other_values,
+                                           model::ViewTarget::vertices});
+  }
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const model::AccessorData& data = vertices.indices[i].data;
+    changes.contents.set(vertices.indices[i].accessor,
+                         {index_bytes(indices[i], data.format().component), data.count(), true,
+                          model::ViewTarget::indices});
+  }
+}
+
 }  // namespace gltfx::steps

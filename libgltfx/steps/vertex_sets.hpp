@@ -54,6 +54,13 @@ std::string index_bytes(const std::vector<std::uint32_t>& indices, model::Compon
 /// The index value that is reserved for primitive restart: the maximum of the component type.
 std::uint32_t restart_index(const model::AccessorData& indices);
 
+/// Replaces vertices by some of them in another order, and all index lists. `order`: old numbers.
+/// `other_values`: the bounds of attributes may change. Precondition: `indices` fit into their
+/// component types.
+void store_vertices(StepChanges& changes, const OpenedVertices& vertices,
+                    const std::vector<std::uint32_t>& order,
+                    const std::vector<std::vector<std::uint32_t>>& indices, bool other_values);
+
 /// Finds extensions of primitives and meshes that may refer to vertices by number. Visits each
 /// extension of a mesh once. `data` must outlive it.
 class VertexNumbers {

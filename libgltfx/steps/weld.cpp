@@ -180,21 +180,7 @@ class Welder {
 
   void store(const VertexSet& set, const OpenedVertices& vertices, const Merging& merging,
              const std::vector<std::vector<std::uint32_t>>& lists) {
-    for (const VertexColumn& column : vertices.columns) {
-      const std::size_t size = model::packed_stride(column.data.format());
-      const std::string old = packed_bytes(column.data);
-      std::string bytes;
-      bytes.reserve(size * merging.kept.size());
-      for (const std::uint32_t vertex : merging.kept) bytes.append(old, vertex * size, size);
-      changes_.contents.set(column.accessor, {std::move(bytes), merging.kept.size(), false,
-                                              model::ViewTarget::vertices});
-    }
-    for (std::size_t i = 0; i < lists.size(); ++i) {
-      const model::AccessorData& data = vertices.indices[i].data;
-      changes_.contents.set(vertices.indices[i].accessor,
-                            {index_bytes(lists[i], data.format().component), data.count(), true,
-                             model::ViewTarget::indices});
-    }
+    store_vertices(changes_, vertices, merging.kept, lists, false);
     std::string added;  // new indices of the primitives that have none
     for (const model::Primitive* primitive : set.primitives) {
       if (primitive->indices) continue;
