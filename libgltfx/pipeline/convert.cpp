@@ -147,11 +147,7 @@ class ConvertRun {
       return fmt::format("{} (--partial writes the rest)", with_place(row.refused.front()));
     }
     if (!row.changes) return std::nullopt;
-    freedom_.vertex_order |= outcome->freedom.vertex_order;
-    freedom_.keyframes |= outcome->freedom.keyframes;
-    freedom_.unused |= outcome->freedom.unused;
-    freedom_.texels |= outcome->freedom.texels;
-    freedom_.image_names |= outcome->freedom.image_names;
+    freedom_ |= outcome->freedom;
     auto placed = change::place(std::move(outcome->change), asset(), nullptr);
     if (!placed) return placed.error().message;
     if (auto why = add(*placed)) return why;
@@ -174,7 +170,7 @@ class ConvertRun {
   Reason lay_out() {
     if (auto why = resolve()) return why;
     if (!now_) return std::nullopt;
-    auto change = steps::lay_out(before_, *now_, *schemas_);
+    auto change = steps::lay_out(before_, {*now_, *schemas_, options_, file_name()});
     if (!change) return change.error().message;
     laid_out_ = true;
     if (change->empty()) return std::nullopt;

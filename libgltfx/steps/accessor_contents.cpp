@@ -84,21 +84,26 @@ std::optional<std::vector<AccessorContents::Block>> AccessorContents::blocks_of(
   std::stable_sort(accessors.begin(), accessors.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return offset(a) < offset(b); });
   std::vector<Block> blocks;
-  std::uint64_t end = 0;  // of the last block
+  std::uint64_t end = 0;          // of the last block
+  std::uint64_t element_end = 0;  // of the last accessor in the first vertex of its block
   for (const std::uint32_t i : accessors) {
     const Accessor& accessor = views_.accessors[i];
     if (!accessor.format.known() || !accessor.count) return std::nullopt;
     const bool interleaved =
         view.byte_stride && !blocks.empty() && offset(i) < blocks.back().begin + *view.byte_stride;
     const auto size = accessor.span_size(stride_of(view, accessor));
-    if (!size) return std::nullopt;
+    if (!size || !resources_.part(document_, view, offset(i), *size)) return std::nullopt;
+    const std::uint64_t own_end = offset(i) + model::element_size(accessor.format);
     if (!interleaved) {
       if (offset(i) < end) return std::nullopt;
       blocks.push_back({offset(i), {}});
-    } else if (count_of(i) != count_of(blocks.back().accessors.front())) {
+    } else if (offset(i) < element_end ||
+               count_of(i) != count_of(blocks.back().accessors.front())) {
       return std::nullopt;
     }
+    if (own_end > blocks.back().begin + stride_of(view, accessor)) return std::nullopt;
     blocks.back().accessors.push_back(i);
+    element_end = own_end;
     end = std::max(end, offset(i) + *size);
   }
   return blocks;

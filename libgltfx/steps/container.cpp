@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The storage of the text, the buffers and the images of an asset (glTF 2.0 sections 3.6.1, 4).
+#include <filesystem>
+#include <system_error>
+
 #include <fmt/format.h>
 
+#include "base/hash.hpp"
 #include "base/text.hpp"
+#include "change/commit.hpp"
+#include "change/companions.hpp"
 #include "graph/unknown_indices.hpp"
 #include "report/wording.hpp"
 #include "steps/storage.hpp"
@@ -15,6 +21,41 @@ Result<StepOutcome> store(const StepInput& input) {
 }
 
 }  // namespace
+
+std::set<std::string> taken_names(const StepInput& input) {
+  std::set<std::string> taken = change::referred_paths(input.asset.document());
+  taken.insert(input.file_name);
+  return taken;
+}
+
+bool keeps_file_names(const StepInput& input) {
+  const ConvertOptions& options = input.options;
+  if (options.in_place || options.shared_folder) return false;
+  if (options.output.empty()) return true;
+  std::error_code error;
+  return !std::filesystem::equivalent(change::target_folder(input.asset.name(), options.output),
+                                      change::target_folder(input.asset.name(), {}), error);
+}
+
+std::string stem_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::size_t begin = slash == path.npos ? 0 : slash + 1;
+  const std::size_t dot = path.rfind('.');
+  return dot == path.npos || dot <= begin ? path : path.substr(0, dot);
+}
+
+std::string stem_in_folder(const std::string& path) {
+  std::string stem = stem_of(path);
+  if (stem.starts_with("..") || stem.starts_with('/')) stem.erase(0, stem.rfind('/') + 1);
+  return stem;
+}
+
+std::string content_mark(const std::vector<container::Bytes>& pieces) {
+  constexpr std::uint64_t kPrime = 0x100000001B3;
+  std::uint64_t hash = 0;
+  for (const container::Bytes& piece : pieces) hash = hash * kPrime ^ content_hash(piece.text());
+  return fmt::format("-{:08x}", hash & UINT32_MAX);
+}
 
 std::string find_doubt(const graph::Graph& graph, std::string_view things) {
   const json::NodeId unknown = graph::find_unknown_with_integer(graph);

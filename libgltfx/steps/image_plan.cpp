@@ -180,6 +180,7 @@ class Planner {
         request.options.near_lossless = kNearLossless;
       }
     }
+    attempt.may_reduce_bits = options_.quality.has_value();
     const std::string why = find_refusal(attempt);
     if (why.empty()) return plan_.attempts.push_back(std::move(attempt));
     plan_.left.push_back(fmt::format("not {}: {}", format_name(choice.format), why));
@@ -192,11 +193,8 @@ class Planner {
     if (drops_alpha) return "a texture slot reads its alpha, which the format does not support";
     const bool wide = file_.header && file_.header->bits > 8;
     if (!wide || attempt.format == Format::png) return {};
-    if (!attempt.lossy || !options_.quality) {
-      return fmt::format("it has {} bits per channel (--quality reduces them to 8)",
-                         file_.header->bits);
-    }
-    return {};
+    return attempt.lossy && attempt.may_reduce_bits ? std::string()
+                                                    : wide_reason(file_.header->bits);
   }
 
   codec::ImageRequest image_request() const {
@@ -231,6 +229,10 @@ class Planner {
 };
 
 }  // namespace
+
+std::string wide_reason(std::uint32_t bits) {
+  return fmt::format("it has {} bits per channel (--quality reduces them to 8)", bits);
+}
 
 std::string_view format_name(Format format) {
   switch (format) {

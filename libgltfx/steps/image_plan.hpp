@@ -39,7 +39,11 @@ struct ImageAttempt {
   image::Format format = image::Format::png;
   bool lossy = false;
   bool may_grow = false;  ///< accepted even if it is not smaller than the file
+  bool may_reduce_bits = false;
 };
+
+/// Why an image with more than 8 bits per channel does not change its format, half a sentence.
+std::string wide_reason(std::uint32_t bits);
 
 /// Planned changes of an image, and reasons for the rest.
 struct ImagePlan {

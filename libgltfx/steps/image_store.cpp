@@ -2,22 +2,19 @@
 #include "steps/image_store.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "base/hash.hpp"
 #include "base/text.hpp"
-#include "change/commit.hpp"
 #include "change/companions.hpp"
 #include "container/base64.hpp"
 #include "container/near_files.hpp"
 #include "container/uri.hpp"
 #include "json/writer.hpp"
 #include "model/fields.hpp"
+#include "steps/storage.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -26,39 +23,15 @@ using container::Bytes;
 using model::RootArray;
 using model::Storage;
 
-std::set<std::string> names_in_use(const StepInput& input) {
-  std::set<std::string> taken = change::referred_paths(input.asset.document());
-  taken.insert(input.file_name);
-  return taken;
-}
-
 std::map<std::string, std::size_t> count_references(const json::Document& document) {
   std::map<std::string, std::size_t> counts;
   for (const auto& [node, path] : change::referred_files(document)) ++counts[path];
   return counts;
 }
 
-// Whether the new asset is in the folder of the old one, where other assets may share files.
-bool stays_in_folder(const StepInput& input) {
-  const ConvertOptions& options = input.options;
-  if (options.in_place) return true;
-  if (options.output.empty()) return false;
-  std::error_code error;
-  return std::filesystem::equivalent(change::target_folder(input.asset.name(), options.output),
-                                     change::target_folder(input.asset.name(), {}), error);
-}
-
 std::string_view ending_for(std::string_view media_type) {
   if (media_type == "image/jpeg") return ".jpg";
   return media_type == "image/webp" ? ".webp" : ".png";
-}
-
-// The path without its ending.
-std::string stem_of(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  const std::size_t begin = slash == path.npos ? 0 : slash + 1;
-  const std::size_t dot = path.rfind('.');
-  return dot == path.npos || dot <= begin ? path : path.substr(0, dot);
 }
 
 }  // namespace
@@ -96,9 +69,9 @@ ImageStore::ImageStore(const StepInput& input, const model::Asset& elements,
       elements_(elements),
       graph_(graph),
       editor_(editor),
-      names_(names_in_use(input)),
+      names_(taken_names(input)),
       referred_(count_references(document_)),
-      in_folder_(stays_in_folder(input)),
+      keeps_names_(keeps_file_names(input)),
       buffer_(input.asset) {
   change_.additions = change::Additions(document_);
 }
@@ -157,6 +130,7 @@ void ImageStore::store_in_view(const ImageGroup& group, NewImage image) {
 }
 
 std::optional<Error> ImageStore::store_in_file(const ImageGroup& group, NewImage image) {
+  Bytes bytes = Bytes::from_string(std::move(image.bytes));
   const bool keeps_ending =
       image.same_format || ending_of(group.path) == ending_for(image.media_type);
   if (keeps_ending && may_replace(group)) {
@@ -164,35 +138,34 @@ std::optional<Error> ImageStore::store_in_file(const ImageGroup& group, NewImage
     const auto uri = container::classify_uri(model::string_member(document_, first, "uri"));
     container::Resolved file = input_.asset.resolver().open(uri);
     if (file.error != container::ResolveError::none) return Error{"its file cannot be read"};
-    change_.replaced.push_back({group.path, file.state, std::move(file.bytes),
-                                Bytes::from_string(std::move(image.bytes))});
+    change_.replaced.push_back({group.path, file.state, std::move(file.bytes), std::move(bytes)});
     return std::nullopt;
   }
-  const std::string path = new_path(group, image);
+  const std::string path = new_path(group, image, bytes);
   for (const std::uint32_t i : group.images) {
     const json::NodeId object = elements_.elements(RootArray::images)[i];
     set(object, "uri", json::string_value(uri_for(object, group.path, path)), false);
   }
-  change_.files.push_back({path, {Bytes::from_string(std::move(image.bytes))}});
+  change_.files.push_back({path, {std::move(bytes)}});
   return std::nullopt;
 }
 
 // Whether the file can be overwritten because nothing else uses its old bytes.
 bool ImageStore::may_replace(const ImageGroup& group) const {
-  if (in_folder_ || input_.options.shared_folder || group.path.starts_with("..")) return false;
+  if (!keeps_names_ || group.path.starts_with("..")) return false;
   const auto found = referred_.find(group.path);
   return found != referred_.end() && found->second == group.images.size();
 }
 
 // New files are never outside the folder of the asset.
-std::string ImageStore::new_path(const ImageGroup& group, const NewImage& image) {
-  std::string stem = stem_of(group.path);
-  if (stem.starts_with("..") || stem.starts_with('/')) stem.erase(0, stem.rfind('/') + 1);
+std::string ImageStore::new_path(const ImageGroup& group, const NewImage& image,
+                                 const Bytes& bytes) {
+  std::string stem = stem_in_folder(group.path);
   const std::string own = ending_of(group.path);
   const std::string_view ending =
       image.same_format && !own.empty() ? std::string_view(own) : ending_for(image.media_type);
   if (input_.options.shared_folder || ending_of(group.path) == ending) {
-    stem += fmt::format("-{:08x}", content_hash(image.bytes) & UINT32_MAX);
+    stem += content_mark({bytes});
   }
   return names_.take(stem, ending);
 }

@@ -57,7 +57,8 @@ class ImageStore {
  private:
   void store_in_view(const ImageGroup& group, NewImage image);
   std::optional<Error> store_in_file(const ImageGroup& group, NewImage image);
-  std::string new_path(const ImageGroup& group, const NewImage& image);
+  std::string new_path(const ImageGroup& group, const NewImage& image,
+                       const container::Bytes& bytes);
   bool may_replace(const ImageGroup& group) const;
   std::string uri_for(json::NodeId image, const std::string& old_path,
                       const std::string& path) const;
@@ -70,7 +71,7 @@ class ImageStore {
   json::Editor& editor_;
   FileNames names_;
   const std::map<std::string, std::size_t> referred_;  ///< number of references, by path
-  const bool in_folder_;  ///< the new asset is in the folder of the old one
+  const bool keeps_names_;
   NewBuffer buffer_;
   change::Change change_;
 };

@@ -55,10 +55,11 @@ std::string half_sentence(std::string_view sentence) {
   return text;
 }
 
-// Broken images are left; other errors of a decoder refuse the image.
-void take_error(Job& job, const codec::DecodeError& error, std::string_view what) {
+// An image that is malformed, or that a format does not support, is left if it can stay; other
+// errors refuse the image.
+void take_error(Job& job, const codec::DecodeError& error, std::string_view what, bool can_stay) {
   const std::string why = half_sentence(error.message);
-  if (error.kind == codec::ErrorKind::malformed && job.file.format) {
+  if (error.kind == codec::ErrorKind::malformed && can_stay) {
     job.plan.left.push_back(fmt::format("{}: {}", what, why));
   } else {
     job.plan.refused = why;
@@ -71,7 +72,7 @@ bool is_whole(Job& job) {
   request.resize = {};
   const codec::ImageResult result = codec::Client::shared().decode_image(request);
   if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
-    take_error(job, *error, "it cannot be decoded");
+    take_error(job, *error, "it cannot be decoded", job.file.format.has_value());
     return false;
   }
   const auto& image = *std::get_if<codec::Image>(&result);
@@ -91,6 +92,10 @@ bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& i
     job.plan.left.push_back(fmt::format("as {} it would be larger", name));
     return false;
   }
+  if (image.source.bits > image.raster.bits && !attempt.may_reduce_bits) {
+    job.plan.left.push_back(fmt::format("not {}: {}", name, wide_reason(image.source.bits)));
+    return false;
+  }
   if (!attempt.lossy) return true;
   job.encoded.distance = distance(attempt.request, image);
   const double bound = bound_of(attempt, image.source);
@@ -105,7 +110,7 @@ void encode(Job& job) {
   for (const ImageAttempt& attempt : job.plan.attempts) {
     const codec::EncodeResult result = codec::Client::shared().transcode_image(attempt.request);
     if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
-      take_error(job, *error, fmt::format("not {}", format_name(attempt.format)));
+      take_error(job, *error, fmt::format("not {}", format_name(attempt.format)), true);
       if (!job.plan.refused.empty()) return;
       continue;
     }

@@ -11,18 +11,20 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "base/text.hpp"
 #include "change/buffer_layout.hpp"
+#include "change/commit.hpp"
 #include "change/companions.hpp"
+#include "change/shared_bytes.hpp"
 #include "container/base64.hpp"
+#include "container/near_files.hpp"
 #include "container/uri.hpp"
 #include "graph/renumber.hpp"
 #include "graph/unknown_indices.hpp"
 #include "json/writer.hpp"
 #include "model/asset_bytes.hpp"
 #include "model/fields.hpp"
+#include "steps/file_names.hpp"
 #include "steps/geometry_input.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/storage.hpp"
@@ -38,21 +40,6 @@ using model::RootArray;
 using model::Storage;
 using Ranges = std::vector<ByteRange>;
 using Trouble = std::optional<Error>;
-
-// Merges ranges: sorted, without overlaps.
-Ranges united(Ranges ranges) {
-  std::sort(ranges.begin(), ranges.end(),
-            [](const ByteRange& a, const ByteRange& b) { return a.begin < b.begin; });
-  Ranges whole;
-  for (const ByteRange& range : ranges) {
-    if (!whole.empty() && range.begin <= whole.back().end) {
-      whole.back().end = std::max(whole.back().end, range.end);
-    } else {
-      whole.push_back(range);
-    }
-  }
-  return whole;
-}
 
 // The parts of `ranges` that are not in `taken`. Both are sorted and have no overlaps.
 Ranges without(const Ranges& ranges, const Ranges& taken) {
@@ -82,7 +69,7 @@ class Named {
       : graph(asset.document(), schemas), users(change::buffer_users(graph)) {
     if (!users) return;
     for (const BufferUser& user : *users) ranges_[user.buffer].push_back(user.bytes);
-    for (auto& [buffer, ranges] : ranges_) ranges = united(std::move(ranges));
+    for (auto& [buffer, ranges] : ranges_) change::add_ranges(ranges, {});
   }
   const Ranges& of(std::uint64_t buffer) const {
     const auto found = ranges_.find(buffer);
@@ -134,7 +121,7 @@ class Layout {
         may_cut_(before_.users && now_.users &&
                  graph::find_unknown_offset(now_.graph) == json::kNoNode) {}
 
-  Result<change::Change> run() {
+  Result<change::Change> run(const StepInput& input) {
     if (!now_.users) return now_.users.error();
     list_files();
     if (auto trouble = choose_home()) return *trouble;
@@ -149,7 +136,7 @@ class Layout {
     }
     renumber();
     for (const std::uint64_t i : changed) {
-      if (auto trouble = store(i)) return *trouble;
+      if (auto trouble = store(i, input)) return *trouble;
     }
     change_.edits = editor_.take();
     return std::move(change_);
@@ -198,12 +185,19 @@ class Layout {
     return bytes ? without({{0, bytes->size()}}, now_.of(index)) : Ranges();
   }
 
+  // Otherwise new bytes would follow inside the declared length, where views may refer to them.
+  bool has_declared_bytes(std::uint64_t index) {
+    const auto bytes = bytes_.buffer(index);
+    return bytes && model::unsigned_member(document_, buffer(index), "byteLength").value_or(0) <=
+                        bytes->size();
+  }
+
   Trouble choose_home() {
     for (std::uint64_t i = old_count_; i < count(); ++i)
       outcome_.home_gets_more = outcome_.home_gets_more || is_new(i);
     for (std::uint64_t i = 0; i < old_count_; ++i) {
       if (buffer(i) == json::kNoNode || is_shared(i)) continue;
-      if (bytes_.buffer_storage(i) == Storage::nowhere || !bytes_.buffer(i)) continue;
+      if (bytes_.buffer_storage(i) == Storage::nowhere || !has_declared_bytes(i)) continue;
       outcome_.home = i;
       return std::nullopt;
     }
@@ -253,6 +247,7 @@ class Layout {
       const auto made = bytes_.buffer(i);
       if (!made) return made.error();
       for (const ByteRange& range : now_.of(i)) {
+        if (range.end > made->size()) return Error{"an object refers to bytes that no buffer has"};
         outcome_.moved[i].push_back({range, content.add(*made, range)});
       }
     }
@@ -296,7 +291,7 @@ class Layout {
     change::move_user(document_, user, part.to + user.bytes.begin - part.from.begin, editor_);
   }
 
-  Trouble store(std::uint64_t index) {
+  Trouble store(std::uint64_t index, const StepInput& input) {
     NewContent& content = outcome_.contents[index];
     const json::NodeId object = buffer(index);
     set_number(document_, editor_, object, "byteLength", content.size);
@@ -311,12 +306,14 @@ class Layout {
                                                         container::join(content.pieces))));
         return std::nullopt;
       default:
-        return store_file(index, std::move(content.pieces));
+        return store_file(index, content.pieces, input);
     }
   }
 
-  Trouble store_file(std::uint64_t index, std::vector<Bytes> pieces) {
-    const auto uri = container::classify_uri(model::string_member(document_, buffer(index), "uri"));
+  Trouble store_file(std::uint64_t index, const std::vector<Bytes>& pieces,
+                     const StepInput& input) {
+    const json::NodeId member = document_.find(buffer(index), "uri");
+    const auto uri = container::classify_uri(document_.string(member));
     container::Resolved file = asset_.resolver().open(uri);
     if (file.error != container::ResolveError::none)
       return Error{"the bytes of a buffer are missing"};
@@ -324,8 +321,16 @@ class Layout {
     const auto folder = asset_.resolver().looks_on_disk()
                             ? std::filesystem::temp_directory_path(error)
                             : std::filesystem::path();
-    change_.replaced.push_back(
-        {uri.path, file.state, std::move(file.bytes), container::gathered(pieces, folder)});
+    Bytes bytes = container::gathered(pieces, folder);
+    if (change::is_in_place(input.options, asset_.name()) || keeps_file_names(input)) {
+      change_.replaced.push_back({uri.path, file.state, std::move(file.bytes), std::move(bytes)});
+      return std::nullopt;
+    }
+    FileNames names(taken_names(input));
+    std::string path =
+        names.take(stem_in_folder(uri.path) + content_mark({bytes}), ending_of(uri.path));
+    editor_.replace_scalar(member, json::string_value(container::uri_of_path(path)));
+    change_.files.push_back({std::move(path), {std::move(bytes)}});
     return std::nullopt;
   }
 
@@ -351,9 +356,8 @@ class Layout {
 
 }  // namespace
 
-Result<change::Change> lay_out(const OpenedAsset& before, const OpenedAsset& now,
-                               const schema::Set& schemas) {
-  return Layout(before, now, schemas).run();
+Result<change::Change> lay_out(const OpenedAsset& before, const StepInput& now) {
+  return Layout(before, now.asset, now.schemas).run(now);
 }
 
 std::uint64_t laid_out_size(const OpenedAsset& before, const OpenedAsset& now,

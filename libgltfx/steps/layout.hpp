@@ -9,15 +9,16 @@
 #include "change/change.hpp"
 #include "model/opened_asset.hpp"
 #include "schema/set.hpp"
+#include "steps/step.hpp"
 
 namespace gltfx::steps {
 
-/// Lays out `now`, which the steps made from `before`: a change that removes the buffers of steps
-/// and the bytes that steps freed. Bytes that had no user in `before` stay. The order of bytes and
-/// their offsets modulo 8 do not change. Returns an Error (half a sentence) if bytes cannot be
+/// Lays out the asset of `now`, which the steps made from `before`: a change that removes the
+/// buffers of steps and the bytes that steps freed. Bytes that had no user in `before` stay. The
+/// order of bytes and their offsets modulo 8 do not change. A changed file keeps its name in place
+/// and where keeps_file_names() allows it. Returns an Error (half a sentence) if bytes cannot be
 /// moved.
-Result<change::Change> lay_out(const model::OpenedAsset& before, const model::OpenedAsset& now,
-                               const schema::Set& schemas);
+Result<change::Change> lay_out(const model::OpenedAsset& before, const StepInput& now);
 
 /// The size of `now` in bytes, including all files, after lay_out().
 std::uint64_t laid_out_size(const model::OpenedAsset& before, const model::OpenedAsset& now,

@@ -175,6 +175,7 @@ class PruneRun {
 
   // Plans the deletion and returns the number of objects.
   std::size_t remove(const graph::Graph& graph, const std::vector<NodeId>& unused) {
+    plan_.reset();
     std::vector<std::string> pointers;
     for (const NodeId element : unused) pointers.push_back(graph.tree().pointer(element));
     change::DeletionOptions options;

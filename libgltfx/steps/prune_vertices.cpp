@@ -38,7 +38,7 @@ class VertexPruner {
     PrunedVertices pruned;
     if (gone_ == 0) return pruned;
     if (auto note = find_unknown_index(data_.graph, [](json::NodeId) { return false; })) {
-      row_.refused = {*std::move(note)};
+      row_.refused.push_back(*std::move(note));
       return pruned;
     }
     auto change = changes_.finish();

@@ -31,6 +31,15 @@ struct Freedom {
   bool unused = false;        ///< objects without a use may be gone
   bool texels = false;        ///< of images
   bool image_names = false;   ///< images may have those of others
+
+  Freedom& operator|=(const Freedom& other) {
+    vertex_order |= other.vertex_order;
+    keyframes |= other.keyframes;
+    unused |= other.unused;
+    texels |= other.texels;
+    image_names |= other.image_names;
+    return *this;
+  }
 };
 
 /// Result of a step. The change need not be placed. The caller sets the name, `changes` and the

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.hpp"
+#include "container/bytes.hpp"
 #include "graph/graph.hpp"
 #include "steps/step.hpp"
 
@@ -20,6 +23,22 @@ Result<StepOutcome> pack(const StepInput& input);
 
 /// JSON text, with files or data URIs according to the options.
 Result<StepOutcome> store_as_text(const StepInput& input);
+
+/// Paths that new files must not have.
+std::set<std::string> taken_names(const StepInput& input);
+
+/// Whether a file with new content can keep its name: the new asset goes alone to a folder other
+/// than that of the old asset. In other folders, other assets may refer to files of that name.
+bool keeps_file_names(const StepInput& input);
+
+/// A path without the ending of its file.
+std::string stem_of(const std::string& path);
+
+/// The stem of a path, inside the folder of the asset.
+std::string stem_in_folder(const std::string& path);
+
+/// "-0123abcd", from the content of a file: the same pieces get the same mark.
+std::string content_mark(const std::vector<container::Bytes>& pieces);
 
 /// Why references to `things` ("buffers") may be unknown, half a sentence; empty: all are known.
 std::string find_doubt(const graph::Graph& graph, std::string_view things);

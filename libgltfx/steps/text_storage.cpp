@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include "base/hash.hpp"
 #include "base/text.hpp"
 #include "change/bin_cut.hpp"
 #include "change/companions.hpp"
@@ -34,20 +33,6 @@ using Pieces = std::vector<Bytes>;
 
 constexpr std::uint64_t kMostText = UINT32_MAX;
 constexpr std::string_view kOctets = "application/octet-stream";
-
-std::uint64_t hash_of(const Pieces& pieces) {
-  constexpr std::uint64_t kPrime = 0x100000001B3;
-  std::uint64_t hash = 0;
-  for (const Bytes& piece : pieces) hash = hash * kPrime ^ content_hash(piece.text());
-  return hash;
-}
-
-// Paths that new files must not have.
-std::set<std::string> taken_names(const StepInput& input) {
-  std::set<std::string> taken = change::referred_paths(input.asset.document());
-  taken.insert(input.file_name);
-  return taken;
-}
 
 class TextStorage {
  public:
@@ -287,9 +272,7 @@ class TextStorage {
 
   // Other assets of a shared folder may have files of the same name.
   std::string new_file(std::string stem, std::string_view ending, Pieces pieces) {
-    if (input_.options.shared_folder) {
-      stem += fmt::format("-{:08x}", hash_of(pieces) & UINT32_MAX);
-    }
+    if (input_.options.shared_folder) stem += content_mark(pieces);
     std::string path = names_.take(stem, ending);
     std::string uri = container::uri_of_path(path);
     outcome_.change.files.push_back({std::move(path), std::move(pieces)});

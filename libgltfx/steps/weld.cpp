@@ -169,11 +169,8 @@ class Welder {
     std::vector<std::uint32_t> indices = read_index_list(list.data);
     const std::uint32_t restart = restart_index(list.data);
     for (std::uint32_t& index : indices) {
-      if (index < merging.numbers.size() && index != restart) {
-        index = merging.numbers[index];
-      } else if (index != restart) {
-        return {};
-      }
+      if ((index < merging.numbers.size()) == (index == restart)) return {};
+      if (index != restart) index = merging.numbers[index];
     }
     return indices;
   }

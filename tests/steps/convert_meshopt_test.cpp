@@ -110,6 +110,44 @@ TEST_F(Meshopt, ChangesNothingTheSecondTime) {
               Contains("/bufferViews/0: it is already compressed"));
 }
 
+// The assets free different bytes of their buffer, so that each needs a file of its own.
+TEST_F(Meshopt, KeepsAssetsApartThatShareABuffer) {
+  AssetText asset;
+  asset.mesh(asset.grid());
+  const fs::path one = asset.write(folder_);
+  OrderedJson points = OrderedJson::parse(asset.text());
+  points["meshes"][0]["primitives"][0].erase("indices");
+  points["meshes"][0]["primitives"][0]["mode"] = 0;
+  points["accessors"].erase(2);
+  points["bufferViews"].erase(2);
+  const fs::path other = folder_.write("other.gltf", points.dump());
+  const fs::path out = folder_.path() / "out";
+  for (const unsigned jobs : {1U, 4U}) {
+    ConvertOptions options;
+    options.compress = Compression::meshopt;
+    options.shared_folder = true;
+    convert_files({{one.native(), out / "a.gltf"}, {other.native(), out / "other.gltf"}}, options,
+                  jobs, [](ConvertReport&& report) {
+                    EXPECT_TRUE(report.written) << report.path << ": " << report.error;
+                  });
+    EXPECT_EQ(view_bytes(out / "a.gltf"), view_bytes(one));
+    EXPECT_EQ(view_bytes(out / "other.gltf"), view_bytes(other));
+    fs::remove_all(out);
+  }
+}
+
+TEST_F(Meshopt, LeavesTheBufferOfTheSourceInItsFolder) {
+  AssetText asset;
+  asset.mesh(asset.grid());
+  const fs::path source = asset.write(folder_);
+  const auto before = view_bytes(source);
+  const ConvertReport report =
+      convert_file(source.native(), options(folder_.path() / "beside.gltf"));
+  EXPECT_TRUE(report.written) << report.error;
+  EXPECT_EQ(content_of(folder_.path() / "b.bin"), asset.buffer);
+  EXPECT_EQ(view_bytes(folder_.path() / "beside.gltf"), before);
+}
+
 TEST_F(Meshopt, KeepsTheStrideOfInterleavedVertices) {
   AssetText asset;
   const Grid grid;

@@ -106,10 +106,11 @@ function hear(said) {
 }
 
 /** Passes a file to the browser, with a name that the user can change. */
-function deliver({ made, name, why }) {
+function deliver({ made, name, why, failed = [] }) {
   showBusy("");
   if (made === null) return say(`It cannot be written: ${visible(why)}`, true);
-  say(verdictOfAll());
+  const rest = failed.length > 0 ? ` ${counted(failed.length, "asset")} left out; ${visible(failed[0])}` : "";
+  say(verdictOfAll() + rest);
   if (address) URL.revokeObjectURL(address);
   address = URL.createObjectURL(made);
   make("a", { href: address, download: name }).click();

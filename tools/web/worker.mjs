@@ -3,7 +3,7 @@
 // of its build.
 //
 //   in   {open: [{path, file}], wasm}            out  {assets, leftOut}, {asset, rules}..., {checked: true}
-//   in   {make: "html" | "sarif" | "fixed" | "upgraded" | "packed"}  out  {made: Blob, name} or {made: null, why}
+//   in   {make: "html" | "sarif" | "fixed" | "upgraded" | "packed"}  out  {made: Blob, name, failed} or {made: null, why}
 import { createEngine } from "../npm/wasm/engine.mjs";
 import loader from "gltfx-wasm.mjs";
 import { isFixable, nameOfGlb, toUpgrade } from "./assets.mjs";
@@ -29,7 +29,7 @@ async function run(verb, paths, options, earlier = new Map()) {
   reading.content.set(list, new TextEncoder().encode(paths.map((path) => `${path}\0`).join("")));
   const done = await engine.run([verb, "--files-from", list, ...COMMON, ...options(place)], reading.content);
   if (done.code > 1) throw new Error(done.stderr.trim() || `gltfx ${verb} ended with code ${done.code}`);
-  return { written: done.files, place };
+  return { written: done.files, place, said: done.stderr.trim() };
 }
 
 const folderOf = (path) => path.slice(0, path.lastIndexOf("/") + 1);
@@ -111,21 +111,31 @@ function filesOf(files, name) {
   return { made: new Blob([files[0][1]]), name: files[0][0].split("/").pop() };
 }
 
+/** Adds a GLB. With files that it refers to, it gets a folder of its own. */
+function addPacked(files, path, { written, place, said }) {
+  const glb = `${place}/packed.glb`;
+  if (!written.has(glb)) throw new Error(said || "it cannot be packed");
+  const name = nameOfGlb(path, files);
+  const others = [...written].filter(([one]) => one.startsWith(`${place}/`) && one !== glb);
+  const own = others.length > 0 ? `${name.slice(0, -".glb".length)}/` : "";
+  files.set(own + (own ? name.split("/").pop() : name), written.get(glb));
+  for (const [one, bytes] of others) files.set(own + one.slice(place.length + 1), bytes);
+}
+
 /** One GLB of each asset, as small as it becomes without loss. */
 async function pack() {
   const files = new Map();
-  let why = "";
+  const failed = [];
   for (const path of folder.assets) {
     try {
       const done = await run("convert", [path], (place) => ["-o", `${place}/packed.glb`, "--shrink"]);
-      const bytes = done.written.get(`${done.place}/packed.glb`);
-      if (bytes) files.set(nameOfGlb(path, files), bytes);
+      addPacked(files, path, done);
     } catch (error) {
-      why ||= error.message;
+      failed.push(`${path}: ${error.message}`);
     }
   }
-  if (files.size === 0) throw new Error(why || "no asset can be packed");
-  return filesOf([...files], "packed");
+  if (files.size === 0) throw new Error(failed[0] ?? "no asset can be packed");
+  return { ...filesOf([...files], "packed"), failed };
 }
 
 const MAKERS = {
