@@ -15,7 +15,7 @@
 
 namespace gltfx::steps {
 
-/// Of what is moved to another buffer: the size of the widest component that an extension has.
+/// Alignment of bytes that move to another buffer: the widest component of any extension.
 inline constexpr std::uint64_t kAlignment = 8;
 
 /// One GLB with all buffers and images.

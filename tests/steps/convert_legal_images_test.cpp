@@ -116,5 +116,15 @@ TEST(ForeignImages, ConvertToTheRequestedFormat) {
   }
 }
 
+TEST(LegalImages, LeaveAFormatThatAnotherOneDoesNotSupport) {
+  ImageConversionCase conversion(asset_with(kColorSlot, {file_image("a.tif")}),
+                                 {{"a.tif", test::tiff_file(test::TiffAlpha::unassociated)}});
+  conversion.options.images = {{ImageTarget::jpeg, std::nullopt}};
+  conversion.run();
+  EXPECT_THAT(conversion.left(), HasSubstr("/images/0: not JPEG: "));
+  EXPECT_THAT(conversion.step().refused, IsEmpty());
+  EXPECT_FALSE(conversion.step().changes);
+}
+
 }  // namespace
 }  // namespace gltfx

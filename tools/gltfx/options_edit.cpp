@@ -177,11 +177,11 @@ void declare_convert(Options& options, ConvertRequest& request) {
               one_of(convert.compress, {{"none", Compression::none},
                                         {"meshopt", Compression::meshopt},
                                         {"draco", Compression::draco}}));
-  options.add("--images", "FORMAT", "Store images as webp, png, jpeg, legal; webp:color",
+  options.add("--images", "FORMAT", "webp, png, jpeg, legal; of one use: webp:color",
               parsed_list(convert.images, parse_images, [] {
                 return values::choice({"webp", "png", "jpeg", "legal"});
               }));
-  options.add("--quality", "N", "Lossy images, 1 to 100 (else webp, png are exact)",
+  options.add("--quality", "N", "Quality of jpeg (default: 90) and lossy webp",
               number(convert.quality, 1, 100));
   options.add("--texture-size", "N", "Make no side of an image longer than N texels",
               number(convert.texture_size, 1, 65536));

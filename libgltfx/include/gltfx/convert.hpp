@@ -48,7 +48,7 @@ struct ConvertOptions : EditOptions {
   std::optional<Compression> compress;
   /// The first that applies to an image decides.
   std::vector<ImageConversion> images;
-  /// 1 to 100, of lossy images. Nothing: WebP and PNG are exact, others have a default.
+  /// 1 to 100, of lossy images. Nothing: WebP and PNG are exact, JPEG has 90.
   std::optional<std::uint32_t> quality;
   std::optional<std::uint32_t> texture_size;  ///< texels that no side exceeds; nothing is enlarged
   bool dedup = false;     ///< equal accessors, views, images, samplers, textures, materials once
@@ -58,10 +58,10 @@ struct ConvertOptions : EditOptions {
   bool resample = false;  ///< keyframes that interpolation gives exactly go
   /// All that loses nothing: the five above, and PNG images compressed again where that is smaller.
   bool shrink = false;
-  bool verify = false;  ///< compares pictures and images before and after
+  bool verify = false;  ///< compares rendered pictures before and after
   /// Write although a part of the request was refused.
   bool partial = false;
-  /// Other assets have their files in the same folder: names of new images contain a hash of their
+  /// Other assets have their files in the same folder: names of new files contain a hash of their
   /// content.
   bool shared_folder = false;
   unsigned jobs = 1;  ///< threads for one asset; results do not depend on it
