@@ -19,6 +19,7 @@
 #include "model/draco.hpp"
 #include "report/wording.hpp"
 #include "steps/accessor_bounds.hpp"
+#include "steps/codec_steps.hpp"
 #include "steps/draco_primitives.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/references.hpp"
@@ -295,19 +296,8 @@ class DracoStep {
   std::map<std::uint32_t, const DracoGroup*> owners_;  ///< by accessor
 };
 
-Result<StepOutcome> encode_draco(const StepInput& input) { return DracoStep(input).run(); }
-
 }  // namespace
 
-StepDescription draco_step();
-StepDescription draco_step() {
-  return {"draco",
-          "stores triangles and their vertices as Draco bitstreams",
-          "the values of all vertices, each triangle and its winding; indices of objects except "
-          "buffer views",
-          "the order of vertices and triangles; vertices that no triangle uses",
-          [](const ConvertOptions& options) { return options.compress == Compression::draco; },
-          encode_draco};
-}
+Result<StepOutcome> encode_draco(const StepInput& input) { return DracoStep(input).run(); }
 
 }  // namespace gltfx::steps

@@ -14,12 +14,12 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "report/wording.hpp"
+#include "steps/codec_steps.hpp"
 #include "steps/image_loss.hpp"
 #include "steps/image_plan.hpp"
 #include "steps/image_sources.hpp"
 #include "steps/image_store.hpp"
 #include "steps/image_use.hpp"
-#include "steps/step.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -293,20 +293,8 @@ class ImageStep {
   std::map<std::string, Loss> losses_;
 };
 
-Result<StepOutcome> convert_images(const StepInput& input) { return ImageStep(input).run(); }
-
 }  // namespace
 
-StepDescription images_step();
-StepDescription images_step() {
-  return {"images",
-          "stores images in another format or size",
-          "names, indices, and, without a size or quality, all texels, even transparent ones",
-          "texels, if a loss is listed; metadata of image files",
-          [](const ConvertOptions& options) {
-            return !options.images.empty() || options.texture_size || options.shrink;
-          },
-          convert_images};
-}
+Result<StepOutcome> convert_images(const StepInput& input) { return ImageStep(input).run(); }
 
 }  // namespace gltfx::steps

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Steps that encode in codec workers. Builds without workers refuse them.
+#pragma once
+
+#include "base/result.hpp"
+#include "steps/step.hpp"
+
+namespace gltfx::steps {
+
+/// Stores images in another format or size.
+Result<StepOutcome> convert_images(const StepInput& input);
+
+/// Stores triangles and their vertices as Draco bitstreams.
+Result<StepOutcome> encode_draco(const StepInput& input);
+
+}  // namespace gltfx::steps
