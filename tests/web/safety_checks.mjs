@@ -329,10 +329,11 @@ async function referencesCannotLeadOut(one, url, native) {
   mkdirSync(folder, { recursive: true });
   writeFileSync(join(native.place, "paths/secret.bin"), "1234");
   const uris = HOSTILE_URIS.filter(([, needsDisk]) => !needsDisk).map(([uri]) => uri);
+  const toServers = uris.filter((uri) => uri.startsWith("http:")); // a warning: viewers may load them
   uris.forEach((uri, i) => writeFileSync(join(folder, `${i}.gltf`), assetWith(uri)));
   assert.equal(
     await chooseFolder(one, page, join(native.place, "paths")),
-    `${uris.length} of ${uris.length} assets have errors.`,
+    `${uris.length - toServers.length} of ${uris.length} assets have errors.`,
   );
   await unfold(page);
   const codes = await page.$$eval("#list details.asset", (all) =>

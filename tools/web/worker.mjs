@@ -113,13 +113,15 @@ function filesOf(files, name) {
 
 /** Adds a GLB. With files that it refers to, it gets a folder of its own. */
 function addPacked(files, path, { written, place, said }) {
-  const glb = `${place}/packed.glb`;
-  if (!written.has(glb)) throw new Error(said || "it cannot be packed");
+  const made = [...written].filter(([one]) => one.startsWith(`${place}/`));
+  const glb = made.map(([one]) => one).find((one) => /\.(glb|vrm)$/.test(one));
+  if (glb === undefined) throw new Error(said || "it cannot be packed");
   const name = nameOfGlb(path, files);
-  const others = [...written].filter(([one]) => one.startsWith(`${place}/`) && one !== glb);
+  const above = glb.slice(0, glb.lastIndexOf("/") + 1);
+  const others = made.filter(([one]) => one !== glb);
   const own = others.length > 0 ? `${name.slice(0, -".glb".length)}/` : "";
   files.set(own + (own ? name.split("/").pop() : name), written.get(glb));
-  for (const [one, bytes] of others) files.set(own + one.slice(place.length + 1), bytes);
+  for (const [one, bytes] of others) files.set(own + one.slice(above.length), bytes);
 }
 
 /** One GLB of each asset, as small as it becomes without loss. */
@@ -128,7 +130,7 @@ async function pack() {
   const failed = [];
   for (const path of folder.assets) {
     try {
-      const done = await run("convert", [path], (place) => ["-o", `${place}/packed.glb`, "--shrink"]);
+      const done = await run("convert", [path], (place) => ["-o", `${place}/`, "--to", "glb", "--shrink"]);
       addPacked(files, path, done);
     } catch (error) {
       failed.push(`${path}: ${error.message}`);
