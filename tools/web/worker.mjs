@@ -113,7 +113,7 @@ function filesOf(files, name) {
 
 /** Adds a GLB. With files that it refers to, it gets a folder of its own. */
 function addPacked(files, path, { written, place, said }) {
-  const made = [...written].filter(([one]) => one.startsWith(`${place}/`));
+  const made = [...written].filter(([one]) => one.startsWith(`${place}/packed/`));
   const glb = made.map(([one]) => one).find((one) => /\.(glb|vrm)$/.test(one));
   if (glb === undefined) throw new Error(said || "it cannot be packed");
   const name = nameOfGlb(path, files);
@@ -130,7 +130,7 @@ async function pack() {
   const failed = [];
   for (const path of folder.assets) {
     try {
-      const done = await run("convert", [path], (place) => ["-o", `${place}/`, "--to", "glb", "--shrink"]);
+      const done = await run("convert", [path], (place) => ["-o", `${place}/packed/`, "--to", "glb", "--shrink"]);
       addPacked(files, path, done);
     } catch (error) {
       failed.push(`${path}: ${error.message}`);
