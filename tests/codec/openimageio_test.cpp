@@ -91,6 +91,48 @@ TEST(OpenImageIo, AlphaIsThereWhereTheFileHasIt) {
   }
 }
 
+TEST(OpenImageIo, GifsHaveAlphaOnlyIfTexelsAreTransparent) {
+  const std::string opaque = test::gif_file();
+  EXPECT_EQ(foreign_image(foreign_request(opaque, ImageFormat::gif)).channels, 3U);
+  const std::string keyed = test::gif_file(true);
+  const Image image = foreign_image(foreign_request(keyed, ImageFormat::gif));
+  ASSERT_EQ(image.channels, 4U);
+  EXPECT_EQ(std::to_integer<int>(image.pixels[3]), 0) << "the color with index 0";
+  EXPECT_EQ(std::to_integer<int>(image.pixels[7]), 255);
+  const std::string partial = test::gif_file(false, 1);
+  const Image half = foreign_image(foreign_request(partial, ImageFormat::gif));
+  ASSERT_EQ(half.channels, 4U);
+  EXPECT_EQ(std::to_integer<int>(half.pixels[3]), 255);
+  EXPECT_EQ(std::to_integer<int>(half.pixels[31]), 0) << "not covered by the frame";
+}
+
+TEST(OpenImageIo, TheFourthByteOfABmpWithoutMasksIsNoAlpha) {
+  const std::string bytes = test::unused_byte_bmp_file();
+  const Image image = foreign_image(foreign_request(bytes, ImageFormat::bmp));
+  ASSERT_EQ(image.channels, 3U);
+  EXPECT_EQ(std::to_integer<int>(image.pixels[0]), 200);
+  EXPECT_EQ(std::to_integer<int>(image.pixels[23]), 5);
+}
+
+TEST(OpenImageIo, TheSecondChannelOfATgaIsAlpha) {
+  const std::string bytes = test::grey_alpha_tga_file();
+  const Image image = foreign_image(foreign_request(bytes, ImageFormat::tga));
+  ASSERT_EQ(image.channels, 2U);
+  EXPECT_EQ(std::to_integer<int>(image.pixels[0]), 200);
+  EXPECT_EQ(std::to_integer<int>(image.pixels[1]), 128);
+}
+
+TEST(OpenImageIo, FilesWhoseTexelsWouldBeWrongAreRefused) {
+  for (const std::string& bytes :
+       {test::one_bit_alpha_tga_file(), test::alpha_palette_tga_file()}) {
+    EXPECT_THAT(foreign_error(foreign_request(bytes, ImageFormat::tga)).message,
+                HasSubstr("alpha"));
+  }
+  const std::string bilevel = test::default_bits_tiff_file();
+  EXPECT_THAT(foreign_error(foreign_request(bilevel, ImageFormat::tiff)).message,
+              HasSubstr("bits"));
+}
+
 TEST(OpenImageIo, ColoursThatWereMultipliedByAlphaAreDivided) {
   const std::string bytes = test::tiff_file(TiffAlpha::associated);
   const Image image = foreign_image(foreign_request(bytes, ImageFormat::tiff));

@@ -18,6 +18,7 @@
 #include <dlfcn.h>
 
 #include "base/directory.hpp"
+#include "foreign_header.hpp"
 #include "image_decode.hpp"
 
 namespace gltfx::codec {
@@ -66,11 +67,19 @@ struct Selection {
   std::uint32_t to = 1;  ///< number of channels of the image
 };
 
+// The plugins for GIF and BMP give alpha to each file, the one for TGA hides it in grey files.
+bool has_alpha(const OIIO::ImageSpec& spec, ImageFormat format, std::span<const std::byte> bytes) {
+  if (format == ImageFormat::gif) return spec.nchannels == 4 && is_transparent(bytes);
+  if (format == ImageFormat::bmp && has_unused_byte(bytes)) return false;
+  if (format == ImageFormat::tga && spec.nchannels == 2) return true;
+  return spec.alpha_channel >= 0 && spec.alpha_channel == std::min(spec.nchannels, 4) - 1;
+}
+
 // Two channels that are not grey and alpha become red and green, with blue 0.
-Selection select(const OIIO::ImageSpec& spec) {
+Selection select(const OIIO::ImageSpec& spec, bool alpha) {
   if (spec.nchannels == 1) return {1, 1};
-  if (spec.nchannels == 2) return {2, spec.alpha_channel == 1 ? 2U : 3U};
-  return spec.nchannels > 3 && spec.alpha_channel == 3 ? Selection{4, 4} : Selection{3, 3};
+  if (spec.nchannels == 2) return {2, alpha ? 2U : 3U};
+  return spec.nchannels > 3 && alpha ? Selection{4, 4} : Selection{3, 3};
 }
 
 // Widens rows of two channels to three, from the end, so that nothing is written over too early.
@@ -111,13 +120,20 @@ bool is_multiplied(const OIIO::ImageSpec& spec, const Job& job, const Image& ima
   return job.format == ImageFormat::tiff && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
 }
 
-std::optional<DecodeError> find_obstacle(const OIIO::ImageSpec& spec, const Job& job) {
+std::optional<DecodeError> find_obstacle(const OIIO::ImageSpec& spec, const Job& job,
+                                         std::span<const std::byte> bytes) {
   if (spec.width <= 0 || spec.height <= 0 || spec.nchannels <= 0 || spec.deep) {
     return unusual("It has no texels.");
   }
   if (spec.depth > 1) return unusual("It is a volume.");
   if (spec.get_string_attribute("textureformat") == "CubeFace Environment") {
     return unusual("It is a cube map.");
+  }
+  if (job.format == ImageFormat::tga && has_unread_alpha(bytes)) {
+    return unusual("Its alpha is in a palette or in one of 16 bits, which is not supported.");
+  }
+  if (job.format == ImageFormat::tiff && has_default_bits(bytes)) {
+    return unusual("It does not say how many bits a sample has.");
   }
   if (spec.format.is_floating_point() && !job.floats)
     return unusual("It holds floating-point values.");
@@ -128,8 +144,9 @@ std::optional<DecodeError> find_obstacle(const OIIO::ImageSpec& spec, const Job&
   return std::nullopt;
 }
 
-Answer read(const Input& input, const OIIO::ImageSpec& spec, const Job& job, const Output& output) {
-  const Selection selection = select(spec);
+Answer read(const Input& input, const OIIO::ImageSpec& spec, const Job& job, bool alpha,
+            const Output& output) {
+  const Selection selection = select(spec, alpha);
   Image image;
   image.width = static_cast<std::uint32_t>(spec.width);
   image.height = static_cast<std::uint32_t>(spec.height);
@@ -211,10 +228,10 @@ Answer decode_openimageio(const Job& job, std::span<const std::byte> bytes, cons
     return refusal(input);
   }
   Answer answer = DecodeError{};
-  if (auto obstacle = find_obstacle(spec, job)) {
+  if (auto obstacle = find_obstacle(spec, job, bytes)) {
     answer = *std::move(obstacle);
   } else {
-    answer = read(input, spec, job, output);
+    answer = read(input, spec, job, has_alpha(spec, job.format, bytes), output);
   }
   input->close();
   input->geterror();

@@ -47,6 +47,19 @@ class FileBytes {
   std::string bytes_;
 };
 
+/// 32 bits per texel without masks: the fourth byte, here 0, has no meaning.
+inline std::string unused_byte_bmp_file() {
+  FileBytes file;
+  file.text("BM").u32(54 + 32).u32(0).u32(54);
+  file.u32(40).u32(kForeignWidth).u32(kForeignHeight).u16(1).u16(32).u32(0).u32(32);
+  file.u32(2835).u32(2835).u32(0).u32(0);
+  for (const unsigned i : {4U, 5U, 6U, 7U, 0U, 1U, 2U, 3U}) {
+    for (const unsigned c : {2U, 1U, 0U}) file.u8(kForeignTexels[i][c]);
+    file.u8(0);
+  }
+  return file.take();
+}
+
 inline std::string bmp_file(std::uint32_t width = kForeignWidth) {
   FileBytes file;
   file.text("BM").u32(54 + 24).u32(0).u32(54);
@@ -70,6 +83,53 @@ inline std::string tga_file(bool footer = true) {
   return file.take();
 }
 
+/// The red of the texels as grey, with alpha.
+inline std::string grey_alpha_tga_file() {
+  FileBytes file;
+  file.u8(0).u8(0).u8(3).u16(0).u16(0).u8(0).u16(0).u16(0);
+  file.u16(kForeignWidth).u16(kForeignHeight).u8(16).u8(0x28);
+  for (const auto& texel : kForeignTexels) file.u8(texel[0]).u8(texel[3]);
+  return file.take();
+}
+
+/// Five bits per color and one of alpha.
+inline std::string one_bit_alpha_tga_file() {
+  FileBytes file;
+  file.u8(0).u8(0).u8(2).u16(0).u16(0).u8(0).u16(0).u16(0);
+  file.u16(kForeignWidth).u16(kForeignHeight).u8(16).u8(0x21);
+  for (unsigned i = 0; i < 8; ++i) file.u16(i << 15U | i << 5U);
+  return file.take();
+}
+
+/// A palette of two colors with alpha.
+inline std::string alpha_palette_tga_file() {
+  FileBytes file;
+  file.u8(0).u8(1).u8(1).u16(0).u16(2).u8(32).u16(0).u16(0);
+  file.u16(kForeignWidth).u16(kForeignHeight).u8(8).u8(0x20);
+  for (const unsigned i : {0U, 1U}) {
+    for (const unsigned c : {2U, 1U, 0U, 3U}) file.u8(kForeignTexels[i][c]);
+  }
+  for (unsigned i = 0; i < 8; ++i) file.u8(i & 1U);
+  return file.take();
+}
+
+/// Bilevel, with the default of one bit per sample.
+inline std::string default_bits_tiff_file() {
+  FileBytes file;
+  file.text({"II*\0", 4}).u32(8).u16(7);
+  const auto entry = [&](unsigned tag, unsigned type, std::uint32_t value) {
+    file.u16(tag).u16(type).u32(1).u32(value);
+  };
+  entry(256, 3, kForeignWidth);
+  entry(257, 3, kForeignHeight);
+  entry(259, 3, 1);
+  entry(262, 3, 1);
+  entry(273, 4, 8 + 2 + 7 * 12 + 4);
+  entry(278, 3, kForeignHeight);
+  entry(279, 4, 2);
+  return file.u32(0).u8(0x50).u8(0xA0).take();
+}
+
 /// With the area of version 2 that says that colours are multiplied by alpha.
 inline std::string multiplied_tga_file() {
   constexpr unsigned kAreaSize = 495;
@@ -82,16 +142,18 @@ inline std::string multiplied_tga_file() {
   return file.take();
 }
 
-/// Two frames, of which the second one has colours in another order.
-inline std::string gif_file() {
+/// Two frames, of which the second one has colours in another order. The first color may be
+/// transparent, and a frame may cover the first row alone.
+inline std::string gif_file(bool transparent = false, unsigned frame_height = kForeignHeight) {
   FileBytes file;
   file.text("GIF89a").u16(kForeignWidth).u16(kForeignHeight).u8(0xF2).u8(0).u8(0);
   for (const auto& texel : kForeignTexels) file.u8(texel[0]).u8(texel[1]).u8(texel[2]);
   for (unsigned frame = 0; frame < 2; ++frame) {
-    file.text(",").u16(0).u16(0).u16(kForeignWidth).u16(kForeignHeight).u8(0).u8(3);
+    if (transparent) file.u8(0x21).u8(0xF9).u8(4).u8(1).u16(0).u8(0).u8(0);
+    file.text(",").u16(0).u16(0).u16(kForeignWidth).u16(frame_height).u8(0).u8(3);
     // Codes of four bits; code 8 clears the table before it needs five.
     std::vector<unsigned> codes{8};
-    for (unsigned i = 0; i < 8; ++i) {
+    for (unsigned i = 0; i < kForeignWidth * frame_height; ++i) {
       if (i == 5) codes.push_back(8);
       codes.push_back(frame == 0 ? i : 7 - i);
     }
