@@ -16,6 +16,7 @@
 #include "change/rewrite.hpp"
 #include "container/bytes.hpp"
 #include "container/file.hpp"
+#include "container/uri.hpp"
 
 namespace gltfx::change {
 namespace {
@@ -225,7 +226,7 @@ class Elsewhere {
           quoted(replaced.front().path, 200))};
     }
     for (const ReplacedFile& file : replaced) {
-      if (file.path.starts_with("..")) {
+      if (container::leads_out(file.path)) {
         return Error{fmt::format("{} is outside the asset's folder", quoted(file.path, 200))};
       }
       const fs::path target = folder_ / file.path;

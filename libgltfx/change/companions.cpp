@@ -26,7 +26,7 @@ bool names_file(std::string_view member) { return member == "uri" || member.ends
 
 std::optional<Error> copy(const std::string& path, const container::Resolver& resolver,
                           const fs::path& folder) {
-  if (path.starts_with("..")) {
+  if (container::leads_out(path)) {
     return Error{fmt::format("{} is outside the asset's folder and would be missing in the new one",
                              quoted(path, 200))};
   }

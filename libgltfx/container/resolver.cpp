@@ -98,11 +98,6 @@ std::string from_root(int root, const std::string& base, std::string_view path) 
   return path.ends_with('/') ? inside + '/' : inside;
 }
 
-// Whether a path leads out; in a Uri::path, ".." is only at the front.
-bool leads_out(std::string_view path) {
-  return path == ".." || path.starts_with("../") || path.starts_with('/');
-}
-
 }  // namespace
 
 File open_within(const std::filesystem::path& folder, const std::filesystem::path& path) {

@@ -234,6 +234,8 @@ Unescaped find_unescaped(std::string_view uri) {
   return found;
 }
 
+bool leads_out(std::string_view path) { return leads_up(path) || path.starts_with('/'); }
+
 std::string escape_characters(std::string_view uri, std::string_view characters) {
   std::string out;
   for (const char c : uri) {

@@ -55,6 +55,9 @@ struct Unescaped {
 };
 Unescaped find_unescaped(std::string_view uri);
 
+/// Whether a path, as of Uri::path, leads out of its folder.
+bool leads_out(std::string_view path);
+
 /// The URI with each of `characters` percent-encoded, and no others.
 std::string escape_characters(std::string_view uri, std::string_view characters);
 

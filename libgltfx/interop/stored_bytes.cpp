@@ -82,7 +82,7 @@ std::string StoredBytes::keep(std::string_view wanted, std::string_view media_ty
   if (form_.embed || wanted.empty()) return container::data_uri(media_type, bytes);
   const container::Uri uri = container::classify_uri(wanted);
   const bool inside = uri.kind == container::UriKind::relative_path && !uri.path.empty() &&
-                      !uri.path.starts_with("..");
+                      !container::leads_out(uri.path);
   if (!inside) {
     if (uri.kind != container::UriKind::data) {
       notes_.changed(pointer + "/uri", "is outside the asset's folder: the bytes are embedded");

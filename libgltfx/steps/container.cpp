@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "change/commit.hpp"
 #include "change/companions.hpp"
+#include "container/uri.hpp"
 #include "graph/unknown_indices.hpp"
 #include "report/wording.hpp"
 #include "steps/storage.hpp"
@@ -46,7 +47,7 @@ std::string stem_of(const std::string& path) {
 
 std::string stem_in_folder(const std::string& path) {
   std::string stem = stem_of(path);
-  if (stem.starts_with("..") || stem.starts_with('/')) stem.erase(0, stem.rfind('/') + 1);
+  if (container::leads_out(stem)) stem.erase(0, stem.rfind('/') + 1);
   return stem;
 }
 

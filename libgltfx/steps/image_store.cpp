@@ -152,7 +152,7 @@ std::optional<Error> ImageStore::store_in_file(const ImageGroup& group, NewImage
 
 // Whether the file can be overwritten because nothing else uses its old bytes.
 bool ImageStore::may_replace(const ImageGroup& group) const {
-  if (!keeps_names_ || group.path.starts_with("..")) return false;
+  if (!keeps_names_ || container::leads_out(group.path)) return false;
   const auto found = referred_.find(group.path);
   return found != referred_.end() && found->second == group.images.size();
 }

@@ -48,6 +48,14 @@ TEST_F(ConvertTest, IsADryRunUnlessToldWhereToWrite) {
   EXPECT_EQ(here({"a.gltf", "--check"}).code, 0);
 }
 
+TEST_F(ConvertTest, ANameThatBeginsWithTwoDotsIsInTheFolder) {
+  folder_.write("dots.gltf",
+                R"({"asset":{"version":"2.0"},"buffers":[{"uri":"...bin","byteLength":4}]})");
+  folder_.write("...bin", "abcd");
+  EXPECT_EQ(here({"dots.gltf", "-o", "new/dots.gltf"}).code, 0);
+  EXPECT_TRUE(has("new/...bin"));
+}
+
 TEST_F(ConvertTest, TheNameTellsTheFormAndMayNotContradictIt) {
   EXPECT_EQ(here({"a.gltf", "-o", "new/a.glb"}).code, 0);
   EXPECT_TRUE(read_file((folder_.path() / "new/a.glb").native()).starts_with("glTF"));
