@@ -107,11 +107,8 @@ PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const sche
     Fixing fixing(asset, schemas, content_bytes);
     for (std::size_t i = 0; i < sites.size(); ++i) {
       if (!wanted[i]) continue;
-      const validate::FixEntry& entry = *validate::find_fix(sites[i].code);
-      if (entry.stage != *stage) continue;
-      const bool more = entry.unsafe != nullptr && allows_unsafe(options, entry.code);
-      planned.fixed[i] =
-          entry.fix(fixing, sites[i].span) || (more && entry.unsafe(fixing, sites[i].span));
+      if (validate::find_fix(sites[i].code)->stage != *stage) continue;
+      planned.fixed[i] = fixing.fix(sites[i], allows_unsafe(options, sites[i].code));
       planned.shared[i] = fixing.take_shared();
     }
     auto change = fixing.take();

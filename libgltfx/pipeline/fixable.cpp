@@ -40,10 +40,10 @@ std::vector<bool> find_planned(const ValidatedAsset& validated, const schema::Se
   std::map<validate::FixStage, validate::Fixing> stages;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (validate::description(sites[i].code).fix != Fix::safe) continue;
-    const validate::FixEntry& entry = *validate::find_fix(sites[i].code);
+    const validate::FixStage stage = validate::find_fix(sites[i].code)->stage;
     validate::Fixing& fixing =
-        stages.try_emplace(entry.stage, asset, schemas, kMostContent).first->second;
-    const bool has_change = entry.fix(fixing, sites[i].span);
+        stages.try_emplace(stage, asset, schemas, kMostContent).first->second;
+    const bool has_change = fixing.fix(sites[i]);
     // Or the fix of another finding has changed the value already.
     planned[i] = fixing.take_was_claimed() || has_change;
   }

@@ -122,9 +122,39 @@ struct Parents {
 
 const graph::Tree& Fixing::tree() { return table<Parents>().tree; }
 
-std::uint32_t Fixing::index_of(json::NodeId object) {
-  if (object == json::kNoNode || !document_.is_object(object)) return UINT32_MAX;
-  return tree().root_element(object) == object ? tree().position(object) : UINT32_MAX;
+std::optional<Subject> Fixing::subject_at(Span place) {
+  const json::NodeId node = node_around(document_, place);
+  if (node == json::kNoNode) return std::nullopt;
+  Subject subject;
+  subject.begin = place.begin;
+  if (document_.node(node).begin != place.begin) {
+    if (document_.kind(node) != json::Kind::number_array) return std::nullopt;
+    subject.owner = node;
+    return subject;
+  }
+  subject.is_name = document_.kind(node) == json::Kind::key;
+  subject.value = subject.is_name ? node + 1 : node;
+  subject.owner = parent(subject.value);
+  subject.name = member_name(subject.value);
+  return subject;
+}
+
+bool Fixing::fix(const Site& site, bool unsafe) {
+  const FixEntry& entry = *find_fix(site.code);
+  const bool of_document = entry.stage > FixStage::syntax;
+  const auto subject = of_document ? subject_at(site.span) : Subject();
+  if (!subject) return false;
+  return entry.fix(*this, *subject) ||
+         (unsafe && entry.unsafe != nullptr && entry.unsafe(*this, *subject));
+}
+
+std::optional<std::uint32_t> Fixing::index(model::RootArray array, json::NodeId value) {
+  if (value == json::kNoNode) return std::nullopt;
+  if (document_.is_number(value)) return elements_.index(document_.number(value).value, array);
+  const std::uint32_t position = tree().position(value);
+  const auto& objects = elements_.elements(array);
+  const bool found = position < objects.size() && objects[position] == value;
+  return found ? std::optional(position) : std::nullopt;
 }
 
 bool Fixing::is_claimed(json::NodeId node) {
@@ -166,11 +196,8 @@ bool Fixing::append_member(json::NodeId object, std::string_view name, std::stri
   return true;
 }
 
-bool remove_marked(Fixing& fixing, Span place) {
-  const json::NodeId node = fixing.node_at(place);
-  if (node == json::kNoNode) return false;
-  const bool key = fixing.document().kind(node) == json::Kind::key;
-  return fixing.remove_member(key ? node + 1 : node);
+bool remove_marked(Fixing& fixing, const Subject& subject) {
+  return fixing.remove_member(subject.value);
 }
 
 std::string without_repeats(const json::Document& document, json::NodeId numbers) {

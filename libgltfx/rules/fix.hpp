@@ -29,6 +29,20 @@ json::NodeId node_around(const json::Document& document, Span place);
 /// The value or key that begins at the start of `place`, or json::kNoNode.
 json::NodeId node_at(const json::Document& document, Span place);
 
+/// What a finding is about.
+struct Subject {
+  /// The marked value, or that of the member whose name is marked. json::kNoNode: a number of a
+  /// number_array.
+  json::NodeId value = json::kNoNode;
+  json::NodeId owner = json::kNoNode;  ///< the object or array that contains it
+  std::string_view name = {};          ///< of a member; empty: an element
+  bool is_name = false;                ///< the name of the member is marked
+  std::uint32_t begin = 0;             ///< first byte of the mark
+
+  /// The value, or the array of the number.
+  json::NodeId node() const { return value != json::kNoNode ? value : owner; }
+};
+
 /// The changes of one asset, as collected by fixes. Each value is changed once: a fix that finds it
 /// changed leaves it to the next run over the new asset.
 class Fixing {
@@ -59,10 +73,14 @@ class Fixing {
     return *static_cast<Table*>(made.get());
   }
 
-  json::NodeId node_at(Span place) const { return validate::node_at(document_, place); }
-  json::NodeId node_around(Span place) const { return validate::node_around(document_, place); }
+  /// Makes the fix of a finding, also the unsafe one if that is allowed and there is one; as
+  /// FixFunction.
+  bool fix(const Site& site, bool unsafe = false);
+
   /// The object or array that holds a value or key; json::kNoNode for the root.
-  json::NodeId parent(json::NodeId node) { return tree().parent(node); }
+  json::NodeId parent(json::NodeId node) {
+    return node == json::kNoNode ? node : tree().parent(node);
+  }
   /// The name of the member with that value, or empty.
   std::string_view member_name(json::NodeId value) {
     return tree().is_member(value) ? tree().name(value) : std::string_view();
@@ -77,8 +95,8 @@ class Fixing {
   void share(json::NodeId node) { shared_ = node; }
   /// The argument of share() since the last call of this function, or json::kNoNode.
   json::NodeId take_shared() { return std::exchange(shared_, json::kNoNode); }
-  /// The index of an object in its array of the root, or UINT32_MAX.
-  std::uint32_t index_of(json::NodeId object);
+  /// The index of the object in a root array that `value` is or, as a number, refers to.
+  std::optional<std::uint32_t> index(model::RootArray array, json::NodeId value);
 
   /// Deletes a member, given its value. False: it is not a member, or already changed.
   bool remove_member(json::NodeId value);
@@ -103,6 +121,7 @@ class Fixing {
   Result<change::Change> take();
 
  private:
+  std::optional<Subject> subject_at(Span place);
   Result<change::Change> take_deletion();
 
   const model::OpenedAsset& opened_;
@@ -129,8 +148,8 @@ class Fixing {
   bool rewrites_container_ = false;
 };
 
-/// The fix of rules about members that should be absent: `place` is the value or the name.
-bool remove_marked(Fixing& fixing, Span place);
+/// The fix of rules about members that should be absent.
+bool remove_marked(Fixing& fixing, const Subject& subject);
 
 /// `numbers` without repeats, in the order of first occurrence.
 std::string without_repeats(const json::Document& document, json::NodeId numbers);

@@ -16,21 +16,20 @@ bool is_sound(const Fixing& fixing) { return fixing.opened().parsed().errors.emp
 
 }  // namespace
 
-bool delete_marked(Fixing& fixing, Span place) {
-  graph::Place at{fixing.node_around(place), std::nullopt};
-  if (at.node == json::kNoNode || !is_sound(fixing)) return false;
-  if (fixing.document().kind(at.node) == json::Kind::number_array) {
-    at.element = fixing.tree().number_at(at.node, place.begin);
+bool delete_marked(Fixing& fixing, const Subject& subject) {
+  if (!is_sound(fixing)) return false;
+  graph::Place at{subject.node(), std::nullopt};
+  if (subject.value == json::kNoNode) {
+    at.element = fixing.tree().number_at(subject.owner, subject.begin);
   }
   fixing.delete_value(fixing.tree().pointer(at));
   return true;
 }
 
-bool delete_unused(Fixing& fixing, Span place) {
-  const json::NodeId object = fixing.node_at(place);
-  if (object == json::kNoNode || !is_sound(fixing)) return false;
-  if (fixing.is_claimed(object)) return true;
-  for (const json::NodeId each : fixing.table<Orphaned>().orphans.take(object)) {
+bool delete_unused(Fixing& fixing, const Subject& object) {
+  if (object.value == json::kNoNode || !is_sound(fixing)) return false;
+  if (fixing.is_claimed(object.value)) return true;
+  for (const json::NodeId each : fixing.table<Orphaned>().orphans.take(object.value)) {
     if (fixing.claim(each)) fixing.delete_value(fixing.tree().pointer(each));
   }
   return true;

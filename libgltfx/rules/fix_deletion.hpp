@@ -7,12 +7,11 @@
 
 namespace gltfx::validate {
 
-/// Deletes the value that `place` marks, and the references to it as far as their objects are
-/// invalid without them.
-bool delete_marked(Fixing& fixing, Span place);
+/// Deletes the subject, and the references to it as far as their objects are invalid without them.
+bool delete_marked(Fixing& fixing, const Subject& subject);
 
-/// Deletes the object that `place` marks, which has no references, and the objects in arrays of the
-/// root that only deleted objects refer to.
-bool delete_unused(Fixing& fixing, Span place);
+/// Deletes an object without references, and the objects in arrays of the root that only deleted
+/// objects refer to.
+bool delete_unused(Fixing& fixing, const Subject& object);
 
 }  // namespace gltfx::validate

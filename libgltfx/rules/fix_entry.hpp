@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The registration of fixes. A fix is registered with its rule (RuleGroup::fixes): it gets the
-/// place that a finding marks and adds to the changes of one asset (rules/fix.hpp).
+/// subject of a finding and adds to the changes of one asset (rules/fix.hpp).
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
@@ -32,9 +32,10 @@ enum class FixStage : std::uint8_t {
 };
 
 class Fixing;
-/// Adds the changes that fix the finding that marks `place`. False: the finding remains, and
-/// nothing was added.
-using FixFunction = bool (*)(Fixing& fixing, Span place);
+struct Subject;
+/// Adds the changes that fix the finding about `subject`, which is in the document except in the
+/// stages before it. False: the finding remains, and nothing was added.
+using FixFunction = bool (*)(Fixing& fixing, const Subject& subject);
 
 struct FixEntry {
   Code code;

@@ -118,12 +118,12 @@ std::vector<const model::Primitive*> primitives_with(Fixing& fixing, std::uint32
   for (const graph::Use& use : fixing.graph().users(fixing.views().accessors[accessor].node)) {
     const json::NodeId attributes = tree.parent(use.at.node);
     const json::NodeId mesh = tree.root_element(attributes);
-    const std::uint32_t index = fixing.index_of(mesh);
-    if (index >= fixing.views().meshes.size()) continue;
-    const model::Mesh& of = fixing.views().meshes[index];
+    const auto index = fixing.index(model::RootArray::meshes, mesh);
+    if (!index) continue;
+    const model::Mesh& of = fixing.views().meshes[*index];
     const std::uint32_t position = tree.position(tree.parent(attributes));
-    const bool is_primitive = of.node == mesh && position < of.primitives.size() &&
-                              of.primitives[position].attributes_node == attributes;
+    const bool is_primitive =
+        position < of.primitives.size() && of.primitives[position].attributes_node == attributes;
     if (is_primitive) found.push_back(&of.primitives[position]);
   }
   return found;

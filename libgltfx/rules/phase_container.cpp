@@ -79,20 +79,20 @@ void check_json_padding(const container::Container& container, Collector& collec
 
 // --- Fixes: a container that is written anew has correct lengths and padding ---
 
-bool pad_with_spaces(Fixing& fixing, Span) {
+bool pad_with_spaces(Fixing& fixing, const Subject&) {
   const Span padding = json_padding(fixing.opened().container());
   if (padding.begin == padding.end) return false;
   fixing.replace_text(padding, std::string(padding.end - padding.begin, ' '));
   return true;
 }
 
-bool rewrite(Fixing& fixing, Span) {
+bool rewrite(Fixing& fixing, const Subject&) {
   fixing.rewrite_container();
   return true;
 }
 
 // Zeros and blanks after the last chunk have no use.
-bool drop_trailing_zeros(Fixing& fixing, Span) {
+bool drop_trailing_zeros(Fixing& fixing, const Subject&) {
   const container::Container& glb = fixing.opened().container();
   if (glb.chunks.empty()) return false;
   const container::Chunk& last = glb.chunks.back();

@@ -222,14 +222,14 @@ bool fix_each(Fixing& fixing, json::SyntaxError kind, const Fix& fix) {
 }
 
 template <json::SyntaxError kind>
-bool cut_out(Fixing& fixing, Span) {
+bool cut_out(Fixing& fixing, const Subject&) {
   return fix_each(fixing, kind, [&](const json::ParseError& error) {
     fixing.replace_text(error.span, "");
     return true;
   });
 }
 
-bool add_comma(Fixing& fixing, Span) {
+bool add_comma(Fixing& fixing, const Subject&) {
   const std::string_view text = *fixing.opened().container().json;
   return fix_each(fixing, json::SyntaxError::missing_comma, [&](const json::ParseError& error) {
     const std::size_t before = text.find_last_not_of(" \t\r\n", error.span.begin - 1);
@@ -247,23 +247,21 @@ bool has_repeats(const json::Document& document, json::NodeId value) {
 }
 
 // With two equal values, all readers use the same one. Most use the last, which is kept.
-bool remove_equal_repeat(Fixing& fixing, Span place) {
+bool remove_equal_repeat(Fixing& fixing, const Subject& last) {
   const json::Document& document = fixing.document();
-  const json::NodeId key = fixing.node_at(place);
-  if (key == json::kNoNode || document.kind(key) != json::Kind::key) return false;
   const auto& repeated = fixing.table<TextErrors>().repeated;
-  const auto found = repeated.find(place.begin);
-  const json::NodeId before =
-      found == repeated.end() ? json::kNoNode : fixing.node_at(found->second);
-  if (before == json::kNoNode) return false;
-  const bool same_text = document.raw(before + 1) == document.raw(key + 1);
+  const auto found = repeated.find(last.begin);
+  if (!last.is_name || found == repeated.end()) return false;
+  const json::NodeId key = node_at(document, found->second);
+  if (key == json::kNoNode) return false;
+  const bool same_text = document.raw(key + 1) == document.raw(last.value);
   const bool equal =
-      same_text || (json::equal(document, before + 1, key + 1) &&
-                    !has_repeats(document, before + 1) && !has_repeats(document, key + 1));
-  return equal && json::equal(document, before, key) && fixing.remove_member(before + 1);
+      same_text || (json::equal(document, key + 1, last.value) && !has_repeats(document, key + 1) &&
+                    !has_repeats(document, last.value));
+  return equal && json::equal(document, key, last.value - 1) && fixing.remove_member(key + 1);
 }
 
-bool convert_to_utf8(Fixing& fixing, Span) {
+bool convert_to_utf8(Fixing& fixing, const Subject&) {
   const auto legacy = json::read_legacy_text(*fixing.opened().container().json);
   if (!legacy) return false;
   for (const json::Edit& part : legacy->parts) fixing.replace_text(part.span, part.text);

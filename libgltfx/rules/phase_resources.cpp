@@ -210,30 +210,23 @@ struct NeededBytes {
 };
 
 // A shorter buffer is enough if no buffer view needs more.
-bool declare_actual_length(Fixing& fixing, Span place) {
-  const json::NodeId length = fixing.node_at(place);
-  if (length == json::kNoNode) return false;
-  const json::NodeId buffer = fixing.parent(length);
-  const auto bytes = bytes_of(fixing, buffer);
+bool declare_actual_length(Fixing& fixing, const Subject& length) {
+  const auto buffer = fixing.index(model::RootArray::buffers, length.owner);
+  const auto bytes = buffer ? bytes_of(fixing, length.owner) : std::nullopt;
   if (!bytes || bytes->empty()) return false;
-  const auto& needed = fixing.table<NeededBytes>().of;
-  const std::uint32_t index = fixing.index_of(buffer);
-  if (index >= needed.size() || needed[index] > bytes->size()) return false;
-  return fixing.replace_scalar(length, std::to_string(bytes->size()));
+  if (fixing.table<NeededBytes>().of[*buffer] > bytes->size()) return false;
+  return fixing.replace_scalar(length.value, std::to_string(bytes->size()));
 }
 
-// `place` is the buffer.
-bool declare_whole_chunk(Fixing& fixing, Span place) {
-  const json::NodeId buffer = fixing.node_at(place);
-  const json::NodeId length = fixing.document().find(buffer, "byteLength");
+bool declare_whole_chunk(Fixing& fixing, const Subject& buffer) {
+  const json::NodeId length = fixing.document().find(buffer.value, "byteLength");
   const auto& bin = fixing.opened().container().bin;
   return length != json::kNoNode && bin &&
          fixing.replace_scalar(length, std::to_string(bin->length));
 }
 
-bool pad_with_zeros(Fixing& fixing, Span place) {
-  const auto declared =
-      model::unsigned_member(fixing.document(), fixing.node_at(place), "byteLength");
+bool pad_with_zeros(Fixing& fixing, const Subject& buffer) {
+  const auto declared = model::unsigned_member(fixing.document(), buffer.value, "byteLength");
   std::string* const chunk = fixing.content(0);
   if (!declared || chunk == nullptr || chunk->size() < *declared) return false;
   std::fill(chunk->begin() + static_cast<std::ptrdiff_t>(*declared), chunk->end(), '\0');

@@ -89,10 +89,9 @@ void check_accessors(const Context& context) {
 }
 
 // `place` is the accessor.
-bool fix_small_stride(Fixing& fixing, Span place) {
-  const std::uint32_t index = fixing.index_of(fixing.node_at(place));
-  if (index >= fixing.views().accessors.size()) return false;
-  const auto view = fixing.views().accessors[index].buffer_view;
+bool fix_small_stride(Fixing& fixing, const Subject& accessor) {
+  const auto index = fixing.index(model::RootArray::accessors, accessor.value);
+  const auto view = index ? fixing.views().accessors[*index].buffer_view : std::nullopt;
   return view && fix_stride(fixing, *view);
 }
 

@@ -165,10 +165,8 @@ schema::Reading read_max(const Context& context, json::NodeId object, json::Node
   return read_bound(context, object, value, Path(path, "max"));
 }
 
-// `place` is a number of the bound.
-bool correct_bound_values(Fixing& fixing, Span place) {
-  const json::NodeId array = fixing.node_around(place);
-  return array != json::kNoNode && write_bound(fixing, array);
+bool correct_bound_values(Fixing& fixing, const Subject& bound) {
+  return write_bound(fixing, bound.node());
 }
 
 }  // namespace

@@ -292,7 +292,7 @@ void check_animations(const Context& context) {
 const RuleGroup& animation_rules() {
   static constexpr LinkRule kLinkRules[] = {check_animations};
   static constexpr FixEntry kFixes[] = {
-      {Code::ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at},
+      {Code::ANIMATION_SAMPLER_ACCESSOR_WITH_BYTESTRIDE, remove_used_stride},
       {Code::ANIMATION_SAMPLER_INPUT_ACCESSOR_WITHOUT_BOUNDS, add_bounds}};
   static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
   return group;

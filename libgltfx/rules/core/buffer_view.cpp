@@ -73,14 +73,11 @@ void check_extents(const Context& context) {
   }
 }
 
-// `place` is the stride, or an index that uses its view.
-bool drop_stride(Fixing& fixing, Span place) {
-  const json::NodeId value = fixing.node_at(place);
-  if (value == json::kNoNode) return false;
-  const json::NodeId object = fixing.parent(value);
-  if (fixing.document().find(object, "byteStride") != value) return remove_stride_at(fixing, place);
-  const std::uint32_t view = fixing.index_of(object);
-  return view < fixing.views().buffer_views.size() && remove_stride(fixing, view);
+// The subject is the stride, or refers to what uses its view.
+bool drop_stride(Fixing& fixing, const Subject& subject) {
+  if (subject.name != "byteStride") return remove_used_stride(fixing, subject);
+  const auto view = fixing.index(model::RootArray::buffer_views, subject.owner);
+  return view && remove_stride(fixing, *view);
 }
 
 constexpr FixEntry kStrideFixes[] = {{Code::BUFFER_VIEW_INVALID_BYTE_STRIDE, drop_stride},

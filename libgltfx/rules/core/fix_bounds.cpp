@@ -80,14 +80,6 @@ std::string list_of(const Accessor& accessor, const std::vector<double>& values)
   return text + "]";
 }
 
-std::optional<std::uint32_t> accessor_at(Fixing& fixing, Span place) {
-  const json::NodeId value = fixing.node_at(place);
-  if (value == json::kNoNode || !fixing.document().is_number(value)) return std::nullopt;
-  return fixing.elements().index(fixing.document().number(value).value,
-                                 model::RootArray::accessors);
-}
-
-// For samplers of an animation, the place is the input itself.
 bool write_bounds(Fixing& fixing, const Accessor& accessor) {
   // Many primitives may share the accessor.
   if (fixing.is_claimed(accessor.node)) return false;
@@ -110,8 +102,8 @@ std::string bound_text(model::ComponentType type, double value) {
   return fmt::format("{}", static_cast<float>(value) + 0.0F);  // no -0
 }
 
-bool add_bounds(Fixing& fixing, Span place) {
-  const auto accessor = accessor_at(fixing, place);
+bool add_bounds(Fixing& fixing, const Subject& user) {
+  const auto accessor = fixing.index(model::RootArray::accessors, user.value);
   return accessor && write_bounds(fixing, fixing.views().accessors[*accessor]);
 }
 
@@ -121,26 +113,23 @@ bool write_bound(Fixing& fixing, json::NodeId value) {
   for (; object != json::kNoNode && document.is_array(object); object = fixing.parent(object)) {
     value = object;
   }
-  const std::uint32_t index = fixing.index_of(object);
-  const auto& accessors = fixing.views().accessors;
-  if (index >= accessors.size() || accessors[index].node != object) return false;
+  const auto index = fixing.index(model::RootArray::accessors, object);
+  if (!index) return false;
   const bool minimum = document.find(object, "min") == value;
   if (!minimum && document.find(object, "max") != value) return false;
-  const Accessor& accessor = accessors[index];
+  const Accessor& accessor = fixing.views().accessors[*index];
   if (model::is_sound_bound(document, accessor.format, value)) return false;
   if (fixing.is_claimed(value)) return true;
   const auto bounds = read_bounds(fixing, accessor);
   return bounds && fixing.replace(value, list_of(accessor, minimum ? bounds->least : bounds->most));
 }
 
-bool correct_bounds(Fixing& fixing, Span place) {
-  const json::NodeId array = fixing.node_around(place);
-  if (array == json::kNoNode || fixing.document().kind(array) != json::Kind::number_array) {
-    return false;
-  }
-  const std::uint32_t index = fixing.index_of(fixing.parent(array));
-  if (index >= fixing.views().accessors.size()) return false;
-  const Accessor& accessor = fixing.views().accessors[index];
+bool correct_bounds(Fixing& fixing, const Subject& bound) {
+  const json::NodeId array = bound.node();
+  if (fixing.document().kind(array) != json::Kind::number_array) return false;
+  const auto index = fixing.index(model::RootArray::accessors, fixing.parent(array));
+  if (!index) return false;
+  const Accessor& accessor = fixing.views().accessors[*index];
   const bool minimum = accessor.min == array;
   if (!minimum && accessor.max != array) return false;
   // For the finding on another number of the same array or of the other array.

@@ -17,24 +17,23 @@ namespace {
 
 using model::RootArray;
 
-/// The member at a place, and the accessor it refers to.
-struct Use {
-  json::NodeId value = json::kNoNode;
-  std::uint32_t accessor = UINT32_MAX;
-  std::string name;
+/// Floats that may be changed.
+struct Floats {
+  std::uint32_t accessor;
+  Elements elements;
 };
 
-Use use_at(Fixing& fixing, Span place) {
-  Use use;
-  const json::Document& document = fixing.document();
-  use.value = fixing.node_at(place);
-  if (use.value == json::kNoNode || !document.is_number(use.value)) return use;
-  const auto accessor =
-      fixing.elements().index(document.number(use.value).value, RootArray::accessors);
-  if (!accessor || !document.is_object(fixing.parent(use.value))) return use;
-  use.accessor = *accessor;
-  use.name = document.key(document.node(use.value - 1).next);
-  return use;
+std::optional<Floats> open_floats(Fixing& fixing, std::optional<std::uint32_t> accessor,
+                                  std::string_view role) {
+  if (!accessor || role.empty()) return std::nullopt;
+  auto elements = open_elements(fixing, *accessor, role);
+  if (!elements || !elements->is_float()) return std::nullopt;
+  return Floats{*accessor, *std::move(elements)};
+}
+
+// `member` refers to an accessor.
+std::optional<Floats> open_floats(Fixing& fixing, const Subject& member) {
+  return open_floats(fixing, fixing.index(RootArray::accessors, member.value), member.name);
 }
 
 /// Changes of a list of numbers, applied only if all of them are possible.
@@ -50,6 +49,9 @@ class Changes {
     }
     follow_with_bounds(fixing, accessor, elements);
     return true;
+  }
+  bool make(Fixing& fixing, Floats& floats) const {
+    return make(fixing, floats.accessor, floats.elements);
   }
 
  private:
@@ -76,8 +78,8 @@ constexpr double kUnit = 1e-4;
 // Changes vectors of the first `components` numbers to unit length, for elements that `counts`
 // accepts.
 template <class Counts>
-bool make_unit(Fixing& fixing, std::uint32_t accessor, Elements& elements, unsigned components,
-               const Counts& counts) {
+bool make_unit(Fixing& fixing, Floats& floats, unsigned components, const Counts& counts) {
+  const Elements& elements = floats.elements;
   Changes changes;
   for (std::uint64_t i = 0; i < elements.count(); ++i) {
     if (!counts(i)) continue;
@@ -89,96 +91,85 @@ bool make_unit(Fixing& fixing, std::uint32_t accessor, Elements& elements, unsig
     if (!std::isfinite(length) || length < 1e-6) return false;  // no direction
     for (unsigned c = 0; c < components; ++c) changes.set(i, c, elements.get(i, c) / length);
   }
-  return changes.make(fixing, accessor, elements);
+  return changes.make(fixing, floats);
 }
 
 bool all_count(std::uint64_t) { return true; }
 
 }  // namespace
 
-bool make_unit_vectors(Fixing& fixing, Span place) {
-  const Use use = use_at(fixing, place);
-  auto elements = open_elements(fixing, use.accessor, use.name);
-  if (!elements || !elements->is_float() || elements->components() < 3) return false;
-  return make_unit(fixing, use.accessor, *elements, 3, all_count);
+bool make_unit_vectors(Fixing& fixing, const Subject& subject) {
+  auto floats = open_floats(fixing, subject);
+  return floats && floats->elements.components() >= 3 && make_unit(fixing, *floats, 3, all_count);
 }
 
-bool make_signs(Fixing& fixing, Span place) {
-  const Use use = use_at(fixing, place);
-  auto elements = open_elements(fixing, use.accessor, use.name);
-  if (!elements || !elements->is_float() || elements->components() != 4) return false;
+bool make_signs(Fixing& fixing, const Subject& subject) {
+  auto floats = open_floats(fixing, subject);
+  if (!floats || floats->elements.components() != 4) return false;
   Changes changes;
-  for (std::uint64_t i = 0; i < elements->count(); ++i) {
-    const double sign = elements->get(i, 3);
+  for (std::uint64_t i = 0; i < floats->elements.count(); ++i) {
+    const double sign = floats->elements.get(i, 3);
     if (sign == 0 || !std::isfinite(sign)) return false;
     if (std::abs(sign) != 1) changes.set(i, 3, sign < 0 ? -1 : 1);
   }
-  return changes.make(fixing, use.accessor, *elements);
+  return changes.make(fixing, *floats);
 }
 
-bool make_unit_rotations(Fixing& fixing, Span place) {
-  const Use use = use_at(fixing, place);
-  auto elements = open_elements(fixing, use.accessor, use.name);
-  if (!elements || !elements->is_float() || elements->components() != 4) return false;
-  return make_unit(fixing, use.accessor, *elements, 4, all_count);
+bool make_unit_rotations(Fixing& fixing, const Subject& subject) {
+  auto floats = open_floats(fixing, subject);
+  return floats && floats->elements.components() == 4 && make_unit(fixing, *floats, 4, all_count);
 }
 
-bool make_unit_keyframes(Fixing& fixing, Span place) {
-  const json::NodeId value = fixing.node_at(place);
-  for (const model::Animation& animation : fixing.views().animations) {
-    for (const model::AnimationChannel& channel : animation.channels) {
-      if (!channel.sampler || fixing.document().find(channel.object, "sampler") != value) continue;
-      const model::AnimationSampler& sampler = animation.samplers[*channel.sampler];
-      if (!sampler.output) return false;
-      auto elements = open_elements(fixing, *sampler.output, "output");
-      if (!elements || !elements->is_float() || elements->components() != 4) return false;
-      const bool cubic = sampler.interpolation == model::Interpolation::cubic_spline;
-      return make_unit(fixing, *sampler.output, *elements, 4,
-                       [cubic](std::uint64_t i) { return !cubic || i % 3 == 1; });
-    }
-  }
-  return false;
+bool make_unit_keyframes(Fixing& fixing, const Subject& subject) {
+  const json::NodeId list = fixing.parent(subject.owner);
+  const auto index = fixing.index(RootArray::animations, fixing.parent(list));
+  if (!index) return false;
+  const model::Animation& animation = fixing.views().animations[*index];
+  const std::uint32_t position = fixing.tree().position(subject.owner);
+  if (position >= animation.channels.size() || !animation.channels[position].sampler) return false;
+  const model::AnimationSampler& sampler =
+      animation.samplers[*animation.channels[position].sampler];
+  auto floats = open_floats(fixing, sampler.output, "output");
+  if (!floats || floats->elements.components() != 4) return false;
+  const bool cubic = sampler.interpolation == model::Interpolation::cubic_spline;
+  return make_unit(fixing, *floats, 4, [cubic](std::uint64_t i) { return !cubic || i % 3 == 1; });
 }
 
-bool clamp(Fixing& fixing, Span place) {
+bool clamp(Fixing& fixing, const Subject& subject) {
   constexpr double kNearly = 1.0 / 512;
-  const Use use = use_at(fixing, place);
-  auto elements = open_elements(fixing, use.accessor, use.name);
-  if (!elements || !elements->is_float()) return false;
+  auto floats = open_floats(fixing, subject);
+  if (!floats) return false;
   Changes changes;
-  for (std::uint64_t i = 0; i < elements->count(); ++i) {
-    for (unsigned c = 0; c < elements->components(); ++c) {
-      const double value = elements->get(i, c);
+  for (std::uint64_t i = 0; i < floats->elements.count(); ++i) {
+    for (unsigned c = 0; c < floats->elements.components(); ++c) {
+      const double value = floats->elements.get(i, c);
       if (!(value >= -kNearly && value <= 1 + kNearly)) return false;
       if (value < 0 || value > 1) changes.set(i, c, std::clamp(value, 0.0, 1.0));
     }
   }
-  return changes.make(fixing, use.accessor, *elements);
+  return changes.make(fixing, *floats);
 }
 
-bool normalize_weights(Fixing& fixing, Span place) {
+bool normalize_weights(Fixing& fixing, const Subject& subject) {
   constexpr double kNearly = 0.05;
-  const Use use = use_at(fixing, place);
-  const json::NodeId attributes =
-      use.value == json::kNoNode ? json::kNoNode : fixing.parent(use.value);
   // The sum includes all sets of a vertex.
-  if (use.name != "WEIGHTS_0" || fixing.document().find(attributes, "WEIGHTS_1") != json::kNoNode) {
+  if (subject.name != "WEIGHTS_0" || fixing.document().holds(subject.owner, "WEIGHTS_1")) {
     return false;
   }
-  auto elements = open_elements(fixing, use.accessor, use.name);
-  if (!elements || !elements->is_float() || elements->components() != 4) return false;
+  auto floats = open_floats(fixing, subject);
+  if (!floats || floats->elements.components() != 4) return false;
   Changes changes;
-  for (std::uint64_t i = 0; i < elements->count(); ++i) {
+  for (std::uint64_t i = 0; i < floats->elements.count(); ++i) {
     double sum = 0;
     for (unsigned c = 0; c < 4; ++c) {
-      if (!(elements->get(i, c) >= 0)) return false;
-      sum += elements->get(i, c);
+      if (!(floats->elements.get(i, c) >= 0)) return false;
+      sum += floats->elements.get(i, c);
     }
     if (!(std::abs(sum - 1) <= kNearly)) return false;
     if (std::abs(sum - 1) <= 1e-7) continue;
-    for (unsigned c = 0; c < 4; ++c) changes.set(i, c, elements->get(i, c) / sum);
+    for (unsigned c = 0; c < 4; ++c) changes.set(i, c, floats->elements.get(i, c) / sum);
   }
-  return changes.make(fixing, use.accessor, *elements);
+  return changes.make(fixing, *floats);
 }
 
 namespace {
@@ -193,16 +184,16 @@ std::optional<std::uint32_t> find_attribute(const model::Primitive& primitive,
 
 }  // namespace
 
-bool clear_unweighted_joints(Fixing& fixing, Span place) {
-  const Use use = use_at(fixing, place);
-  if (!use.name.starts_with("JOINTS_")) return false;
+bool clear_unweighted_joints(Fixing& fixing, const Subject& subject) {
+  const auto accessor = fixing.index(RootArray::accessors, subject.value);
+  if (!accessor || !subject.name.starts_with("JOINTS_")) return false;
   // Many primitives may share the accessor.
-  if (fixing.is_claimed(fixing.views().accessors[use.accessor].node)) return false;
-  const std::string weights_name = "WEIGHTS_" + use.name.substr(7);
+  if (fixing.is_claimed(fixing.views().accessors[*accessor].node)) return false;
+  const std::string weights_name = "WEIGHTS_" + std::string(subject.name.substr(7));
   // A joint may have a weight in another primitive.
   std::optional<std::uint32_t> weights;
-  for (const model::Primitive* primitive : primitives_with(fixing, use.accessor)) {
-    if (find_attribute(*primitive, use.name) != use.accessor) continue;
+  for (const model::Primitive* primitive : primitives_with(fixing, *accessor)) {
+    if (find_attribute(*primitive, subject.name) != accessor) continue;
     const auto own = find_attribute(*primitive, weights_name);
     if (!own || (weights && weights != own)) return false;
     weights = own;
@@ -211,7 +202,7 @@ bool clear_unweighted_joints(Fixing& fixing, Span place) {
   const auto data =
       model::AccessorData::open(fixing.elements(), fixing.views(), fixing.resources(),
                                 fixing.views().accessors[*weights], model::Malformed::unusable);
-  auto elements = open_elements(fixing, use.accessor, use.name);
+  auto elements = open_elements(fixing, *accessor, subject.name);
   if (!data || !elements || elements->is_float() || elements->components() != 4 ||
       data->components() != 4 || data->count() != elements->count()) {
     return false;
@@ -226,7 +217,7 @@ bool clear_unweighted_joints(Fixing& fixing, Span place) {
       }
     });
   });
-  return changes.make(fixing, use.accessor, *elements);
+  return changes.make(fixing, *accessor, *elements);
 }
 
 }  // namespace gltfx::validate

@@ -183,17 +183,6 @@ std::optional<Direction> direction_for(const Faces& faces, std::uint64_t vertex)
   return faces.has(vertex) ? faces.direction(vertex) : Direction{0, 0, 1};
 }
 
-std::optional<std::uint32_t> normals_at(Fixing& fixing, Span place) {
-  const json::NodeId node = fixing.node_at(place);
-  if (node == json::kNoNode) return std::nullopt;
-  const auto& accessors = fixing.views().accessors;
-  const auto index = fixing.document().is_number(node)
-                         ? fixing.elements().index(fixing.document().number(node).value,
-                                                   model::RootArray::accessors)
-                         : std::optional(fixing.index_of(node));
-  return index && *index < accessors.size() ? index : std::nullopt;
-}
-
 bool fill(Fixing& fixing, std::uint32_t accessor, bool beside_others) {
   auto normals = open_elements(fixing, accessor, "NORMAL");
   const bool readable = normals && normals->components() == 3 &&
@@ -222,21 +211,23 @@ bool fill(Fixing& fixing, std::uint32_t accessor, bool beside_others) {
   return !made.empty();
 }
 
-bool fill_at(Fixing& fixing, Span place, bool beside_others) {
-  const auto accessor = normals_at(fixing, place);
+bool fill(Fixing& fixing, const Subject& subject, bool beside_others) {
+  const auto accessor = fixing.index(model::RootArray::accessors, subject.value);
   return accessor && fill(fixing, *accessor, beside_others);
 }
 
 }  // namespace
 
-bool fill_some_normals(Fixing& fixing, Span place) { return fill_at(fixing, place, true); }
-
-bool make_unit_or_fill(Fixing& fixing, Span place) {
-  return make_unit_vectors(fixing, place) || fill_at(fixing, place, false);
+bool fill_some_normals(Fixing& fixing, const Subject& subject) {
+  return fill(fixing, subject, true);
 }
 
-bool fill_unused_or_normals(Fixing& fixing, Span place) {
-  return fill_unused_vertices(fixing, place) || fill_at(fixing, place, false);
+bool make_unit_or_fill(Fixing& fixing, const Subject& subject) {
+  return make_unit_vectors(fixing, subject) || fill(fixing, subject, false);
+}
+
+bool fill_unused_or_normals(Fixing& fixing, const Subject& subject) {
+  return fill_unused_vertices(fixing, subject) || fill(fixing, subject, false);
 }
 
 }  // namespace gltfx::validate

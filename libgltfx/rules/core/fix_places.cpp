@@ -62,15 +62,14 @@ bool is_finite(const Elements& elements, std::uint64_t element) {
 
 }  // namespace
 
-bool fill_unused_vertices(Fixing& fixing, Span place) {
-  const json::NodeId object = fixing.node_at(place);
-  const std::uint32_t index = fixing.index_of(object);
-  if (index >= fixing.views().accessors.size()) return false;
-  const auto& roles = fixing.table<Users>().roles_of(index);
+bool fill_unused_vertices(Fixing& fixing, const Subject& subject) {
+  const auto accessor = fixing.index(model::RootArray::accessors, subject.value);
+  if (!accessor) return false;
+  const auto& roles = fixing.table<Users>().roles_of(*accessor);
   if (roles.size() != 1 || roles.begin()->starts_with("target ")) return false;
-  auto elements = open_elements(fixing, index, *roles.begin());
+  auto elements = open_elements(fixing, *accessor, *roles.begin());
   if (!elements || !elements->is_float()) return false;
-  const auto drawn = drawn_vertices(fixing, index, elements->count());
+  const auto drawn = drawn_vertices(fixing, *accessor, elements->count());
   if (drawn.empty()) return false;
   std::optional<std::uint64_t> sound;
   std::vector<std::uint64_t> broken;
@@ -85,18 +84,16 @@ bool fill_unused_vertices(Fixing& fixing, Span place) {
   if (!sound || broken.empty()) return false;
   const std::string copy = elements->bytes(*sound);
   for (const std::uint64_t i : broken) elements->set_bytes(i, copy);
-  follow_with_bounds(fixing, index, *elements);
+  follow_with_bounds(fixing, *accessor, *elements);
   return true;
 }
 
-bool sort_sparse(Fixing& fixing, Span place) {
-  const json::NodeId object = fixing.node_at(place);
-  const json::NodeId owner = object == json::kNoNode ? object : fixing.parent(object);
+bool sort_sparse(Fixing& fixing, const Subject& subject) {
   if (!fixing.graph().unknown_extensions().empty()) return false;
   const Users& users = fixing.table<Users>();
-  const std::uint32_t index = fixing.index_of(owner);
-  if (index >= fixing.views().accessors.size() || !fixing.claim(object)) return false;
-  const model::Accessor& accessor = fixing.views().accessors[index];
+  const auto index = fixing.index(model::RootArray::accessors, subject.owner);
+  if (!index || !fixing.claim(subject.value)) return false;
+  const model::Accessor& accessor = fixing.views().accessors[*index];
   const auto sparse = model::read_sparse(fixing.elements(), accessor);
   if (!sparse || !sparse->indices.buffer_view || !sparse->values.buffer_view) return false;
   const auto indices =

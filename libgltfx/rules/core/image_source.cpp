@@ -48,7 +48,7 @@ void check_textures(const Context& context) {
 const RuleGroup& image_source_rules() {
   static constexpr LinkRule kLinkRules[] = {check_images, check_textures};
   static constexpr FixEntry kFixes[] = {
-      {Code::IMAGE_BUFFER_VIEW_WITH_BYTESTRIDE, remove_stride_at}};
+      {Code::IMAGE_BUFFER_VIEW_WITH_BYTESTRIDE, remove_used_stride}};
   static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
   return group;
 }

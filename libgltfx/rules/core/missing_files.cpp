@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rules/core/missing_files.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <set>
 #include <utility>
@@ -46,24 +45,17 @@ std::string near_help(const container::Resolver& resolver, std::string_view path
 
 /// A reference to a file that cannot be opened.
 struct Reference {
-  json::NodeId value = json::kNoNode;
   json::NodeId object = json::kNoNode;
   bool buffer = false;
   std::string path;
 };
 
-std::optional<Reference> reference_at(Fixing& fixing, Span place) {
-  Reference found;
-  found.value = fixing.node_at(place);
-  if (found.value == json::kNoNode || !fixing.document().is_string(found.value)) return {};
-  found.object = fixing.parent(found.value);
-  const auto holds = [&](model::RootArray array) {
-    const auto& objects = fixing.elements().elements(array);
-    return std::find(objects.begin(), objects.end(), found.object) != objects.end();
-  };
-  found.buffer = holds(model::RootArray::buffers);
-  if (!found.buffer && !holds(model::RootArray::images)) return {};
-  const std::string text = fixing.document().string(found.value);
+std::optional<Reference> read_reference(Fixing& fixing, const Subject& subject) {
+  if (subject.value == json::kNoNode || !fixing.document().is_string(subject.value)) return {};
+  Reference found{
+      subject.owner, fixing.index(model::RootArray::buffers, subject.owner).has_value(), {}};
+  if (!found.buffer && !fixing.index(model::RootArray::images, subject.owner)) return {};
+  const std::string text = fixing.document().string(subject.value);
   const container::Uri uri = container::classify_uri(text);
   found.path = uri.kind == container::UriKind::relative_path ? uri.path : text;
   return found;
@@ -108,8 +100,8 @@ bool is_wanted(Fixing& fixing, const Reference& reference, const NearFile& file)
 }
 
 // The only file with the most similar name that decodes as the expected kind.
-bool name_near_file(Fixing& fixing, Span place) {
-  const auto reference = reference_at(fixing, place);
+bool name_near_file(Fixing& fixing, const Subject& subject) {
+  const auto reference = read_reference(fixing, subject);
   if (!reference) return false;
   std::vector<NearFile> near =
       container::find_near_files(fixing.opened().resolver(), reference->path);
@@ -118,7 +110,7 @@ bool name_near_file(Fixing& fixing, Span place) {
   if (near.size() > 1 && near[1].nearness == near[0].nearness) return false;
   std::string json;
   json::append_string(json, container::uri_of_path(near.front().path));
-  return fixing.replace_scalar(reference->value, std::move(json));
+  return fixing.replace_scalar(subject.value, std::move(json));
 }
 
 constexpr FixEntry kMissingFixes[] = {{Code::IO_ERROR, name_near_file, FixStage::files},

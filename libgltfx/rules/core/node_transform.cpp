@@ -224,8 +224,8 @@ void check_scales(const Context& context) {
 
 /// Both forms of a transform.
 struct Forms {
-  Forms(Fixing& fixing, Span matrix)
-      : node(model::read_node(fixing.elements(), fixing.parent(fixing.node_at(matrix)))),
+  Forms(Fixing& fixing, json::NodeId object)
+      : node(model::read_node(fixing.elements(), object)),
         parts(model::read_transform(fixing.document(), node)) {
     std::swap(whole.matrix, parts.matrix);
   }
@@ -268,8 +268,8 @@ bool Forms::are_equal() const {
 // Most viewers draw the matrix, and so does `bake`. So the matrix is deleted if the other form is
 // equal, and the other form if it is the identity; a matrix that is the identity is kept if the
 // other form is not.
-bool keep_one_form(Fixing& fixing, Span place) {
-  const Forms forms(fixing, place);
+bool keep_one_form(Fixing& fixing, const Subject& matrix) {
+  const Forms forms(fixing, matrix.owner);
   if (!forms.are_sound()) return false;
   if (forms.are_equal()) return fixing.remove_member(forms.node.matrix);
   if (!forms.parts.is_identity()) return false;
@@ -280,15 +280,14 @@ bool keep_one_form(Fixing& fixing, Span place) {
   return removed;
 }
 
-bool remove_default_matrix(Fixing& fixing, Span place) {
-  const Forms forms(fixing, place);
-  return forms.are_sound() && forms.parts.is_identity() && remove_marked(fixing, place);
+bool remove_default_matrix(Fixing& fixing, const Subject& matrix) {
+  const Forms forms(fixing, matrix.owner);
+  return forms.are_sound() && forms.parts.is_identity() && fixing.remove_member(matrix.value);
 }
 
 // The rotation is the same: readers normalize, or scale with the square of the length.
-bool make_unit(Fixing& fixing, Span place) {
-  const json::NodeId rotation = fixing.node_at(place);
-  const auto value = model::float_array<4>(fixing.document(), rotation, -1, 1);
+bool make_unit(Fixing& fixing, const Subject& rotation) {
+  const auto value = model::float_array<4>(fixing.document(), rotation.value, -1, 1);
   if (!value) return false;
   double square = 0;
   for (const float part : *value) square += double{part} * part;
@@ -297,7 +296,7 @@ bool make_unit(Fixing& fixing, Span place) {
   for (std::size_t i = 0; i < 4; ++i) {
     unit[i] = static_cast<float>(double{(*value)[i]} / std::sqrt(square)) + 0.0F;
   }
-  return fixing.replace(rotation,
+  return fixing.replace(rotation.value,
                         fmt::format("[{}, {}, {}, {}]", unit[0], unit[1], unit[2], unit[3]));
 }
 

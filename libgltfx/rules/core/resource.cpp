@@ -87,17 +87,16 @@ void check_image(const Context& context, json::NodeId object, const Path& path) 
 // --- Fixes ---
 
 // `place` is the URI.
-bool say_octets(Fixing& fixing, Span place) {
-  const json::NodeId value = fixing.node_at(place);
-  if (value == json::kNoNode || !fixing.document().is_string(value)) return false;
-  const std::string uri = fixing.document().string(value);
+bool say_octets(Fixing& fixing, const Subject& subject) {
+  if (subject.value == json::kNoNode || !fixing.document().is_string(subject.value)) return false;
+  const std::string uri = fixing.document().string(subject.value);
   const std::size_t end = uri.find_first_of(";,");
   if (container::classify_uri(uri).kind != container::UriKind::data || end == std::string::npos) {
     return false;
   }
   std::string text;
   json::append_string(text, "data:application/octet-stream" + uri.substr(end));
-  return fixing.replace_scalar(value, std::move(text));
+  return fixing.replace_scalar(subject.value, std::move(text));
 }
 
 constexpr FixEntry kUriFixes[] = {{Code::BUFFER_DATA_URI_MIME_TYPE_INVALID, say_octets}};

@@ -68,10 +68,9 @@ bool remove_children(Fixing& fixing, const model::SceneGraph& graph, json::NodeI
   return drawn && fixing.replace(list, text + "]");
 }
 
-bool remove_child(Fixing& fixing, Span place) {
-  const json::NodeId list = fixing.node_around(place);
-  if (list == json::kNoNode || fixing.document().kind(list) != json::Kind::number_array)
-    return false;
+bool remove_child(Fixing& fixing, const Subject& child) {
+  const json::NodeId list = child.node();
+  if (fixing.document().kind(list) != json::Kind::number_array) return false;
   RootLists& lists = fixing.table<RootLists>();
   const auto [known, is_new] = lists.done.try_emplace(list, false);
   if (is_new) known->second = remove_children(fixing, lists.graph, list);

@@ -17,15 +17,11 @@
 namespace gltfx::validate {
 namespace {
 
-// `place` is the name of an extension's object. An unknown name may be misspelt, or not an
-// extension.
-bool declare(Fixing& fixing, Span place) {
-  const json::NodeId key = fixing.node_at(place);
-  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
-  const std::string_view name = fixing.document().key(fixing.document().node(key).next);
-  if (fixing.schemas().find_extension(name) == schema::kNone) return false;
+// An unknown name may be misspelt, or not an extension.
+bool declare(Fixing& fixing, const Subject& extension) {
+  if (fixing.schemas().find_extension(extension.name) == schema::kNone) return false;
   if (!fixing.extensions_used().can_change()) return false;
-  fixing.extensions_used().add(name);
+  fixing.extensions_used().add(extension.name);
   return true;
 }
 
@@ -39,11 +35,10 @@ struct ExtensionsSeen {
   std::set<std::string, std::less<>> names;
 };
 
-// `place` is a name in extensionsRequired. A used extension is declared; an unused one is deleted.
-bool declare_or_forget(Fixing& fixing, Span place) {
-  const json::NodeId node = fixing.node_at(place);
-  if (node == json::kNoNode || !fixing.document().is_string(node)) return false;
-  const std::string name = fixing.document().string(node);
+// A used extension is declared; an unused one is deleted from extensionsRequired.
+bool declare_or_forget(Fixing& fixing, const Subject& required) {
+  if (!fixing.document().is_string(required.value)) return false;
+  const std::string name = fixing.document().string(required.value);
   const schema::ExtensionId id = fixing.schemas().find_extension(name);
   const bool without_objects =
       id != schema::kNone && fixing.schemas().extensions()[id].attachment_points.empty();
@@ -53,32 +48,25 @@ bool declare_or_forget(Fixing& fixing, Span place) {
     return true;
   }
   if (!fixing.extensions_required().has(name)) return false;
-  fixing.extensions_required().remove_at(node);
+  fixing.extensions_required().remove_at(required.value);
   return true;
 }
 
-// `place` is a name in extensionsUsed, or the name of an extension's object.
-bool require_extension(Fixing& fixing, Span place) {
-  const json::NodeId node = fixing.node_at(place);
-  if (node == json::kNoNode || !fixing.extensions_required().can_change()) return false;
-  const json::Document& document = fixing.document();
-  const std::string name = document.kind(node) == json::Kind::key
-                               ? std::string(document.key(document.node(node).next))
-                               : document.string(node);
-  fixing.extensions_required().add(name);
+// The extension's object is marked, or its name in extensionsUsed.
+bool require_extension(Fixing& fixing, const Subject& extension) {
+  if (!fixing.extensions_required().can_change()) return false;
+  fixing.extensions_required().add(extension.is_name ? std::string(extension.name)
+                                                     : fixing.document().string(extension.value));
   return true;
 }
 
 // A required empty member is not deleted.
-bool remove_empty(Fixing& fixing, Span place) {
+bool remove_empty(Fixing& fixing, const Subject& empty) {
   constexpr std::array<std::string_view, 8> kNeeded{
       "asset", "attributes", "channels", "joints", "primitives", "samplers", "sparse", "target"};
-  const json::NodeId value = fixing.node_at(place);
-  if (value == json::kNoNode) return false;
-  if (write_bound(fixing, value)) return true;
-  const auto needed = std::find(kNeeded.begin(), kNeeded.end(), fixing.member_name(value));
-  if (needed != kNeeded.end()) return false;
-  return fixing.remove_member(value);
+  if (write_bound(fixing, empty.value)) return true;
+  const auto needed = std::find(kNeeded.begin(), kNeeded.end(), empty.name);
+  return needed == kNeeded.end() && fixing.remove_member(empty.value);
 }
 
 // All at once: there may be more of them than a report has findings.
@@ -94,23 +82,20 @@ bool remove_repeated_names(Fixing& fixing, json::NodeId list) {
 }
 
 // Only in lists whose order and length have no meaning, unlike the joints of a skin.
-bool remove_repeat(Fixing& fixing, Span place) {
+bool remove_repeat(Fixing& fixing, const Subject& repeat) {
   const auto is_set = [](std::string_view name) {
     return name == "nodes" || name == "children" || name == "extensionsUsed" ||
            name == "extensionsRequired";
   };
-  const json::NodeId node = fixing.node_around(place);
-  if (node == json::kNoNode) return false;
-  const json::Document& document = fixing.document();
-  if (document.kind(node) == json::Kind::number_array) {
-    if (!is_set(fixing.member_name(node))) return false;
-    return fixing.is_claimed(node) || fixing.replace(node, without_repeats(document, node));
-  }
-  const json::NodeId list = fixing.parent(node);
+  const json::NodeId list = repeat.owner;
   if (list == json::kNoNode || !is_set(fixing.member_name(list))) return false;
-  if (document.is_string(node)) return remove_repeated_names(fixing, list);
-  if (!fixing.claim(node)) return false;
-  fixing.editor().remove(list, node);
+  const json::Document& document = fixing.document();
+  if (repeat.value == json::kNoNode) {
+    return fixing.is_claimed(list) || fixing.replace(list, without_repeats(document, list));
+  }
+  if (document.is_string(repeat.value)) return remove_repeated_names(fixing, list);
+  if (!fixing.claim(repeat.value)) return false;
+  fixing.editor().remove(list, repeat.value);
   return true;
 }
 
@@ -131,14 +116,12 @@ struct DraftNames {
   std::map<std::string, std::string, std::less<>> now;
 };
 
-// `place` is a name of an earlier draft.
-bool rename_draft(Fixing& fixing, Span place) {
-  const json::NodeId key = fixing.node_at(place);
-  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
+bool rename_draft(Fixing& fixing, const Subject& member) {
   const auto& names = fixing.table<DraftNames>().now;
-  const auto name = names.find(fixing.document().key(fixing.document().node(key).next));
+  const auto name = names.find(member.name);
   if (name == names.end() || name->second.empty()) return false;
-  if (fixing.document().holds(fixing.parent(key), name->second) || !fixing.claim(key)) return false;
+  const json::NodeId key = member.value - 1;
+  if (fixing.document().holds(member.owner, name->second) || !fixing.claim(key)) return false;
   fixing.editor().rename(key, name->second);
   return true;
 }

@@ -142,8 +142,9 @@ void check_skins(const Context& context) {
 
 const RuleGroup& skin_rules() {
   static constexpr LinkRule kLinkRules[] = {check_skins};
-  static constexpr FixEntry kFixes[] = {{Code::SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE, remove_stride_at},
-                                        {Code::SKIN_SKELETON_INVALID, remove_marked}};
+  static constexpr FixEntry kFixes[] = {
+      {Code::SKIN_IBM_ACCESSOR_WITH_BYTESTRIDE, remove_used_stride},
+      {Code::SKIN_SKELETON_INVALID, remove_marked}};
   static constexpr RuleGroup group{.link_rules = kLinkRules, .fixes = kFixes};
   return group;
 }

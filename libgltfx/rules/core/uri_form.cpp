@@ -103,52 +103,47 @@ bool write_uri(Fixing& fixing, json::NodeId value, const std::string& uri) {
   return fixing.replace_scalar(value, std::move(text));
 }
 
-std::string uri_at(const Fixing& fixing, Span place, json::NodeId& value) {
-  value = fixing.node_at(place);
-  const bool string = value != json::kNoNode && fixing.document().is_string(value);
-  return string ? fixing.document().string(value) : std::string();
+std::string uri_of(const Fixing& fixing, const Subject& subject) {
+  const bool string = subject.value != json::kNoNode && fixing.document().is_string(subject.value);
+  return string ? fixing.document().string(subject.value) : std::string();
 }
 
 // The BIN chunk is the data of a first buffer that has no uri.
-bool remove_empty_uri(Fixing& fixing, json::NodeId value) {
-  const json::NodeId object = fixing.parent(value);
-  const auto& buffers = fixing.elements().elements(model::RootArray::buffers);
-  return fixing.opened().container().bin && !buffers.empty() && buffers.front() == object &&
-         fixing.remove_member(value);
+bool remove_empty_uri(Fixing& fixing, const Subject& uri) {
+  return fixing.opened().container().bin &&
+         fixing.index(model::RootArray::buffers, uri.owner) == 0U &&
+         fixing.remove_member(uri.value);
 }
 
 // A URI that lenient readers resolve to a file is encoded so that all readers find that file.
-bool encode_uri(Fixing& fixing, Span place) {
-  json::NodeId value = json::kNoNode;
-  const std::string text = uri_at(fixing, place, value);
-  if (value == json::kNoNode) return false;
-  if (text.empty()) return remove_empty_uri(fixing, value);
+bool encode_uri(Fixing& fixing, const Subject& subject) {
+  const std::string text = uri_of(fixing, subject);
+  if (text.empty()) return remove_empty_uri(fixing, subject);
   const container::Uri uri = container::classify_uri(text);
   return uri.lenient_path && container::classify_uri(uri.normalized).path == uri.path &&
-         write_uri(fixing, value, uri.normalized);
+         write_uri(fixing, subject.value, uri.normalized);
 }
 
 // All readers that find the file by the unescaped name also find it by this one.
-bool escape_uri(Fixing& fixing, Span place) {
-  json::NodeId value = json::kNoNode;
-  const std::string text = uri_at(fixing, place, value);
+bool escape_uri(Fixing& fixing, const Subject& subject) {
+  const std::string text = uri_of(fixing, subject);
   const std::string characters = container::find_unescaped(text).characters;
   std::string json;
   json::append_string(json, container::escape_characters(text, characters));
-  return !characters.empty() && fixing.replace_scalar(value, std::move(json));
+  return !characters.empty() && fixing.replace_scalar(subject.value, std::move(json));
 }
 
 // The file whose name contains '#' or '?', or the file without the suffix; not if both exist.
-bool escape_suffix(Fixing& fixing, Span place) {
-  json::NodeId value = json::kNoNode;
-  const std::string text = uri_at(fixing, place, value);
+bool escape_suffix(Fixing& fixing, const Subject& subject) {
+  const std::string text = uri_of(fixing, subject);
   if (!container::classify_uri(text).suffixed) return false;
   const std::string whole = container::escape_characters(text, "?#");
   const std::string cut = text.substr(0, text.find_first_of("?#"));
   if (is_there(fixing, container::classify_uri(whole).path)) {
-    return !is_there(fixing, container::classify_uri(cut).path) && write_uri(fixing, value, whole);
+    return !is_there(fixing, container::classify_uri(cut).path) &&
+           write_uri(fixing, subject.value, whole);
   }
-  return write_uri(fixing, value, cut);
+  return write_uri(fixing, subject.value, cut);
 }
 
 constexpr FixEntry kFormFixes[] = {{Code::INVALID_URI, encode_uri, FixStage::files},

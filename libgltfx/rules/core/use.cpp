@@ -56,16 +56,10 @@ void report_use(const Context& context, std::uint32_t accessor, model::AccessorU
 
 namespace {
 
-// `place` is the index that uses an accessor or a view.
-std::optional<std::uint32_t> view_behind(Fixing& fixing, Span place) {
-  const json::NodeId value = fixing.node_at(place);
-  if (value == json::kNoNode || !fixing.document().is_number(value)) return std::nullopt;
-  const double number = fixing.document().number(value).value;
-  const json::NodeId object = fixing.parent(value);
-  if (fixing.document().find(object, "bufferView") == value) {
-    return fixing.elements().index(number, model::RootArray::buffer_views);
-  }
-  const auto accessor = fixing.elements().index(number, model::RootArray::accessors);
+// `user` refers to an accessor or a view.
+std::optional<std::uint32_t> view_behind(Fixing& fixing, const Subject& user) {
+  if (user.name == "bufferView") return fixing.index(model::RootArray::buffer_views, user.value);
+  const auto accessor = fixing.index(model::RootArray::accessors, user.value);
   return accessor ? fixing.views().accessors[*accessor].buffer_view : std::nullopt;
 }
 
@@ -74,8 +68,8 @@ std::string_view target_of(model::ViewUse use) {
   return use == model::ViewUse::indices ? "34963" : "";
 }
 
-bool add_target(Fixing& fixing, Span place) {
-  const auto view = view_behind(fixing, place);
+bool add_target(Fixing& fixing, const Subject& user) {
+  const auto view = view_behind(fixing, user);
   const auto use = view ? fixing.views().usage.view(*view).only() : std::nullopt;
   if (!use || target_of(*use).empty()) return false;
   const json::NodeId object = fixing.views().buffer_views[*view].node;
@@ -86,8 +80,8 @@ bool add_target(Fixing& fixing, Span place) {
 }
 
 // The target is set by the use: it describes the view's use and changes nothing else.
-bool correct_target(Fixing& fixing, Span place) {
-  const auto view = view_behind(fixing, place);
+bool correct_target(Fixing& fixing, const Subject& user) {
+  const auto view = view_behind(fixing, user);
   const auto use = view ? fixing.views().usage.view(*view).only() : std::nullopt;
   if (!use) return false;
   const json::NodeId target =
@@ -108,14 +102,14 @@ const RuleGroup& view_use_rules() {
   return group;
 }
 
-bool remove_stride_at(Fixing& fixing, Span place) {
-  const auto view = view_behind(fixing, place);
+bool remove_used_stride(Fixing& fixing, const Subject& user) {
+  const auto view = view_behind(fixing, user);
   return view && remove_stride(fixing, *view);
 }
 
-bool remove_index_stride(Fixing& fixing, Span place) {
-  if (!remove_stride_at(fixing, place)) return false;
-  add_target(fixing, place);
+bool remove_index_stride(Fixing& fixing, const Subject& user) {
+  if (!remove_used_stride(fixing, user)) return false;
+  add_target(fixing, user);
   return true;
 }
 

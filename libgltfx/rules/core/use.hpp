@@ -26,11 +26,11 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
                 json::NodeId place, const Path& path);
 
-/// The fix of rules about strides: `place` is the index that uses an accessor or a view whose
-/// stride must be removed.
-bool remove_stride_at(Fixing& fixing, Span place);
+/// The fix of rules about strides: `user` refers to an accessor or a view whose stride must be
+/// removed.
+bool remove_used_stride(Fixing& fixing, const Subject& user);
 
 /// Likewise for indices, whose view also gets its target.
-bool remove_index_stride(Fixing& fixing, Span place);
+bool remove_index_stride(Fixing& fixing, const Subject& user);
 
 }  // namespace gltfx::validate

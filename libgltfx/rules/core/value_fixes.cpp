@@ -58,8 +58,8 @@ bool write_meant(Fixing& fixing, json::NodeId value) {
   return !meant.empty() && fixing.replace(value, meant);
 }
 
-bool correct_value_type(Fixing& fixing, Span place) {
-  const json::NodeId value = fixing.node_at(place);
+bool correct_value_type(Fixing& fixing, const Subject& subject) {
+  const json::NodeId value = subject.value;
   if (value == json::kNoNode) return false;
   if (write_bound(fixing, value)) return true;
   if (fixing.document().kind(value) == json::Kind::null) return remove_null(fixing, value);
@@ -69,9 +69,8 @@ bool correct_value_type(Fixing& fixing, Span place) {
 }
 
 // Readers may have ignored a number in place of a flag or a texture: then the picture changes.
-bool write_any_type(Fixing& fixing, Span place) {
-  const json::NodeId value = fixing.node_at(place);
-  return value != json::kNoNode && write_meant(fixing, value);
+bool write_any_type(Fixing& fixing, const Subject& subject) {
+  return subject.value != json::kNoNode && write_meant(fixing, subject.value);
 }
 
 bool correct_list(Fixing& fixing, json::NodeId list) {
@@ -99,10 +98,9 @@ struct CorrectedLists {
 
 // Corrects all elements of a list that are of the wrong type, or none: one of them may have been
 // reported.
-bool correct_elements(Fixing& fixing, Span place) {
-  const json::NodeId node = fixing.node_around(place);
-  const json::NodeId list = node == json::kNoNode ? node : fixing.parent(node);
-  if (node != json::kNoNode && write_bound(fixing, node)) return true;
+bool correct_elements(Fixing& fixing, const Subject& element) {
+  if (write_bound(fixing, element.node())) return true;
+  const json::NodeId list = element.owner;
   if (list == json::kNoNode || fixing.document().kind(list) != json::Kind::array) return false;
   fixing.share(list);
   auto& done = fixing.table<CorrectedLists>().done;
@@ -111,8 +109,8 @@ bool correct_elements(Fixing& fixing, Span place) {
                              : done.emplace(list, correct_list(fixing, list)).first->second;
 }
 
-bool correct_length(Fixing& fixing, Span place) {
-  const json::NodeId array = fixing.node_at(place);
+bool correct_length(Fixing& fixing, const Subject& subject) {
+  const json::NodeId array = subject.value;
   if (array == json::kNoNode) return false;
   if (write_bound(fixing, array)) return true;
   const schema::Shape* shape = shape_of(fixing, array);
@@ -139,8 +137,9 @@ std::optional<double> nearly_at_limit(const schema::Shape& shape, double number)
   return std::nullopt;
 }
 
-bool clamp_rounding(Fixing& fixing, json::NodeId node, Span place) {
+bool clamp_rounding(Fixing& fixing, const Subject& subject) {
   const json::Document& document = fixing.document();
+  const json::NodeId node = subject.node();
   const schema::Shape* shape = shape_of(fixing, node);
   if (shape == nullptr || fixing.is_claimed(node)) return false;
   if (document.is_number(node)) {
@@ -151,7 +150,7 @@ bool clamp_rounding(Fixing& fixing, json::NodeId node, Span place) {
     return false;
   }
   for (json::NumberCursor at(document, node); at.valid(); at.advance()) {
-    if (at.number().span.begin != place.begin) continue;
+    if (at.number().span.begin != subject.begin) continue;
     const auto limit = nearly_at_limit(fixing.schemas().shape(shape->items), at.number().value);
     if (limit) fixing.replace_text(at.number().span, number_text(*limit));
     return limit.has_value();
@@ -159,18 +158,11 @@ bool clamp_rounding(Fixing& fixing, json::NodeId node, Span place) {
   return false;
 }
 
-bool correct_range(Fixing& fixing, Span place) {
-  const json::NodeId node = fixing.node_around(place);
-  if (node == json::kNoNode) return false;
-  if (write_bound(fixing, node)) return true;
-  const std::string_view name = fixing.member_name(node);
-  const json::NodeId object = fixing.parent(node);
-  const std::uint32_t index = fixing.index_of(object);
-  const auto& views = fixing.views().buffer_views;
-  if (name == "byteStride" && index < views.size() && views[index].node == object) {
-    return fix_stride(fixing, index);
-  }
-  return clamp_rounding(fixing, node, place);
+bool correct_range(Fixing& fixing, const Subject& subject) {
+  if (write_bound(fixing, subject.node())) return true;
+  const auto view = fixing.index(model::RootArray::buffer_views, subject.owner);
+  return view && subject.name == "byteStride" ? fix_stride(fixing, *view)
+                                              : clamp_rounding(fixing, subject);
 }
 
 /// Members that were moved, by their new object, and objects that were made for them.
@@ -179,22 +171,23 @@ struct Moves {
   std::set<std::pair<json::NodeId, std::string>> members, made;
 };
 
-bool move_member(Fixing& fixing, json::NodeId value, const schema::Home& home) {
+bool move_member(Fixing& fixing, const Subject& member, const schema::Home& home) {
   auto& moves = fixing.table<Moves>();
-  const std::string name(fixing.member_name(value));
-  const std::string text(fixing.document().raw(value));
-  const json::NodeId object = fixing.parent(value);
+  const std::string name(member.name);
+  const std::string text(fixing.document().raw(member.value));
   if (home.object == json::kNoNode) {
     // Further members are added to the object once it exists.
     const std::string through(home.through);
-    if (fixing.document().holds(object, through)) return false;
-    if (!moves.made.emplace(object, through).second || !fixing.remove_member(value)) return false;
-    std::string member = "{";
-    json::append_string(member, name);
-    return fixing.append_member(object, through, member + ": " + text + "}");
+    if (fixing.document().holds(member.owner, through)) return false;
+    if (!moves.made.emplace(member.owner, through).second || !fixing.remove_member(member.value)) {
+      return false;
+    }
+    std::string object = "{";
+    json::append_string(object, name);
+    return fixing.append_member(member.owner, through, object + ": " + text + "}");
   }
   if (fixing.document().holds(home.object, name)) return false;
-  if (!moves.members.emplace(home.object, name).second || !fixing.remove_member(value)) {
+  if (!moves.members.emplace(home.object, name).second || !fixing.remove_member(member.value)) {
     return false;
   }
   return fixing.append_member(home.object, name, text);
@@ -209,9 +202,9 @@ bool is_misspelt(Fixing& fixing, schema::TypeId type, std::string_view name) {
   return !nearest(name, known).empty();
 }
 
-schema::Home home_at(Fixing& fixing, json::NodeId key) {
+schema::Home home_of(Fixing& fixing, const Subject& member) {
   const graph::Graph& graph = fixing.graph();
-  const json::NodeId object = fixing.parent(key);
+  const json::NodeId object = member.owner;
   schema::Neighbourhood around{graph.type(object), object};
   json::NodeId above = fixing.parent(object);
   for (; above != json::kNoNode && graph.type(above) == schema::kNone;
@@ -223,25 +216,22 @@ schema::Home home_at(Fixing& fixing, json::NodeId key) {
     around.type_above = graph.type(above);
     around.object_above = above;
   }
-  const std::string_view name = fixing.document().key(fixing.document().node(key).next);
-  return is_misspelt(fixing, around.type, name)
+  return is_misspelt(fixing, around.type, member.name)
              ? schema::Home()
-             : schema::find_home(fixing.schemas(), fixing.document(), around, name);
+             : schema::find_home(fixing.schemas(), fixing.document(), around, member.name);
 }
 
-// `place` is the name of the member. A member that moves into the asset object has no effect on the
-// picture.
-bool move_into(Fixing& fixing, Span place, bool only_asset) {
-  const json::NodeId key = fixing.node_at(place);
-  if (key == json::kNoNode || fixing.document().kind(key) != json::Kind::key) return false;
-  const schema::Home home = home_at(fixing, key);
+// A member that moves into the asset object has no effect on the picture.
+bool move(Fixing& fixing, const Subject& member, bool only_asset) {
+  if (member.name.empty()) return false;
+  const schema::Home home = home_of(fixing, member);
   if (!home.is_certain) return false;
   if (only_asset && home.type != fixing.schemas().find_type("asset")) return false;
-  return move_member(fixing, key + 1, home);
+  return move_member(fixing, member, home);
 }
 
-bool move_into_asset(Fixing& fixing, Span place) { return move_into(fixing, place, true); }
-bool move_anywhere(Fixing& fixing, Span place) { return move_into(fixing, place, false); }
+bool move_into_asset(Fixing& fixing, const Subject& member) { return move(fixing, member, true); }
+bool move_anywhere(Fixing& fixing, const Subject& member) { return move(fixing, member, false); }
 
 constexpr FixEntry kValueFixes[] = {
     {Code::TYPE_MISMATCH, correct_value_type, FixStage::document, write_any_type},

@@ -211,15 +211,14 @@ void check_extension_use(const Context& context) {
 
 // --- Fixes: `place` is the name in extensionsUsed ---
 
-std::string name_at(const Fixing& fixing, Span place) {
-  const json::NodeId name = fixing.node_at(place);
-  const bool text = name != json::kNoNode && fixing.document().is_string(name);
-  return text ? fixing.document().string(name) : std::string();
+std::string name_of(const Fixing& fixing, const Subject& subject) {
+  const bool text = subject.value != json::kNoNode && fixing.document().is_string(subject.value);
+  return text ? fixing.document().string(subject.value) : std::string();
 }
 
 // An object of that name in a wrong place may be the intended use.
-bool forget(Fixing& fixing, Span place) {
-  const std::string name = name_at(fixing, place);
+bool forget(Fixing& fixing, const Subject& subject) {
+  const std::string name = name_of(fixing, subject);
   if (name.empty() || !fixing.extensions_used().has(name)) return false;
   if (fixing.document().key_id(name) != json::kNoKey) return false;
   while (fixing.extensions_used().has(name)) fixing.extensions_used().remove(name);
@@ -227,25 +226,25 @@ bool forget(Fixing& fixing, Span place) {
   return true;
 }
 
-bool require(Fixing& fixing, Span place) {
-  const std::string name = name_at(fixing, place);
+bool require(Fixing& fixing, const Subject& subject) {
+  const std::string name = name_of(fixing, subject);
   change::NameList& list = fixing.extensions_required();
   if (name.empty() || list.has(name) || !list.can_change()) return false;
   list.add(name);
   return true;
 }
 
-bool make_optional(Fixing& fixing, Span place) {
-  const std::string name = name_at(fixing, place);
+bool make_optional(Fixing& fixing, const Subject& subject) {
+  const std::string name = name_of(fixing, subject);
   if (name.empty() || !fixing.extensions_required().has(name)) return false;
   fixing.extensions_required().remove(name);
   return true;
 }
 
 // Every object of that name gets the correct name.
-bool rename_misspelt(Fixing& fixing, Span place) {
+bool rename_misspelt(Fixing& fixing, const Subject& subject) {
   const json::Document& document = fixing.document();
-  const std::string name = name_at(fixing, place);
+  const std::string name = name_of(fixing, subject);
   const std::string_view meant = schema::misspelt_extension(fixing.schemas(), name);
   if (meant.empty() || document.key_id(meant) != json::kNoKey) return false;
   fixing.extensions_used().replace(name, meant);

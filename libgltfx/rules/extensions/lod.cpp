@@ -122,10 +122,9 @@ void check_levels(const Context& context) {
   LodCheck(context, model::RootArray::nodes).run();
 }
 
-bool remove_level_repeats(Fixing& fixing, Span place) {
-  const json::NodeId list = fixing.node_around(place);
-  const bool numbers =
-      list != json::kNoNode && fixing.document().kind(list) == json::Kind::number_array;
+bool remove_level_repeats(Fixing& fixing, const Subject& subject) {
+  const json::NodeId list = subject.node();
+  const bool numbers = fixing.document().kind(list) == json::Kind::number_array;
   return numbers && (fixing.is_claimed(list) ||
                      fixing.replace(list, without_repeats(fixing.document(), list)));
 }

@@ -334,11 +334,9 @@ bool say_type(Fixing& fixing, std::uint32_t index) {
 }
 
 // `place` is a member of the image.
-bool correct_type(Fixing& fixing, Span place) {
-  const json::NodeId member = fixing.node_at(place);
-  const std::uint32_t image =
-      member == json::kNoNode ? UINT32_MAX : fixing.index_of(fixing.parent(member));
-  return image < fixing.resources().images.size() && say_type(fixing, image);
+bool correct_type(Fixing& fixing, const Subject& member) {
+  const auto image = fixing.index(model::RootArray::images, member.owner);
+  return image && say_type(fixing, *image);
 }
 
 constexpr FixEntry kImageFixes[] = {{Code::IMAGE_MIME_TYPE_INVALID, correct_type}};
