@@ -2,15 +2,14 @@
 #include "prove/meaning.hpp"
 
 #include <algorithm>
-#include <unordered_set>
 
-#include "model/pose.hpp"
 #include "prove/curves.hpp"
 #include "prove/differences.hpp"
 #include "prove/geometry.hpp"
 #include "prove/images.hpp"
 #include "prove/node_pairs.hpp"
 #include "prove/object_walk.hpp"
+#include "prove/placed_meshes.hpp"
 #include "prove/side.hpp"
 
 namespace gltfx::prove {
@@ -39,65 +38,27 @@ Meaning compare_sides(const model::OpenedAsset& before, const model::OpenedAsset
   return found.take();
 }
 
-/// A mesh at a node, before and after.
-struct PlacedMesh {
-  Pair node;
-  const model::Mesh* ours = nullptr;
-  const model::Mesh* theirs = nullptr;
-};
-
-// Meshes whose places in the scene depend on their nodes only.
-std::vector<PlacedMesh> placed_meshes(const Side& before, const Side& after,
-                                      const NodePairs& nodes) {
-  std::vector<PlacedMesh> placed;
-  for (const Pair& node : nodes.all()) {
-    const model::Node& here = before.views().nodes[before.index(node.ours)];
-    const model::Node& there = after.views().nodes[after.index(node.theirs)];
-    if (!here.mesh || !there.mesh || here.skin || there.skin) continue;
-    placed.push_back(
-        {node, &before.views().meshes[*here.mesh], &after.views().meshes[*there.mesh]});
-  }
-  return placed;
-}
-
 std::string key_of(const Side& before, const Side& after, const Pair& primitives, bool positions) {
   return (positions ? "+" : "-") + storage_key(before, primitives.ours) + "|" +
          storage_key(after, primitives.theirs);
 }
 
-// By node, from its space to that of the scene.
-std::vector<model::Affine> world_of(const Side& side) {
-  const model::SceneRoots roots = model::choose_scene(side.asset(), side.views());
-  return model::compute_pose(side.asset(), side.views(), roots).world;
-}
-
-void compare_geometry(const Side& before, const Side& after, const NodePairs& nodes,
+void compare_geometry(const Side& before, const Side& after, const PlacedMeshes& placed,
                       const std::vector<Pair>& primitives, const MeaningRequest& request,
                       Differences& found) {
-  const bool in_world = request.in_world && request.order == VertexOrder::kept;
-  std::vector<PlacedMesh> placed;
-  if (in_world) placed = placed_meshes(before, after, nodes);
-  std::unordered_set<json::NodeId> in_place;
-  for (const PlacedMesh& each : placed) {
-    for (const model::Primitive& primitive : each.ours->primitives) in_place.insert(primitive.node);
-  }
   Compared compared;
   for (const Pair& pair : primitives) {
-    const bool positions = !in_place.contains(pair.ours);
+    const bool positions = !placed.has(pair.ours);
     if (!compared.add(key_of(before, after, pair, positions))) continue;
     compare_primitives(before, after, pair.ours, pair.theirs, request, positions, found);
   }
-  if (placed.empty()) return;
-  const std::vector<model::Affine> here = world_of(before);
-  const std::vector<model::Affine> there = world_of(after);
-  for (const PlacedMesh& each : placed) {
+  for (const PlacedMesh& each : placed.all()) {
     const auto& ours = each.ours->primitives;
     const auto& theirs = each.theirs->primitives;
     for (std::size_t i = 0; i < std::min(ours.size(), theirs.size()); ++i) {
       if (ours[i].node == json::kNoNode || theirs[i].node == json::kNoNode) continue;
-      compare_placed(before, after, {ours[i].node, here[before.index(each.node.ours)]},
-                     {theirs[i].node, there[after.index(each.node.theirs)]}, each.node.ours,
-                     request, found);
+      compare_placed(before, after, {ours[i].node, each.here}, {theirs[i].node, each.there},
+                     each.node.ours, request, found);
     }
   }
 }
@@ -109,8 +70,9 @@ Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAss
   const bool images = request.images != ImageComparison::none;
   const auto compare = [&](const Side& ours, const Side& theirs, Differences& found) {
     const NodePairs nodes(ours, theirs);
-    const Payloads payloads = ObjectWalk(ours, theirs, nodes, request, found).run();
-    compare_geometry(ours, theirs, nodes, payloads.primitives, request, found);
+    const PlacedMeshes placed(ours, theirs, nodes, request);
+    const Payloads payloads = ObjectWalk(ours, theirs, nodes, placed, request, found).run();
+    compare_geometry(ours, theirs, placed, payloads.primitives, request, found);
     Compared curves;
     for (const Pair& pair : payloads.channels) {
       if (!curves.add(curve_key(ours, pair.ours) + "|" + curve_key(theirs, pair.theirs))) continue;

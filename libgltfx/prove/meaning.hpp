@@ -40,7 +40,7 @@ enum class ImageComparison : std::uint8_t {
 
 /// Distances up to which values count as equal; all 0: exact.
 struct Tolerance {
-  double position = 0;   ///< in the space of the mesh; with `in_world` in the space of the scene
+  double position = 0;   ///< in the space of the mesh, or of the scene: MeaningRequest::in_world
   double direction = 0;  ///< in degrees, for NORMAL and TANGENT; the w of TANGENT is exact
   double texcoord = 0;
   double color = 0;
@@ -58,9 +58,11 @@ struct MeaningRequest {
   bool unused_may_go = false;
   /// Images may have other names.
   bool image_names_may_go = false;
-  /// POSITION is compared in the space of the scene, for each node that uses the mesh without a
-  /// skin. The transform of such a node may change if it affects only the mesh: the node has no
-  /// children, camera or extensions, and is not animated. Not with VertexOrder::free.
+  /// POSITION is compared in the space of the scene at rest, at each node with the mesh, if only
+  /// nodes without a skin refer to the mesh and no scale above them is 0 or changes. The transform
+  /// of such a node may change if it affects only the mesh: the node has no children, camera or
+  /// extensions, and only its parent or a scene refers to it. Other meshes are compared in their
+  /// own space. Takes time for each node. Not with VertexOrder::free.
   bool in_world = false;
   Tolerance tolerance = {};
   unsigned jobs = 1;       ///< threads for decoding

@@ -39,17 +39,6 @@ std::unordered_set<json::NodeId> local_tables(const Side& side) {
   return tables;
 }
 
-std::unordered_set<json::NodeId> moved_nodes(const Side& side) {
-  std::unordered_set<json::NodeId> nodes;
-  const auto& all = side.asset().elements(model::RootArray::nodes);
-  for (const model::Animation& animation : side.views().animations) {
-    for (const model::AnimationChannel& channel : animation.channels) {
-      if (channel.node) nodes.insert(all[*channel.node]);
-    }
-  }
-  return nodes;
-}
-
 }  // namespace
 
 std::uint64_t EqualValues::find(std::uint64_t value) {
@@ -73,17 +62,18 @@ bool EqualValues::are_joined(const Pair& pair) {
 }
 
 ObjectWalk::ObjectWalk(const Side& before, const Side& after, const NodePairs& nodes,
-                       const MeaningRequest& request, Differences& found)
+                       const PlacedMeshes& placed, const MeaningRequest& request,
+                       Differences& found)
     : before_(before),
       after_(after),
       nodes_(nodes),
+      placed_(placed),
       request_(request),
       found_(found),
       types_(before.graph().set()),
       storage_(storage_extensions(before.graph().set(), types_)) {
   known_.pointed_here = pointed(before);
   known_.pointed_there = pointed(after);
-  known_.moved = moved_nodes(before);
   local_.here = local_tables(before);
   local_.there = local_tables(after);
 }
@@ -205,10 +195,8 @@ bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_
   if (type == types_.root) return !is_one_of({"extensionsUsed", "extensionsRequired"});
   const bool curves = request_.animations == AnimationComparison::curves;
   if (type == types_.sampler && curves) return !is_one_of({"input", "interpolation", "output"});
-  if (type == types_.node && may_move(object) && &side == &before_) {
-    return !is_transform(name);
-  }
-  return true;
+  const bool moves = type == types_.node && &side == &before_ && placed_.may_move(object);
+  return !moves || !is_transform(name);
 }
 
 // Tables, and objects with storage extensions only or none: their presence has no meaning.
@@ -223,20 +211,10 @@ bool ObjectWalk::is_mere_storage(const Side& side, std::string_view name,
   return true;
 }
 
-// MeaningRequest::in_world: the transform affects only the place of the mesh.
-bool ObjectWalk::may_move(json::NodeId node) const {
-  if (!request_.in_world || known_.moved.contains(node)) return false;
-  const json::Document& document = before_.document();
-  const auto has = [&](std::string_view name) {
-    return document.find(node, name) != json::kNoNode;
-  };
-  return has("mesh") && !has("skin") && !has("camera") && !has("children") && !has(kExtensions);
-}
-
 void ObjectWalk::compare_objects(const Pair& pair) {
   const schema::TypeId type = before_.type(pair.ours);
   Members theirs = members(after_, pair.theirs);
-  if (type == types_.node && may_move(pair.ours)) {
+  if (type == types_.node && placed_.may_move(pair.ours)) {
     std::erase_if(theirs, [](const auto& member) { return is_transform(member.first); });
   }
   compare_members(pair, members(before_, pair.ours), theirs);

@@ -15,6 +15,7 @@
 
 #include "prove/differences.hpp"
 #include "prove/node_pairs.hpp"
+#include "prove/placed_meshes.hpp"
 #include "prove/side.hpp"
 #include "prove/storage.hpp"
 
@@ -45,7 +46,7 @@ struct Payloads {
 class ObjectWalk {
  public:
   ObjectWalk(const Side& before, const Side& after, const NodePairs& nodes,
-             const MeaningRequest& request, Differences& found);
+             const PlacedMeshes& placed, const MeaningRequest& request, Differences& found);
 
   Payloads run();
 
@@ -68,7 +69,6 @@ class ObjectWalk {
   bool is_compared(const Side& side, json::NodeId object, std::string_view name,
                    json::NodeId value) const;
   bool is_mere_storage(const Side& side, std::string_view name, json::NodeId value) const;
-  bool may_move(json::NodeId node) const;
 
   /// Precondition: `ours` has a target.
   void compare_links(const Place& place, const Link& ours, const Link* theirs);
@@ -92,6 +92,7 @@ class ObjectWalk {
   const Side& before_;
   const Side& after_;
   const NodePairs& nodes_;
+  const PlacedMeshes& placed_;
   const MeaningRequest& request_;
   Differences& found_;
   const Types types_;
@@ -112,7 +113,6 @@ class ObjectWalk {
     /// Values that pointers lead to keep their identity, as nodes do: the first partner counts.
     std::unordered_set<json::NodeId> pointed_here, pointed_there;
     std::unordered_map<json::NodeId, json::NodeId> partners_here, partners_there;
-    std::unordered_set<json::NodeId> moved;  ///< animated nodes
   } known_;
 };
 

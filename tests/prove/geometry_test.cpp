@@ -7,48 +7,43 @@
 #include <gtest/gtest.h>
 
 #include "codec/support/draco_encoder.hpp"
+#include "model/packed_bytes.hpp"
 #include "prove/edited_asset.hpp"
+#include "support/asset_builder.hpp"
 
 namespace gltfx::prove {
 namespace {
 
 using test::EditedAsset;
 using test::Json;
+using test::packed;
 using testing::HasSubstr;
 
-template <class T>
-std::string raw(const std::vector<T>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
-}
-
 /// A primitive whose accessors have separate views.
-class OnePrimitive {
+class OnePrimitive : public test::AssetBuilder {
  public:
   OnePrimitive() {
-    json_ = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    json = Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
       "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {}}]}]})");
   }
   OnePrimitive& attribute(const std::string& name, const char* type, int component,
-                          const std::string& bytes, std::size_t count, bool normalized = false) {
-    primitive()["attributes"][name] = add(type, component, bytes, count);
-    if (normalized) json_["accessors"].back()["normalized"] = true;
+                          const std::string& values, std::size_t count, bool normalized = false) {
+    primitive()["attributes"][name] = accessor(type, component, count, values);
+    if (normalized) json["accessors"].back()["normalized"] = true;
     return *this;
   }
   OnePrimitive& positions(const std::vector<float>& values) {
-    return attribute("POSITION", "VEC3", 5126, raw(values), values.size() / 3);
+    return attribute("POSITION", "VEC3", 5126, packed(values), values.size() / 3);
   }
   OnePrimitive& target(const std::vector<float>& values) {
     primitive()["targets"].push_back(
-        {{"POSITION", add("VEC3", 5126, raw(values), values.size() / 3)}});
+        {{"POSITION", accessor("VEC3", 5126, values.size() / 3, packed(values))}});
     return *this;
   }
   template <class T>
   OnePrimitive& indices(const std::vector<T>& values) {
-    primitive()["indices"] = add("SCALAR",
-                                 sizeof(T) == 1   ? 5121
-                                 : sizeof(T) == 2 ? 5123
-                                                  : 5125,
-                                 raw(values), values.size());
+    constexpr int kType = sizeof(T) == 1 ? 5121 : sizeof(T) == 2 ? 5123 : 5125;
+    primitive()["indices"] = accessor("SCALAR", kType, values.size(), packed(values));
     return *this;
   }
   OnePrimitive& mode(int mode) {
@@ -56,29 +51,11 @@ class OnePrimitive {
     return *this;
   }
   OnePrimitive& node(const char* member, const Json& value) {
-    json_["nodes"][0][member] = value;
+    json["nodes"][0][member] = value;
     return *this;
   }
-  int add(const char* type, int component, const std::string& bytes, std::size_t count) {
-    const int view = add_view(bytes);
-    json_["accessors"].push_back(
-        {{"bufferView", view}, {"componentType", component}, {"count", count}, {"type", type}});
-    return static_cast<int>(json_["accessors"].size()) - 1;
-  }
-  int add_view(const std::string& bytes) {
-    json_["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}});
-    bytes_ += bytes;
-    bytes_.resize((bytes_.size() + 3) / 4 * 4);
-    return static_cast<int>(json_["bufferViews"].size()) - 1;
-  }
-  Json& primitive() { return json_["meshes"][0]["primitives"][0]; }
-  Json& json() { return json_; }
-  EditedAsset asset() const { return EditedAsset::made(json_.dump(), bytes_); }
-
- private:
-  Json json_;
-  std::string bytes_;
+  Json& primitive() { return json["meshes"][0]["primitives"][0]; }
+  EditedAsset asset() const { return EditedAsset::made(json.dump(), bytes); }
 };
 
 const std::vector<float> kSquare{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
@@ -183,10 +160,10 @@ TEST(GeometryMeaning, NumbersAreComparedAsDecoded) {
     small.push_back(static_cast<std::uint8_t>(i * 17));
     floats.push_back(static_cast<float>(i * 17 / 255.0));
   }
-  EXPECT_TRUE(same(colored(raw(small), 5121, true), colored(raw(floats), 5126, false)));
-  EXPECT_FALSE(same(colored(raw(small), 5121, true), colored(raw(small), 5121, false)));
+  EXPECT_TRUE(same(colored(packed(small), 5121, true), colored(packed(floats), 5126, false)));
+  EXPECT_FALSE(same(colored(packed(small), 5121, true), colored(packed(small), 5121, false)));
   floats[7] = std::nextafter(floats[7], 1.0F);
-  EXPECT_FALSE(same(colored(raw(small), 5121, true), colored(raw(floats), 5126, false)));
+  EXPECT_FALSE(same(colored(packed(small), 5121, true), colored(packed(floats), 5126, false)));
 }
 
 TEST(GeometryMeaning, ToleranceIsByMeaning) {
@@ -213,7 +190,7 @@ TEST(GeometryMeaning, DirectionsAreAngles) {
   const auto with_normals = [](float x, float z) {
     std::vector<float> normals;
     for (int i = 0; i < 4; ++i) normals.insert(normals.end(), {x, 0, z});
-    return square().attribute("NORMAL", "VEC3", 5126, raw(normals), 4);
+    return square().attribute("NORMAL", "VEC3", 5126, packed(normals), 4);
   };
   MeaningRequest request;
   request.tolerance.direction = 30.01;
@@ -226,7 +203,7 @@ TEST(GeometryMeaning, DirectionsAreAngles) {
 TEST(GeometryMeaning, AVectorWithoutDirectionIsFarFromOneWithDirection) {
   const auto with_normal = [](float z) {
     const std::vector<float> normals{0, 0, z, 0, 0, 1, 0, 0, 1, 0, 0, 1};
-    return square().attribute("NORMAL", "VEC3", 5126, raw(normals), 4);
+    return square().attribute("NORMAL", "VEC3", 5126, packed(normals), 4);
   };
   MeaningRequest request;
   request.tolerance.direction = 180;
@@ -239,7 +216,7 @@ TEST(GeometryMeaning, TheSignOfATangentIsExact) {
   const auto with_tangents = [](float x, float w) {
     std::vector<float> tangents;
     for (int i = 0; i < 4; ++i) tangents.insert(tangents.end(), {x, 0, 1, w});
-    return square().attribute("TANGENT", "VEC4", 5126, raw(tangents), 4);
+    return square().attribute("TANGENT", "VEC4", 5126, packed(tangents), 4);
   };
   MeaningRequest request;
   request.tolerance.direction = 5;
@@ -251,7 +228,7 @@ TEST(GeometryMeaning, ARestartIsNoVertex) {
   const std::vector<float> row{0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 0, 0, 6, 0, 0, 5, 1, 0};
   const auto strips = [&](const std::vector<std::uint16_t>& indices) {
     OnePrimitive made = OnePrimitive().positions(row).indices(indices).mode(5);
-    made.json()["extensionsUsed"] = {"EXT_mesh_primitive_restart"};
+    made.json["extensionsUsed"] = {"EXT_mesh_primitive_restart"};
     return made;
   };
   const OnePrimitive two = strips({0, 1, 2, 0xFFFF, 3, 4, 5});
@@ -262,12 +239,12 @@ TEST(GeometryMeaning, ARestartIsNoVertex) {
 // What nothing stores may be read for a few million elements in all: more would be left out.
 TEST(GeometryMeaning, SharedAccessorsAreComparedOnce) {
   OnePrimitive zeros;
-  zeros.json()["accessors"].push_back(
+  zeros.json["accessors"].push_back(
       {{"componentType", 5126}, {"count", 1000000}, {"type", "VEC3"}});
   zeros.primitive()["attributes"]["POSITION"] = 0;
   zeros.primitive()["mode"] = 0;
   const Json primitive = zeros.primitive();
-  for (int i = 0; i < 20; ++i) zeros.json()["meshes"][0]["primitives"].push_back(primitive);
+  for (int i = 0; i < 20; ++i) zeros.json["meshes"][0]["primitives"].push_back(primitive);
   const EditedAsset asset = zeros.asset();
   EXPECT_THAT(test::compare(asset, asset).unread, testing::IsEmpty());
   const Meaning meshes = compare_meshes(asset.open(), asset.open(), *schema::builtin_set(), {});
@@ -306,14 +283,14 @@ TEST(GeometryMeaning, OfMorphTargets) {
 // A grid and its encoded bitstream.
 OnePrimitive packed(const test::DracoSource& source, std::size_t corners, std::size_t points) {
   OnePrimitive made;
-  const int view = made.add_view(test::draco_bytes(source));
-  made.json()["accessors"] = {{{"componentType", 5126}, {"count", points}, {"type", "VEC3"}},
-                              {{"componentType", 5125}, {"count", corners}, {"type", "SCALAR"}}};
+  const std::size_t view = made.view(test::draco_bytes(source));
+  made.json["accessors"] = {{{"componentType", 5126}, {"count", points}, {"type", "VEC3"}},
+                            {{"componentType", 5125}, {"count", corners}, {"type", "SCALAR"}}};
   made.primitive() = Json::parse(R"({"attributes": {"POSITION": 0}, "indices": 1})");
   made.primitive()["extensions"]["KHR_draco_mesh_compression"] = {
       {"bufferView", view}, {"attributes", {{"POSITION", 0}}}};
-  made.json()["extensionsUsed"] = {"KHR_draco_mesh_compression"};
-  made.json()["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+  made.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+  made.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
   return made;
 }
 
