@@ -12,6 +12,8 @@
 
 #include "container/base64.hpp"
 #include "container/temp_folder.hpp"
+#include "model/packed_bytes.hpp"
+#include "support/asset_builder.hpp"
 
 namespace gltfx {
 namespace {
@@ -186,6 +188,24 @@ TEST(FixBounds, OfIntegersAreIntegers) {
   for (const char* const most : {"0.5", "300", "-1", R"("x")"}) {
     EXPECT_EQ(members_after_fix(indices(most)), indices("0")) << most;
   }
+}
+
+// A finding marks the sampler of the second channel of the second animation.
+TEST(FixKeyframes, AreThoseOfTheChannel) {
+  const auto with_last_rotation = [](float w) {
+    test::AssetBuilder made;
+    made.accessor("SCALAR", 5126, 2, test::floats({0, 1}), {{"min", {0}}, {"max", {1}}});
+    made.accessor("VEC4", 5126, 2, test::floats({0, 0, 0, 1, 0, 0, 0, 1}));
+    made.accessor("VEC4", 5126, 2, test::floats({0, 0, 0, 1, 0, 0, 0, w}));
+    return made.text(test::buffer_uri(made.bytes),
+                     R"("scenes": [{"nodes": [0, 1]}], "nodes": [{}, {}], "animations": [
+        {"samplers": [{"input": 0, "output": 1}],
+         "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}}]},
+        {"samplers": [{"input": 0, "output": 1}, {"input": 0, "output": 2}],
+         "channels": [{"sampler": 0, "target": {"node": 0, "path": "rotation"}},
+                      {"sampler": 1, "target": {"node": 1, "path": "rotation"}}]}])");
+  };
+  EXPECT_EQ(text_after_fix(with_last_rotation(2)), with_last_rotation(1));
 }
 
 TEST(FixStride, GoesWhereElementsLiePacked) {
