@@ -266,7 +266,7 @@ class Rounds {
     const bool files = fixes_only(planned, [](Code code) {
       return validate::find_fix(code)->stage == validate::FixStage::files;
     });
-    return files ? Severity::error : Severity::hint;
+    return files ? Severity::error : Severity::info;
   }
   bool names_the_same_files(const PlannedFixes& planned) const {
     return fixes_only(planned, [](Code code) { return code == Code::NON_RELATIVE_URI; });

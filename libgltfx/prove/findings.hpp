@@ -38,9 +38,10 @@ struct MoreFindings {
   std::uint64_t count = 0;              ///< number of additional findings
 };
 
-/// By code. Those that are quieter than `least` do not count.
+/// By code. Those that are quieter than `least` do not count; nor do hints, which describe what was
+/// there before: a change may only have made it readable.
 std::vector<MoreFindings> more_findings(const CodeCounts& before, const FileReport& after,
-                                        Severity least = Severity::hint);
+                                        Severity least = Severity::info);
 
 /// Findings that an asset did not have before, or has more often now, by code.
 struct NewFindings {

@@ -66,6 +66,20 @@ TEST(FixIndices, OfOneListStayTogether) {
             "the new file would have the new finding DUPLICATE_ELEMENTS");
 }
 
+// A reference that is read only now makes a view a view of vertices, which should have a target.
+TEST(FixIndices, AHintOnWhatTheyReferToIsNoReason) {
+  const char* const broken = R"("meshes": [{"primitives": [{"attributes": {"POSITION": "0"}}]}],
+      "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0,
+      "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3,
+                     "min": [0, 0, 0], "max": [0, 0, 0]}],
+      "bufferViews": [{"buffer": 0, "byteLength": 36}],
+      "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAA)"
+                             R"(AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"}])";
+  std::string sound = broken;
+  sound.replace(sound.find("\"0\""), 3, "0");
+  EXPECT_EQ(members_after_fix(broken), sound);
+}
+
 TEST(FixNull, GoesFromMembersThatNeedNotBeThere) {
   EXPECT_EQ(members_after_fix(
                 R"("nodes": [{"skin": null, "name": "a", "children": null}], "cameras": null)"),

@@ -27,7 +27,7 @@ FileReport report(const std::vector<std::tuple<const char*, Severity, std::uint6
 }
 
 std::vector<MoreFindings> more(const FileReport& before, const FileReport& after,
-                               Severity least = Severity::hint) {
+                               Severity least = Severity::info) {
   return more_findings(CodeCounts(before), after, least);
 }
 
