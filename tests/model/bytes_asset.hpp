@@ -8,6 +8,7 @@
 #include "json/parse.hpp"
 #include "model/draco.hpp"
 #include "model/geometry.hpp"
+#include "support/asset_builder.hpp"
 
 namespace gltfx::test {
 
@@ -17,39 +18,25 @@ class Accessors {
   /// The index of the new accessor. `more` is added to its object: `, "normalized": true`.
   int add(const std::string& type, int component, std::size_t count, const std::string& bytes,
           const std::string& more = {}) {
-    const int view = add_view(bytes);
-    return add_plain(R"({"bufferView": )" + std::to_string(view) + R"(, "type": ")" + type +
-                     R"(", "componentType": )" + std::to_string(component) + R"(, "count": )" +
-                     std::to_string(count) + more + "}");
+    return static_cast<int>(
+        made_.accessor(type, component, count, bytes, AssetBuilder::members_of(more)));
   }
   /// An accessor that is written unchanged.
   int add_plain(const std::string& object) {
-    accessors_ += (count_ == 0 ? "" : ", ") + object;
-    return count_++;
+    return static_cast<int>(made_.add("accessors", AssetBuilder::Json::parse(object)));
   }
   int add_view(const std::string& bytes, const std::string& more = {}) {
-    views_ += (view_count_ == 0 ? "" : ", ") + std::string(R"({"buffer": 0, "byteOffset": )") +
-              std::to_string(bytes_.size()) + R"(, "byteLength": )" + std::to_string(bytes.size()) +
-              more + "}";
-    bytes_ += bytes;
-    bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
-    return view_count_++;
+    return static_cast<int>(made_.view(bytes, AssetBuilder::members_of(more)));
   }
 
-  const std::string& bytes() const { return bytes_; }
-  /// The three root arrays as members.
-  std::string json(const std::string& uri = {}) const {
-    std::string text(R"("accessors": [)");
-    text.append(accessors_).append(R"(], "bufferViews": [)").append(views_);
-    text.append(R"(], "buffers": [{"byteLength": )").append(std::to_string(bytes_.size()));
-    if (!uri.empty()) text.append(R"(, "uri": ")").append(uri).append("\"");
-    return text.append("}]");
+  const std::string& bytes() const { return made_.bytes; }
+  /// The text of the asset, with further `members` of its root.
+  std::string text(const std::string& members, const std::string& uri = {}) const {
+    return made_.text(uri, members);
   }
 
  private:
-  int count_ = 0;
-  int view_count_ = 0;
-  std::string accessors_, views_, bytes_;
+  AssetBuilder made_;
 };
 
 /// The parsed asset with its buffer.
@@ -57,9 +44,7 @@ class BytesAsset {
  public:
   /// `members`: other members of the root object.
   BytesAsset(const Accessors& accessors, const std::string& members) {
-    std::string text("{");
-    text.append(accessors.json()).append(members.empty() ? "" : ", ").append(members).append("}");
-    document_ = json::parse(share_text(std::move(text))).document;
+    document_ = json::parse(share_text(accessors.text(members))).document;
     asset_ = std::make_unique<model::Asset>(document_);
     views_ = model::Views(*asset_);
     resources_.buffers.emplace_back(container::Bytes::from_string(std::string(accessors.bytes())));

@@ -28,9 +28,7 @@ inline render::Scene scene_of_text(const std::string& text, const SceneOptions& 
 /// `members`: those of the root object beside the accessors.
 inline render::Scene scene_of(const Accessors& accessors, const std::string& members,
                               const SceneOptions& options = {}) {
-  std::string text(R"({"asset": {"version": "2.0"}, )");
-  text.append(accessors.json(buffer_uri(accessors.bytes()))).append(", ").append(members);
-  return scene_of_text(text.append("}"), options);
+  return scene_of_text(accessors.text(members, buffer_uri(accessors.bytes())), options);
 }
 
 /// A triangle with positions (accessor 0), normals (1) and texture coordinates (2).

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "model/packed_bytes.hpp"
 #include "rules/selected.hpp"
+#include "support/asset_builder.hpp"
 
 namespace gltfx::test {
 
@@ -19,42 +19,19 @@ class DataAsset {
   std::size_t accessor(const std::string& type, Component component, std::size_t count,
                        const std::string& bytes, const std::string& more = {},
                        const std::string& view_more = {}) {
-    std::string text = R"({"type": ")" + type + R"(", "componentType": )" +
-                       std::to_string(component) + R"(, "count": )" + std::to_string(count);
-    if (!bytes.empty()) {
-      text += R"(, "bufferView": )" + std::to_string(view(bytes, view_more));
-    }
-    accessors_.push_back(text + more + "}");
-    return accessors_.size() - 1;
+    return made_.accessor(type, component, count, bytes, AssetBuilder::members_of(more),
+                          AssetBuilder::members_of(view_more));
   }
-
   std::size_t view(const std::string& bytes, const std::string& more = {}) {
-    bytes_.resize((bytes_.size() + 3) / 4 * 4);
-    views_.push_back(R"({"buffer": 0, "byteOffset": )" + std::to_string(bytes_.size()) +
-                     R"(, "byteLength": )" + std::to_string(bytes.size()) + more + "}");
-    bytes_ += bytes;
-    return views_.size() - 1;
+    return made_.view(bytes, AssetBuilder::members_of(more));
   }
-
   /// The text of the asset, with further `members` of its root.
   std::string text(const std::string& members = {}) const {
-    const auto list = [](const std::string& name, const std::vector<std::string>& items) {
-      std::string joined;
-      for (const std::string& item : items) joined += (joined.empty() ? "" : ", ") + item;
-      return items.empty() ? std::string() : ", \"" + name + "\": [" + joined + "]";
-    };
-    std::string buffers;
-    if (!bytes_.empty()) {
-      buffers = R"(, "buffers": [{"byteLength": )" + std::to_string(bytes_.size()) +
-                R"(, "uri": ")" + buffer_uri(bytes_) + R"("}])";
-    }
-    return R"({"asset": {"version": "2.0"})" + list("accessors", accessors_) +
-           list("bufferViews", views_) + buffers + (members.empty() ? "" : ", " + members) + "}";
+    return made_.text(buffer_uri(made_.bytes), members);
   }
 
  private:
-  std::vector<std::string> accessors_, views_;
-  std::string bytes_;
+  AssetBuilder made_;
 };
 
 /// The members of a mesh with one primitive.

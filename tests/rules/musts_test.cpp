@@ -91,9 +91,9 @@ std::size_t components_of(const Json& accessor) {
   return counts.at(accessor.at("type"));
 }
 
-class AssetBuilder {
+class DocumentPacker {
  public:
-  explicit AssetBuilder(Json document) : document_(std::move(document)) {}
+  explicit DocumentPacker(Json document) : document_(std::move(document)) {}
 
   Json build() {
     if (document_.contains("bufferViews")) {
@@ -102,9 +102,10 @@ class AssetBuilder {
     if (document_.contains("accessors")) {
       for (Json& accessor : document_["accessors"]) add_accessor(accessor);
     }
-    if (!views_.empty()) document_["bufferViews"] = views_;
-    if (!bytes_.empty()) {
-      document_["buffers"][0] = {{"byteLength", bytes_.size()}, {"uri", buffer_uri(bytes_)}};
+    if (made_.json.contains("bufferViews")) document_["bufferViews"] = made_.json["bufferViews"];
+    if (!made_.bytes.empty()) {
+      document_["buffers"][0] = {{"byteLength", made_.bytes.size()},
+                                 {"uri", buffer_uri(made_.bytes)}};
     }
     embed_pictures(document_);
     return document_;
@@ -128,13 +129,13 @@ class AssetBuilder {
     if (view.contains("picture")) {
       const std::string bytes = picture_of(view["picture"]);
       view.erase("picture");
-      add_view(bytes, view);
+      made_.view(bytes, view);
     } else if (view.contains("bytes")) {
       const std::string bytes = raw(view["bytes"]);
       view.erase("bytes");
-      add_view(bytes, view);
+      made_.view(bytes, view);
     } else {
-      views_.push_back(view);
+      made_.add("bufferViews", view);
     }
   }
 
@@ -142,15 +143,6 @@ class AssetBuilder {
     std::string bytes;
     for (const Json& number : numbers) append_component(bytes, number, kUint8);
     return bytes;
-  }
-
-  std::size_t add_view(const std::string& bytes, const Json& more = Json::object()) {
-    bytes_.resize((bytes_.size() + 3) / 4 * 4);
-    Json view{{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}};
-    view.update(more);
-    views_.push_back(std::move(view));
-    bytes_ += bytes;
-    return views_.size() - 1;
   }
 
   static std::string pack(const Json& values, int type, std::size_t components,
@@ -174,24 +166,23 @@ class AssetBuilder {
       accessor.erase("values");
       if (!accessor.contains("count")) accessor["count"] = values.size() / components;
       const std::size_t stride = more.value("byteStride", std::size_t{0});
-      accessor["bufferView"] = add_view(pack(values, type, components, stride), more);
+      accessor["bufferView"] = made_.view(pack(values, type, components, stride), more);
     }
     if (accessor.contains("bytes")) {
-      accessor["bufferView"] = add_view(raw(accessor["bytes"]), more);
+      accessor["bufferView"] = made_.view(raw(accessor["bytes"]), more);
       accessor.erase("bytes");
     }
     if (!accessor.contains("sparse")) return;
     Json& indices = accessor["sparse"]["indices"];
-    indices["bufferView"] = add_view(pack(indices["values"], indices["componentType"], 1, 0));
+    indices["bufferView"] = made_.view(pack(indices["values"], indices["componentType"], 1, 0));
     indices.erase("values");
     Json& values = accessor["sparse"]["values"];
-    values["bufferView"] = add_view(pack(values["values"], type, components_of(accessor), 0));
+    values["bufferView"] = made_.view(pack(values["values"], type, components_of(accessor), 0));
     values.erase("values");
   }
 
   Json document_;
-  Json views_ = Json::array();
-  std::string bytes_;
+  AssetBuilder made_;
 };
 
 // --- Rows ---
@@ -211,10 +202,10 @@ std::string asset_of_row(const Json& row, const Json& bases, bool violating) {
   Json document = base_of(row.at("base"), bases);
   edit_all(document, row, "given");
   if (violating) edit_all(document, row, "values");
-  document = AssetBuilder(std::move(document)).build();
+  document = DocumentPacker(std::move(document)).build();
   if (!violating) return document.dump();
   edit_all(document, row, "set");
-  AssetBuilder::embed_pictures(document);
+  DocumentPacker::embed_pictures(document);
   return document.dump();
 }
 

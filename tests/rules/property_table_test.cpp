@@ -74,7 +74,7 @@ TEST(PropertyTable, AnyCountIsComparedWithTheBytes) {
     ColumnTable table{R"("type": "MAT4", "componentType": "FLOAT64", "array": true, "count": 4096)",
                       7, floats({1, 2})};
     std::string text = table.text();
-    text.replace(text.find(R"("count": 7)"), 10, R"("count": )" + count);
+    text.replace(text.find(R"("count":7)"), 9, R"("count":)" + count);
     EXPECT_FALSE(verdict(text).empty()) << count;
   }
   const std::string wide =
