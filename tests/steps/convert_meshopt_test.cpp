@@ -57,7 +57,7 @@ TEST_F(Meshopt, KeepsViewsBitForBitAndTheirIndices) {
   EXPECT_EQ(stream_of(now, 0)["count"], 256);
   EXPECT_EQ(stream_of(now, 2)["mode"], "INDICES");
   EXPECT_EQ(stream_of(now, 2)["byteStride"], 2);
-  EXPECT_LT(fs::file_size(folder_.path() / "out" / "b.bin"), asset.buffer.size() * 3 / 4);
+  EXPECT_LT(fs::file_size(folder_.path() / "out" / "b.bin"), asset.bytes.size() * 3 / 4);
   EXPECT_EQ(step().what, "3 of 3 buffer views");
   EXPECT_THAT(step().losses, IsEmpty());
   EXPECT_THAT(step().left, IsEmpty());
@@ -144,7 +144,7 @@ TEST_F(Meshopt, LeavesTheBufferOfTheSourceInItsFolder) {
   const ConvertReport report =
       convert_file(source.native(), options(folder_.path() / "beside.gltf"));
   EXPECT_TRUE(report.written) << report.error;
-  EXPECT_EQ(content_of(folder_.path() / "b.bin"), asset.buffer);
+  EXPECT_EQ(content_of(folder_.path() / "b.bin"), asset.bytes);
   EXPECT_EQ(view_bytes(folder_.path() / "beside.gltf"), before);
 }
 

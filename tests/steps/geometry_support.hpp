@@ -16,6 +16,7 @@
 #include "convert_support.hpp"
 #include "model/opened_asset.hpp"
 #include "model/resource_data.hpp"
+#include "support/asset_builder.hpp"
 
 namespace gltfx::test {
 
@@ -50,22 +51,13 @@ struct Grid {
 };
 
 /// Builds a document with one buffer, "b.bin".
-class AssetText {
+class AssetText : public AssetBuilder {
  public:
-  /// Returns the index of the buffer view.
-  std::size_t view(const std::string& bytes, OrderedJson more = OrderedJson::object()) {
-    buffer.resize((buffer.size() + 3) / 4 * 4);
-    more["buffer"] = 0;
-    more["byteOffset"] = buffer.size();
-    more["byteLength"] = bytes.size();
-    buffer += bytes;
-    json["bufferViews"].push_back(more);
-    return json["bufferViews"].size() - 1;
-  }
+  AssetText() { json["scene"] = 0; }
   /// Returns the index of the accessor. `component`: the glTF number of the type.
   template <class T>
   std::size_t accessor(const std::vector<T>& values, unsigned component, const char* type,
-                       unsigned components, OrderedJson more = OrderedJson::object()) {
+                       unsigned components, const OrderedJson& more = OrderedJson::object()) {
     return accessor_at(view(bytes_of(values)), values.size() / components, component, type, more);
   }
   std::size_t accessor_at(std::size_t view, std::size_t count, unsigned component, const char* type,
@@ -74,8 +66,7 @@ class AssetText {
     more["componentType"] = component;
     more["count"] = count;
     more["type"] = type;
-    json["accessors"].push_back(more);
-    return json["accessors"].size() - 1;
+    return add("accessors", std::move(more));
   }
   /// Adds accessors of a grid: POSITION, TEXCOORD_0 and indices. Returns the primitive.
   OrderedJson grid(const Grid& grid = Grid()) {
@@ -97,17 +88,14 @@ class AssetText {
     json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
   }
   std::string text() {
-    json["buffers"] = OrderedJson::array({{{"uri", "b.bin"}, {"byteLength", buffer.size()}}});
+    json["buffers"] = OrderedJson::array({{{"uri", "b.bin"}, {"byteLength", bytes.size()}}});
     return json.dump(1);
   }
   std::filesystem::path write(container::test::TempFolder& folder) {
     const std::string now = text();
-    folder.write("b.bin", buffer);
+    folder.write("b.bin", bytes);
     return folder.write("a.gltf", now);
   }
-
-  OrderedJson json = {{"asset", {{"version", "2.0"}}}, {"scene", 0}};
-  std::string buffer;
 };
 
 /// The decoded bytes of each buffer view; "none": there are none.

@@ -11,35 +11,27 @@
 #include <vector>
 
 #include "convert_support.hpp"
+#include "model/packed_bytes.hpp"
+#include "support/asset_builder.hpp"
 
 namespace gltfx::test {
 
 /// Builds an asset with one buffer view per accessor.
-class MadeAsset {
+class MadeAsset : public AssetBuilder {
  public:
-  MadeAsset() {
-    json["asset"]["version"] = "2.0";
-    json["buffers"] = OrderedJson::array();
-  }
+  MadeAsset() { json["buffers"] = OrderedJson::array(); }
 
   /// Adds an accessor and returns its index. `type`: "SCALAR", "VEC3".
   template <class T>
   std::size_t accessor(const std::vector<T>& values, const std::string& type, bool bounds = false) {
-    bin_.resize((bin_.size() + 7) / 8 * 8, '\0');
-    OrderedJson view{
-        {"buffer", 0}, {"byteOffset", bin_.size()}, {"byteLength", sizeof(T) * values.size()}};
-    bin_.append(reinterpret_cast<const char*>(values.data()), sizeof(T) * values.size());
-    json["bufferViews"].push_back(view);
-    OrderedJson made{{"bufferView", json["bufferViews"].size() - 1},
-                     {"componentType", component_type<T>()},
-                     {"count", values.size() / width_of(type)},
-                     {"type", type}};
+    bytes.resize((bytes.size() + 7) / 8 * 8);
+    OrderedJson more = OrderedJson::object();
     if (bounds) {
-      made["min"] = bound(values, width_of(type), false);
-      made["max"] = bound(values, width_of(type), true);
+      more["min"] = bound(values, width_of(type), false);
+      more["max"] = bound(values, width_of(type), true);
     }
-    json["accessors"].push_back(made);
-    return json["accessors"].size() - 1;
+    return AssetBuilder::accessor(type, component_type<T>(), values.size() / width_of(type),
+                                  packed(values), more);
   }
 
   /// Adds a mesh with a primitive, and a node with the mesh.
@@ -49,16 +41,14 @@ class MadeAsset {
   }
 
   std::string glb() {
-    bin_.resize((bin_.size() + 7) / 8 * 8, '\0');
-    json["buffers"] = {{{"byteLength", bin_.size()}}};
-    return glb_of(json.dump(), bin_);
+    bytes.resize((bytes.size() + 7) / 8 * 8);
+    json["buffers"] = {{{"byteLength", bytes.size()}}};
+    return glb_of(json.dump(), bytes);
   }
 
   static std::size_t width_of(const std::string& type) {
     return type == "SCALAR" ? 1 : static_cast<std::size_t>(type[3] - '0');
   }
-
-  OrderedJson json;
 
  private:
   template <class T>
@@ -79,8 +69,6 @@ class MadeAsset {
     }
     return bounds;
   }
-
-  std::string bin_;
 };
 
 template <class T>
