@@ -21,6 +21,7 @@
 #include "model/packed_bytes.hpp"
 #include "pipeline/picture_file.hpp"
 #include "render/shapes.hpp"
+#include "support/asset_builder.hpp"
 
 namespace gltfx::test {
 
@@ -30,26 +31,16 @@ using Json = nlohmann::ordered_json;
 class AssetText {
  public:
   AssetText() {
-    json_ = {
-        {"asset", {{"version", "2.0"}}}, {"scene", 0}, {"scenes", {{{"nodes", Json::array()}}}}};
+    json()["scene"] = 0;
+    json()["scenes"][0]["nodes"] = Json::array();
   }
 
   int add(const char* array, const Json& object) {
-    json_[array].push_back(object);
-    return static_cast<int>(json_[array].size()) - 1;
+    return static_cast<int>(made_.add(array, object));
   }
   int accessor(const char* type, int component, std::size_t count, const std::string& bytes,
                const Json& more = Json::object()) {
-    Json object{{"bufferView",
-                 add("bufferViews",
-                     {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", bytes.size()}})},
-                {"componentType", component},
-                {"count", count},
-                {"type", type}};
-    object.update(more);
-    bytes_ += bytes;
-    bytes_.resize((bytes_.size() + 3) / 4 * 4, '\0');
-    return add("accessors", object);
+    return static_cast<int>(made_.accessor(type, component, count, bytes, more));
   }
   /// Positions with the bounds that they have.
   int positions(const std::vector<Float3>& points) {
@@ -71,10 +62,10 @@ class AssetText {
     return add("materials", material);
   }
   void uses(const std::string& extension) {
-    for (const Json& each : json_.value("extensionsUsed", Json::array())) {
+    for (const Json& each : json().value("extensionsUsed", Json::array())) {
       if (each == extension) return;
     }
-    json_["extensionsUsed"].push_back(extension);
+    json()["extensionsUsed"].push_back(extension);
   }
   /// Index of the mesh. `material` below 0: none.
   int mesh(const render::Mesh& from, int material) {
@@ -98,7 +89,7 @@ class AssetText {
   /// A node of the scene.
   int node(const Json& node) {
     const int index = add("nodes", node);
-    json_["scenes"][0]["nodes"].push_back(index);
+    json()["scenes"][0]["nodes"].push_back(index);
     return index;
   }
   int draw(const render::Mesh& mesh, const Json& material, Json place = Json::object()) {
@@ -107,9 +98,9 @@ class AssetText {
   }
   void light(const Json& light, Json place = Json::object()) {
     uses("KHR_lights_punctual");
-    json_["extensions"]["KHR_lights_punctual"]["lights"].push_back(light);
+    json()["extensions"]["KHR_lights_punctual"]["lights"].push_back(light);
     place["extensions"]["KHR_lights_punctual"]["light"] =
-        json_["extensions"]["KHR_lights_punctual"]["lights"].size() - 1;
+        json()["extensions"]["KHR_lights_punctual"]["lights"].size() - 1;
     node(place);
   }
   /// Looks down -z from there, unless turned.
@@ -124,17 +115,11 @@ class AssetText {
            {{"translation", {0, 0, z}}});
   }
 
-  Json& json() { return json_; }
-  std::string text() {
-    if (!bytes_.empty()) {
-      json_["buffers"] = {{{"byteLength", bytes_.size()}, {"uri", buffer_uri(bytes_)}}};
-    }
-    return json_.dump();
-  }
+  Json& json() { return made_.json; }
+  std::string text() const { return made_.text(buffer_uri(made_.bytes)); }
 
  private:
-  Json json_;
-  std::string bytes_;
+  AssetBuilder made_;
 };
 
 /// What a metallic-roughness material is without its metal.

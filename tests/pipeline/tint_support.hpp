@@ -20,6 +20,7 @@
 #include "json/parse.hpp"
 #include "pipeline/scene_asset.hpp"
 #include "steps/upgrade/vertex_colors.hpp"
+#include "support/asset_builder.hpp"
 
 namespace gltfx::test {
 
@@ -42,36 +43,28 @@ std::string bytes_of(const std::vector<T>& values) {
 class Scene {
  public:
   Scene() {
-    json_ = {{"asset", {{"version", "2.0"}}},
-             {"extensionsUsed", {kOld}},
-             {"materials",
-              {{{"name", "leaf"},
-                {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 0.5}}}},
-                {"extensions", {{kOld, {{"translucencyFactor", 0.5}}}}}}}}};
+    made_.json = {{"asset", {{"version", "2.0"}}},
+                  {"extensionsUsed", {kOld}},
+                  {"materials",
+                   {{{"name", "leaf"},
+                     {"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0.25, 1, 0.5}}}},
+                     {"extensions", {{kOld, {{"translucencyFactor", 0.5}}}}}}}}};
     positions_ = add_accessor(bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}), kFloat, "VEC3", 3);
-    json_["accessors"][0]["min"] = {0, 0, 0};
-    json_["accessors"][0]["max"] = {1, 1, 0};
+    made_.json["accessors"][0]["min"] = {0, 0, 0};
+    made_.json["accessors"][0]["max"] = {1, 1, 0};
   }
-  Json& json() { return json_; }
-  Json& primitive(std::size_t i) { return json_["meshes"][0]["primitives"][i]; }
+  Json& json() { return made_.json; }
+  Json& primitive(std::size_t i) { return made_.json["meshes"][0]["primitives"][i]; }
 
   std::size_t add_accessor(const std::string& bytes, int component, const char* type, int count) {
-    buffer_.resize((buffer_.size() + 3) / 4 * 4);
-    json_["bufferViews"].push_back(
-        {{"buffer", 0}, {"byteOffset", buffer_.size()}, {"byteLength", bytes.size()}});
-    buffer_ += bytes;
-    Json accessor{{"bufferView", json_["bufferViews"].size() - 1},
-                  {"componentType", component},
-                  {"count", count},
-                  {"type", type}};
-    if (component != kFloat) accessor["normalized"] = true;
-    json_["accessors"].push_back(accessor);
-    return json_["accessors"].size() - 1;
+    Json more = Json::object();
+    if (component != kFloat) more["normalized"] = true;
+    return made_.accessor(type, component, static_cast<std::size_t>(count), bytes, more);
   }
   std::size_t add_primitive() {
-    json_["meshes"][0]["primitives"].push_back(
+    made_.json["meshes"][0]["primitives"].push_back(
         {{"attributes", {{"POSITION", positions_}}}, {"material", 0}});
-    return json_["meshes"][0]["primitives"].size() - 1;
+    return made_.json["meshes"][0]["primitives"].size() - 1;
   }
   /// A triangle with that colour at each vertex, RGBA of bytes.
   std::size_t add_colored(const std::vector<std::array<std::uint8_t, 4>>& colors) {
@@ -89,9 +82,9 @@ class Scene {
   void animate(const std::string& pointer, std::size_t output, const char* interpolation = "LINEAR",
                std::size_t index = 0) {
     const std::size_t input = add_accessor(bytes_of<float>({0, 1}), kFloat, "SCALAR", 2);
-    json_["accessors"][input]["min"] = {0};
-    json_["accessors"][input]["max"] = {1};
-    Json& animation = json_["animations"][index];
+    made_.json["accessors"][input]["min"] = {0};
+    made_.json["accessors"][input]["max"] = {1};
+    Json& animation = made_.json["animations"][index];
     animation["samplers"].push_back(
         {{"input", input}, {"output", output}, {"interpolation", interpolation}});
     animation["channels"].push_back(
@@ -101,20 +94,21 @@ class Scene {
            {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}}}});
   }
   std::string text() {
-    json_["buffers"] = {
-        {{"byteLength", buffer_.size()},
-         {"uri", "data:application/octet-stream;base64," + container::encode_base64(buffer_)}}};
-    if (json_.contains("animations")) json_["extensionsUsed"].push_back("KHR_animation_pointer");
+    made_.json["buffers"] = {
+        {{"byteLength", made_.bytes.size()},
+         {"uri", "data:application/octet-stream;base64," + container::encode_base64(made_.bytes)}}};
+    if (made_.json.contains("animations"))
+      made_.json["extensionsUsed"].push_back("KHR_animation_pointer");
     // Compilers differ in whether braces around one value make an array of it.
-    json_["scenes"] = Json::array({Json{{"nodes", Json::array({0})}}});
-    json_["nodes"] = Json::array();
-    json_["nodes"].push_back(json_.contains("meshes") ? Json{{"mesh", 0}} : Json::object());
-    return json_.dump(2);
+    made_.json["scenes"] = Json::array({Json{{"nodes", Json::array({0})}}});
+    made_.json["nodes"] = Json::array();
+    made_.json["nodes"].push_back(made_.json.contains("meshes") ? Json{{"mesh", 0}}
+                                                                : Json::object());
+    return made_.json.dump(2);
   }
 
  private:
-  Json json_;
-  std::string buffer_;
+  AssetBuilder made_;
   std::size_t positions_ = 0;
 };
 
