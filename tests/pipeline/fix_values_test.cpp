@@ -208,7 +208,8 @@ TEST(FixBounds, OfIntegersAreIntegers) {
 TEST(FixKeyframes, AreThoseOfTheChannel) {
   const auto with_last_rotation = [](float w) {
     test::AssetBuilder made;
-    made.accessor("SCALAR", 5126, 2, test::floats({0, 1}), {{"min", {0}}, {"max", {1}}});
+    made.accessor("SCALAR", 5126, 2, test::floats({0, 1}),
+                  test::AssetBuilder::members_of(R"("min": [0], "max": [1])"));
     made.accessor("VEC4", 5126, 2, test::floats({0, 0, 0, 1, 0, 0, 0, 1}));
     made.accessor("VEC4", 5126, 2, test::floats({0, 0, 0, 1, 0, 0, 0, w}));
     return made.text(test::buffer_uri(made.bytes),
