@@ -12,9 +12,9 @@
 
 #include "base/text.hpp"
 #include "change/bin_cut.hpp"
+#include "change/lost_content.hpp"
 #include "change/name_list.hpp"
-#include "change/removal.hpp"
-#include "change/removals.hpp"
+#include "change/removal_closure.hpp"
 #include "graph/extras.hpp"
 #include "graph/renumber.hpp"
 #include "graph/unknown_indices.hpp"

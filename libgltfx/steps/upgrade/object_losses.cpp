@@ -10,7 +10,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "change/removal.hpp"
+#include "change/lost_content.hpp"
 #include "json/parse.hpp"
 #include "schema/phrases.hpp"
 #include "steps/upgrade/object_plan.hpp"

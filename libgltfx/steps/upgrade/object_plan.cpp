@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "change/removal.hpp"
+#include "change/lost_content.hpp"
 #include "json/parse.hpp"
 #include "steps/upgrade/generation.hpp"
 

@@ -11,7 +11,7 @@
 
 #include "base/number.hpp"
 #include "base/text.hpp"
-#include "change/removal.hpp"
+#include "change/lost_content.hpp"
 #include "json/document.hpp"
 #include "model/asset.hpp"
 #include "model/fields.hpp"

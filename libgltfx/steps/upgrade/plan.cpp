@@ -15,8 +15,8 @@
 #include <fmt/format.h>
 
 #include "base/json_pointer.hpp"
+#include "change/lost_content.hpp"
 #include "change/name_list.hpp"
-#include "change/removal.hpp"
 #include "json/writer.hpp"
 #include "model/asset.hpp"
 #include "steps/upgrade/ambiguity.hpp"

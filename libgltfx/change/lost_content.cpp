@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "change/removal.hpp"
+#include "change/lost_content.hpp"
 
 #include <algorithm>
 #include <iterator>

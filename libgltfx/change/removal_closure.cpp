@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "change/removals.hpp"
+#include "change/removal_closure.hpp"
 
 #include <algorithm>
 #include <utility>
