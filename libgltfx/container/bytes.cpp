@@ -7,7 +7,7 @@
 #include "base/checked.hpp"
 #include "base/temporary_file.hpp"
 #include "container/file.hpp"
-#include "container/mapping.hpp"
+#include "container/mapped_files.hpp"
 
 namespace gltfx::container {
 namespace {

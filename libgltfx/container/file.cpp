@@ -19,7 +19,7 @@
 #include <linux/openat2.h>
 #endif
 
-#include "container/mapping.hpp"
+#include "container/mapped_files.hpp"
 
 namespace gltfx::container {
 namespace {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-#include "container/mapping.hpp"
+#include "container/mapped_files.hpp"
 #include "model/resource_data.hpp"
 #include "model/views.hpp"
 

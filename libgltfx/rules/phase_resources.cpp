@@ -10,7 +10,7 @@
 #include "base/checked.hpp"
 #include "base/codes.hpp"
 #include "container/content.hpp"
-#include "container/mapping.hpp"
+#include "container/mapped_files.hpp"
 #include "container/opened_files.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 
 const std::map<std::string, std::string, std::less<>> kExceptions{
     {"libgltfx/base/fork.cpp", "made when the library is loaded"},
-    {"libgltfx/container/mapping.cpp", "made when the library is loaded"},
+    {"libgltfx/container/mapped_files.cpp", "made when the library is loaded"},
     {"libgltfx/codec/in_process.cpp", "for systems without fork()"},
 };
 

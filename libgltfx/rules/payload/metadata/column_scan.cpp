@@ -8,7 +8,7 @@
 
 #include "base/checked.hpp"
 #include "base/codes.hpp"
-#include "container/mapping.hpp"
+#include "container/mapped_files.hpp"
 #include "json/literals.hpp"
 #include "rules/payload/metadata/property_table.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A list that only grows and whose entries are reused, so that it can be read at any time, also in
 // a signal handler.
-#include "container/mapping.hpp"
+#include "container/mapped_files.hpp"
 
 #include <gltfx/mapping.hpp>
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "container/mapping.hpp"
-
 #include <gltfx/mapping.hpp>
 
 #include <algorithm>
@@ -15,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "container/file.hpp"
+#include "container/mapped_files.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx::container::test {
