@@ -2,7 +2,7 @@
 #include "base/fork.hpp"
 #include "schema/compile.hpp"
 #include "schema/embedded.hpp"
-#include "schema/image.hpp"
+#include "schema/stored_set.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -26,7 +26,7 @@ const std::shared_ptr<const Set>& builtin_set() {
   // Not destroyed, which would take longer than some runs.
   static constinit MadeOnce<std::shared_ptr<const Set>> set;
   return set.get([] {
-    auto ready = read_image(embedded_image(), embedded_texts());
+    auto ready = read_set(embedded_set(), embedded_texts());
     return ready ? ready : compile(builtin_files()).set;
   });
 }

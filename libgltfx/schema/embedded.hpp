@@ -12,7 +12,7 @@ namespace gltfx::schema {
 Texts embedded_names();
 /// Their contents, in the same order.
 Texts embedded_texts();
-/// The Set they make, as `schema/image.hpp` reads it with these texts.
-std::string_view embedded_image();
+/// The Set they make, as `schema/stored_set.hpp` reads it with these texts.
+std::string_view embedded_set();
 
 }  // namespace gltfx::schema

@@ -258,7 +258,7 @@ struct Extension {
 
 class Pattern;
 
-// Read a part of an image (schema/image.hpp).
+// Read a part of a stored Set (schema/stored_set.hpp).
 void read_part(std::string_view bytes, Texts texts, Shape& shape);
 void read_part(std::string_view bytes, Texts texts, ObjectType& type);
 

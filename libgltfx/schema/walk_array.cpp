@@ -148,7 +148,7 @@ bool Walker::plain_indices(ShapeId items, json::NodeId node, bool unique) {
   const ShapePlan& plan = tables_.shapes[items];
   const TargetPlan& target = tables_.targets[plan.target];
   if (target.pointer.empty() || target.steps_over || options_.references != nullptr) return false;
-  Targets::Array& array = targets_.from_root(plan.target);
+  ReferenceTargets::Array& array = targets_.from_root(plan.target);
   if (!array.holes.empty()) return false;
   const std::string_view raw = document_.raw(node);
   Repeats repeats(*this, unique, raw.size(), array.size);

@@ -13,16 +13,16 @@
 namespace gltfx::schema {
 
 // The array that is meant at this place of the walk; null when the document does not have it.
-Targets::Array* Walker::array_of(const TargetPlan& plan, std::uint32_t target) {
+ReferenceTargets::Array* Walker::array_of(const TargetPlan& plan, std::uint32_t target) {
   if (plan.target.base != Target::Base::enclosing) {
-    Targets::Array& array = targets_.from_root(target);
+    ReferenceTargets::Array& array = targets_.from_root(target);
     return array.is_array ? &array : nullptr;
   }
   for (const Frame* frame = top_; frame != nullptr; frame = frame->parent) {
     if (frame->mode != Mode::object || frame->type == kNone ||
         set_.type(frame->type).origin != plan.target.enclosing)
       continue;
-    Targets::Array* array = targets_.below(plan.target, frame->node, frame->path);
+    ReferenceTargets::Array* array = targets_.below(plan.target, frame->node, frame->path);
     return array != nullptr && array->is_array ? array : nullptr;
   }
   return nullptr;
@@ -42,7 +42,7 @@ bool Walker::discard_reference(ShapeId shape) {
   if (deviations().broken_values_are_absent || tables_.shapes[shape].target == kNone) return false;
   const std::uint32_t target = tables_.shapes[shape].target;
   const TargetPlan& plan = tables_.targets[target];
-  if (Targets::Array* array = array_of(plan, target); array != nullptr) {
+  if (ReferenceTargets::Array* array = array_of(plan, target); array != nullptr) {
     array->used.mark_all();
     return false;
   }
@@ -56,7 +56,7 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
   const bool of_root = top_ != nullptr && top_->parent == nullptr;
   result_.has_open_references = true;
   if (options_.part == (of_root ? Part::references : Part::form)) return;
-  Targets::Array* array = array_of(plan, target);
+  ReferenceTargets::Array* array = array_of(plan, target);
   if (options_.references != nullptr) {
     (*options_.references)({ReferenceUse::Kind::index, value.node, &plan.target,
                             plan.steps_over ? std::string_view() : plan.pointer, index,
@@ -91,8 +91,8 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
 }
 
 // Checks the members that the referenced element must have.
-void Walker::look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t index, Value value,
-                             const Path& path) {
+void Walker::look_at_element(ShapeId shape, ReferenceTargets::Array& array, std::uint64_t index,
+                             Value value, const Path& path) {
   const std::vector<std::string>& steps = set_.shape(shape).ref_has;
   if (steps.empty() || deviations().no_additional_rules) return;
   if (targets_.has_member(array, index, shape, steps)) return;

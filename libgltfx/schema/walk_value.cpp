@@ -67,7 +67,7 @@ bool Walker::value(ShapeId id, json::NodeId node, Step step) {
       if (kind != json::Kind::number || !is_small_index(node, index)) break;
       const TargetPlan& target = tables_.targets[plan.target];
       if (target.pointer.empty() || target.steps_over) break;
-      Targets::Array& array = targets_.from_root(plan.target);
+      ReferenceTargets::Array& array = targets_.from_root(plan.target);
       if (index >= array.size || !array.holes.empty()) break;
       array.used.mark(index, plan.of_extension);
       return false;

@@ -16,7 +16,7 @@
 #include "schema/document_names.hpp"
 #include "schema/holds.hpp"
 #include "schema/home.hpp"
-#include "schema/targets.hpp"
+#include "schema/reference_targets.hpp"
 #include "schema/value.hpp"
 
 namespace gltfx::schema {
@@ -132,11 +132,11 @@ class Walker {
   // walk_reference.cpp
   bool discard_reference(ShapeId shape);
   void refer(ShapeId shape, std::uint64_t index, Value value, const Path& path);
-  void look_at_element(ShapeId shape, Targets::Array& array, std::uint64_t index, Value value,
-                       const Path& path);
+  void look_at_element(ShapeId shape, ReferenceTargets::Array& array, std::uint64_t index,
+                       Value value, const Path& path);
   bool is_elsewhere(const Target& target) const;
   void refer_name(ShapeId shape, std::string_view name, Value value, const Path& path);
-  Targets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
+  ReferenceTargets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
   bool lacks_root_extension(const Target& target) const;
 
   void constraints(const Frame& frame);
@@ -194,7 +194,7 @@ class Walker {
   const ObjectVisitor& visitor_;
   Values values_;
   DocumentNames names_;
-  Targets targets_;
+  ReferenceTargets targets_;
   Holds holds_;
   CheckResult result_;
   std::deque<Frame> frames_;

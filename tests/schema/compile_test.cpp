@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "schema/embedded.hpp"
-#include "schema/image.hpp"
 #include "schema/leaf.hpp"
+#include "schema/stored_set.hpp"
 
 namespace gltfx::test {
 namespace {
@@ -66,31 +66,31 @@ TEST(BuiltinSet, KnowsEveryCoreTypeByTheNameTheFieldUses) {
 TEST(BuiltinSet, IsTheSameAsTheOneCompiledFromItsTexts) {
   const auto compiled = schema::compile_with({});
   ASSERT_NE(compiled.set, nullptr);
-  EXPECT_TRUE(schema::write_image(*builtin_set()) == schema::write_image(*compiled.set));
+  EXPECT_TRUE(schema::write_set(*builtin_set()) == schema::write_set(*compiled.set));
 }
 
 TEST(BuiltinSet, IsMadeOnce) { EXPECT_EQ(builtin_set().get(), builtin_set().get()); }
 
 TEST(Image, BrokenBytesAreRefused) {
-  const std::string image = schema::write_image(*builtin_set());
-  ASSERT_NE(schema::read_image(image), nullptr);
-  EXPECT_EQ(schema::read_image(""), nullptr);
-  EXPECT_EQ(schema::read_image("something else entirely"), nullptr);
-  EXPECT_EQ(schema::read_image(image + "x"), nullptr);
-  for (const std::size_t size : {image.size() / 7, image.size() / 2, image.size() - 1}) {
-    EXPECT_EQ(schema::read_image(std::string_view(image).substr(0, size)), nullptr) << size;
+  const std::string stored = schema::write_set(*builtin_set());
+  ASSERT_NE(schema::read_set(stored), nullptr);
+  EXPECT_EQ(schema::read_set(""), nullptr);
+  EXPECT_EQ(schema::read_set("something else entirely"), nullptr);
+  EXPECT_EQ(schema::read_set(stored + "x"), nullptr);
+  for (const std::size_t size : {stored.size() / 7, stored.size() / 2, stored.size() - 1}) {
+    EXPECT_EQ(schema::read_set(std::string_view(stored).substr(0, size)), nullptr) << size;
   }
 }
 
 TEST(Image, RefersToTextsInPlaceOfCopies) {
-  const std::string whole = schema::write_image(*builtin_set());
-  const std::string image = schema::write_image(*builtin_set(), schema::embedded_texts());
-  EXPECT_LT(image.size(), whole.size() * 3 / 4);
-  const auto set = schema::read_image(image, schema::embedded_texts());
+  const std::string whole = schema::write_set(*builtin_set());
+  const std::string stored = schema::write_set(*builtin_set(), schema::embedded_texts());
+  EXPECT_LT(stored.size(), whole.size() * 3 / 4);
+  const auto set = schema::read_set(stored, schema::embedded_texts());
   ASSERT_NE(set, nullptr);
-  EXPECT_TRUE(schema::write_image(*set) == whole);
-  EXPECT_EQ(schema::read_image(image), nullptr);
-  EXPECT_EQ(schema::read_image(image, schema::embedded_texts().first(10)), nullptr);
+  EXPECT_TRUE(schema::write_set(*set) == whole);
+  EXPECT_EQ(schema::read_set(stored), nullptr);
+  EXPECT_EQ(schema::read_set(stored, schema::embedded_texts().first(10)), nullptr);
 }
 
 TEST(TextIndex, FindsStringsThatHaveNoEscapes) {
@@ -112,8 +112,8 @@ TEST(TextIndex, FindsStringsThatHaveNoEscapes) {
 }
 
 TEST(Image, ThreadsThatAskForTheSamePartsGetTheSame) {
-  const std::string image = schema::write_image(*builtin_set());
-  const auto set = schema::read_image(image);
+  const std::string stored = schema::write_set(*builtin_set());
+  const auto set = schema::read_set(stored);
   ASSERT_NE(set, nullptr);
   std::vector<const void*> seen[2];
   const auto ask_for_all = [&](std::vector<const void*>& parts) {

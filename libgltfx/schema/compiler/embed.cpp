@@ -69,7 +69,7 @@ std::string embed(const std::vector<SourceFile>& files, const std::string& image
          "};\n}  // namespace\n\n"
          "Texts embedded_names() { return kNames; }\n\n"
          "Texts embedded_texts() { return kTexts; }\n\n"
-         "std::string_view embedded_image() {\n"
+         "std::string_view embedded_set() {\n"
          "  return {reinterpret_cast<const char*>(kImage), sizeof kImage};\n}\n\n"
          "}  // namespace gltfx::schema\n";
 }

@@ -12,7 +12,7 @@
 
 #include "schema/compile.hpp"
 #include "schema/compiler/embed.hpp"
-#include "schema/image.hpp"
+#include "schema/stored_set.hpp"
 
 namespace {
 
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
   std::vector<std::string_view> texts;
   for (const SourceFile& file : files) texts.emplace_back(file.text);
   const std::string out =
-      gltfx::schema::embed(files, gltfx::schema::write_image(*compiled.set, texts));
+      gltfx::schema::embed(files, gltfx::schema::write_set(*compiled.set, texts));
   if (!write_file(argv[1], out)) return fail(std::string(argv[1]) + ": cannot be written");
   // An unchanged header is not written, so that nothing is rebuilt.
   const std::string table = gltfx::schema::material_table(*compiled.set);

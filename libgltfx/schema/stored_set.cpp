@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "schema/image.hpp"
+#include "schema/stored_set.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -343,7 +343,7 @@ std::shared_ptr<const Lazy<T>> get_parts(Reader& reader, Texts texts) {
 
 }  // namespace
 
-std::string write_image(const Set& set, Texts texts) {
+std::string write_set(const Set& set, Texts texts) {
   SetParts parts = SetWriter::open(set);
   Names types = sorted(parts.type_ids);
   Names extensions = sorted(parts.extension_ids);
@@ -359,7 +359,7 @@ std::string write_image(const Set& set, Texts texts) {
   return std::move(writer.bytes);
 }
 
-std::shared_ptr<const Set> read_image(std::string_view bytes, Texts texts) {
+std::shared_ptr<const Set> read_set(std::string_view bytes, Texts texts) {
   SetParts parts;
   Names types;
   Names extensions;

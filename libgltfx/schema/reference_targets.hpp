@@ -14,11 +14,11 @@
 
 namespace gltfx::schema {
 
-class Targets {
+class ReferenceTargets {
  public:
-  Targets(const json::Document& document, const Set& set);
-  Targets(const Targets&) = delete;
-  Targets& operator=(const Targets&) = delete;
+  ReferenceTargets(const json::Document& document, const Set& set);
+  ReferenceTargets(const ReferenceTargets&) = delete;
+  ReferenceTargets& operator=(const ReferenceTargets&) = delete;
 
   /// One array; `size` is 0 when the document does not have it.
   struct Array {

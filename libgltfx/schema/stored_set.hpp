@@ -14,11 +14,10 @@ namespace gltfx::schema {
 
 /// A Set without its derived tables. Equal Sets give equal bytes. Strings that occur in the texts
 /// are written as their places.
-std::string write_image(const Set& set, Texts texts = {});
+std::string write_set(const Set& set, Texts texts = {});
 
-/// The Set of an image that the same version of the library wrote with the same texts. Null when
-/// the bytes are not an image. Shapes and types are read at first use: bytes and texts must outlive
-/// the Set.
-std::shared_ptr<const Set> read_image(std::string_view bytes, Texts texts = {});
+/// The Set that the same version of the library wrote with the same texts. Null when the bytes are
+/// no such Set. Shapes and types are read at first use: bytes and texts must outlive the Set.
+std::shared_ptr<const Set> read_set(std::string_view bytes, Texts texts = {});
 
 }  // namespace gltfx::schema

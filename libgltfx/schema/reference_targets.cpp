@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "schema/targets.hpp"
+#include "schema/reference_targets.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@ namespace gltfx::schema {
 
 // All targets are looked up in each asset, which has only a few of them: the contents of a missing
 // object are skipped.
-Targets::Targets(const json::Document& document, const Set& set)
+ReferenceTargets::ReferenceTargets(const json::Document& document, const Set& set)
     : document_(document), tables_(set.walk_tables()), from_root_(tables_.targets.size(), 0) {
   arrays_.reserve(16);  // most assets have fewer
   arrays_.emplace_back();
@@ -35,7 +35,7 @@ Targets::Targets(const json::Document& document, const Set& set)
   }
 }
 
-Targets::Array Targets::read(json::NodeId node) const {
+ReferenceTargets::Array ReferenceTargets::read(json::NodeId node) const {
   Array array;
   array.node = node;
   array.is_array = document_.is_array(node);
@@ -58,14 +58,15 @@ Targets::Array Targets::read(json::NodeId node) const {
 }
 
 // The value that steps without '*' lead to.
-json::NodeId Targets::value_at(json::NodeId from, const std::vector<std::string>& steps) const {
+json::NodeId ReferenceTargets::value_at(json::NodeId from,
+                                        const std::vector<std::string>& steps) const {
   for (const std::string& step : steps) from = document_.find(from, step);
   return from;
 }
 
 // All values that steps lead to; '*' goes to every element.
-std::vector<json::NodeId> Targets::places(json::NodeId from,
-                                          const std::vector<std::string>& steps) const {
+std::vector<json::NodeId> ReferenceTargets::places(json::NodeId from,
+                                                   const std::vector<std::string>& steps) const {
   std::vector<json::NodeId> now{from};
   for (const std::string& step : steps) {
     std::vector<json::NodeId> next;
@@ -83,7 +84,8 @@ std::vector<json::NodeId> Targets::places(json::NodeId from,
 }
 
 // If several arrays may be meant, an index must fit the largest.
-std::uint64_t Targets::largest(json::NodeId from, const std::vector<std::string>& steps) const {
+std::uint64_t ReferenceTargets::largest(json::NodeId from,
+                                        const std::vector<std::string>& steps) const {
   std::uint64_t size = 0;
   for (const json::NodeId place : places(from, steps)) {
     if (document_.is_array(place))
@@ -92,7 +94,8 @@ std::uint64_t Targets::largest(json::NodeId from, const std::vector<std::string>
   return size;
 }
 
-Targets::Array* Targets::below(const Target& target, json::NodeId object, const Path& path) {
+ReferenceTargets::Array* ReferenceTargets::below(const Target& target, json::NodeId object,
+                                                 const Path& path) {
   const json::NodeId node = value_at(object, target.steps);
   if (node == json::kNoNode) return nullptr;
   const auto [known, is_new] = local_at_.emplace(node, local_.size());
@@ -105,8 +108,8 @@ Targets::Array* Targets::below(const Target& target, json::NodeId object, const 
 }
 
 // Looked up once per element: many references may lead to an element with many members.
-bool Targets::has_member(Array& array, std::uint64_t index, ShapeId shape,
-                         const std::vector<std::string>& steps) const {
+bool ReferenceTargets::has_member(Array& array, std::uint64_t index, ShapeId shape,
+                                  const std::vector<std::string>& steps) const {
   const auto [known, is_new] = array.having.try_emplace(shape);
   if (is_new) {
     for (json::NodeId place : document_.elements(array.node)) {
@@ -117,7 +120,7 @@ bool Targets::has_member(Array& array, std::uint64_t index, ShapeId shape,
   return known->second[index];
 }
 
-bool Targets::has_name(std::uint32_t target, std::string_view name) {
+bool ReferenceTargets::has_name(std::uint32_t target, std::string_view name) {
   const auto [known, is_new] = names_.try_emplace(target);
   if (is_new) {
     for (const json::NodeId place :
@@ -132,7 +135,7 @@ bool Targets::has_name(std::uint32_t target, std::string_view name) {
   return known->second.count(std::string(name)) != 0;
 }
 
-void Targets::move_to(CheckResult& result) {
+void ReferenceTargets::move_to(CheckResult& result) {
   result.targets.reserve(arrays_.size());
   for (std::size_t i = 0; i < from_root_.size(); ++i) {
     if (from_root_[i] == 0) continue;  // the usual case
