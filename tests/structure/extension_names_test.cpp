@@ -46,7 +46,7 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/steps/upgrade/object_textures.cpp",
      "compares what two textures show, for which the transform's members count with their "
      "defaults"},
-    {"libgltfx/rules/payload/check.cpp",
+    {"libgltfx/rules/payload/element_check.cpp",
      "what numbers of attributes mean: the vocabulary states their formats only"},
     {"libgltfx/rules/core/material_needs.cpp",
      "a tangent space is needed by a value, with or without a texture"},

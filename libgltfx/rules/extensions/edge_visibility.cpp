@@ -15,7 +15,7 @@
 #include "base/codes.hpp"
 #include "rules/extension_walk.hpp"
 #include "rules/finding.hpp"
-#include "rules/payload/kernels.hpp"
+#include "rules/payload/element_kernels.hpp"
 #include "rules/payload/topology.hpp"
 
 namespace gltfx::validate {

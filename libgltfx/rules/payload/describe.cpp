@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "rules/core/fix_data.hpp"
 #include "rules/finding.hpp"
-#include "rules/payload/kernels.hpp"
+#include "rules/payload/element_kernels.hpp"
 
 namespace gltfx::validate {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "model/accessor_data.hpp"
-#include "rules/payload/scan.hpp"
+#include "rules/payload/element_scan.hpp"
 
 namespace gltfx::validate {
 

@@ -10,8 +10,8 @@
 #include "base/codes.hpp"
 #include "base/parallel.hpp"
 #include "rules/finding.hpp"
-#include "rules/payload/check.hpp"
 #include "rules/payload/describe.hpp"
+#include "rules/payload/element_check.hpp"
 #include "rules/payload/phases.hpp"
 
 namespace gltfx::validate {

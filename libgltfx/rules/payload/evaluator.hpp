@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "rules/payload/check.hpp"
-#include "rules/payload/kernels.hpp"
+#include "rules/payload/element_check.hpp"
+#include "rules/payload/element_kernels.hpp"
 
 namespace gltfx::validate {
 

@@ -11,7 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "rules/payload/kernels.hpp"
+#include "rules/payload/element_kernels.hpp"
 
 namespace gltfx::validate {
 namespace {

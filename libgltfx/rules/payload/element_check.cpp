@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Schema files state the formats of attributes, but not the meaning of their numbers; so attributes
 // with a meaning are listed here by name.
-#include "rules/payload/check.hpp"
+#include "rules/payload/element_check.hpp"
 
 #include "model/fields.hpp"
 

@@ -10,7 +10,7 @@
 #include "model/skin.hpp"
 #include "rules/core/attribute_formats.hpp"
 #include "rules/extension_walk.hpp"
-#include "rules/payload/check.hpp"
+#include "rules/payload/element_check.hpp"
 #include "rules/payload/phases.hpp"
 
 namespace gltfx::validate {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/accessor_data.hpp"
-#include "rules/payload/check.hpp"
+#include "rules/payload/element_check.hpp"
 #include "rules/payload/evaluator.hpp"
 
 namespace gltfx::validate {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "rules/payload/scan.hpp"
+#include "rules/payload/element_scan.hpp"
 
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
-#include "rules/payload/kernels.hpp"
+#include "rules/payload/element_kernels.hpp"
 
 namespace gltfx::validate {
 namespace {

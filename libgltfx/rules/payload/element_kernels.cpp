@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Plain loops without branches: with -O3, g++ and clang turn them into SSE2, and into NEON on Arm.
-#include "rules/payload/kernels.hpp"
+#include "rules/payload/element_kernels.hpp"
 
 #include <algorithm>
 #include <type_traits>
