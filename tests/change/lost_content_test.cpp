@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Extras and foreign extensions of a deleted object are not lost.
+#include "change/lost_content.hpp"
+
 #include <gmock/gmock.h>
 
-#include "change/lost_content.hpp"
 #include "json/parse.hpp"
 #include "schema/compile.hpp"
 

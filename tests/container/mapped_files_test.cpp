@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "container/mapped_files.hpp"
+
 #include <gltfx/mapping.hpp>
 
 #include <algorithm>
@@ -13,7 +15,6 @@
 #include <gtest/gtest.h>
 
 #include "container/file.hpp"
-#include "container/mapped_files.hpp"
 #include "container/temp_folder.hpp"
 
 namespace gltfx::container::test {
