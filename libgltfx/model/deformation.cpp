@@ -157,7 +157,9 @@ class Skinning {
       matrix = joints_[std::min(blend.first_joint, joints_.size() - 1)];
     }
     float* position = geometry_.positions[vertex].data();
-    store(matrix.point(wide(position)), position);
+    const Vector3 from = wide(position);
+    const Vector3& origin = geometry_.origin;
+    store(matrix.point({from[0] + origin[0], from[1] + origin[1], from[2] + origin[2]}), position);
     if (!geometry_.normals.empty()) turn(vertex, matrix);
   }
 
@@ -191,9 +193,12 @@ void morph(const PrimitiveData& data, std::span<const float> weights,
   }
 }
 
-void skin(const PrimitiveData& data, std::span<const Affine> joints, Geometry& geometry) {
+bool skin(const PrimitiveData& data, std::span<const Affine> joints, Geometry& geometry) {
   std::vector<Influences> sets = open_influences(data, geometry.positions.size());
-  if (!sets.empty()) Skinning(joints, geometry).run(std::move(sets));
+  if (sets.empty()) return false;
+  Skinning(joints, geometry).run(std::move(sets));
+  geometry.origin = {};
+  return true;
 }
 
 }  // namespace gltfx::model

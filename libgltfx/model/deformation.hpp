@@ -14,7 +14,7 @@ void morph(const PrimitiveData& data, std::span<const float> weights,
            std::span<const std::uint32_t> tex_coords, Geometry& geometry);
 
 /// Moves vertices with their joints. Weights are normalized to a sum of 1; a vertex without weights
-/// follows its first joint. No effect if joints or weights cannot be read.
-void skin(const PrimitiveData& data, std::span<const Affine> joints, Geometry& geometry);
+/// follows its first joint. False, and no effect, if joints or weights cannot be read.
+bool skin(const PrimitiveData& data, std::span<const Affine> joints, Geometry& geometry);
 
 }  // namespace gltfx::model

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/checked.hpp"
 #include "model/deformation.hpp"
@@ -31,6 +32,61 @@ void normalize_direction(std::array<float, N>& vector) {
   }
 }
 
+// Of finite positions.
+struct PositionBox {
+  Vector3 least{}, greatest{};
+  bool empty = true;
+
+  // A number of single precision: differences from it are exact.
+  Vector3 middle() const {
+    Vector3 middle{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      middle[k] = static_cast<double>(static_cast<float>((least[k] + greatest[k]) / 2));
+    }
+    return middle;
+  }
+  double size() const {
+    const Vector3 extent{greatest[0] - least[0], greatest[1] - least[1], greatest[2] - least[2]};
+    return std::sqrt(dot(extent, extent));
+  }
+  // The greatest absolute value of a coordinate.
+  double reach() const {
+    double reach = 0;
+    for (std::size_t k = 0; k < 3; ++k) reach = std::max({reach, -least[k], greatest[k]});
+    return reach;
+  }
+};
+
+PositionBox box_of(const Vectors<3>& positions) {
+  PositionBox box;
+  for (const auto& position : positions) {
+    if (!is_finite(position)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto value = static_cast<double>(position[k]);
+      box.least[k] = box.empty ? value : std::min(box.least[k], value);
+      box.greatest[k] = box.empty ? value : std::max(box.greatest[k], value);
+    }
+    box.empty = false;
+  }
+  return box;
+}
+
+// The distance of numbers of single precision around a value.
+double step_at(double value) {
+  const auto rounded = static_cast<float>(value);
+  const float next = std::nextafter(rounded, std::numeric_limits<float>::infinity());
+  return static_cast<double>(next - rounded);
+}
+
+// Whether rounding to single precision costs more than it does around 0, but no more than numbers
+// of double precision can give back.
+bool is_far(const PositionBox& box) {
+  constexpr double kFar = 8;  // in extents
+  constexpr double kFarthest = 1e12;
+  const double reach = box.reach();
+  return box.size() > 0 && reach > kFar * box.size() && reach < kFarthest;
+}
+
 class GeometryReader {
  public:
   GeometryReader(const PrimitiveData& data, const GeometryRequest& request, Geometry& geometry)
@@ -44,10 +100,11 @@ class GeometryReader {
     if (!budget.take(size())) return GeometryError::too_large;
     geometry_.positions.resize(count_);
     read_elements(*positions, geometry_.positions);
+    if (request_.near_origin) move_near_origin(positions->format().component);
     read_attributes();
     read_topology();
     morph(data_, request_.weights, request_.tex_coords, geometry_);
-    if (!request_.joints.empty()) skin(data_, request_.joints, geometry_);
+    if (!request_.joints.empty()) geometry_.skinned = skin(data_, request_.joints, geometry_);
     finish();
     return geometry_.empty() ? GeometryError::empty : GeometryError::none;
   }
@@ -76,6 +133,20 @@ class GeometryReader {
     const Checked vertices = checked_mul(count_, vertex);
     const Checked triangles = checked_mul(index_count(), sizeof(Triangle));
     return vertices && triangles ? checked_add(*triangles, *vertices) : std::nullopt;
+  }
+
+  void move_near_origin(ComponentType stored) {
+    const PositionBox box = box_of(geometry_.positions);
+    const bool rounded = stored == ComponentType::float32 || stored == ComponentType::float64;
+    const double step = step_at(box.reach());
+    if (rounded && step > box.size() / 1000) geometry_.coarse_step = step;
+    if (!is_far(box)) return;
+    geometry_.origin = box.middle();
+    for (auto& position : geometry_.positions) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        position[k] = static_cast<float>(static_cast<double>(position[k]) - geometry_.origin[k]);
+      }
+    }
   }
 
   // True when there are as many elements as vertices. An attribute without bytes is all zeros,

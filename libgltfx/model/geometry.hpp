@@ -60,6 +60,8 @@ struct GeometryRequest {
   std::span<const float> weights;             ///< of the morph targets; missing ones are 0
   /// Matrices of the skin, from the space of the mesh to that of the scene. Empty: not skinned.
   std::span<const Affine> joints;
+  /// Positions that are far from 0 are given relative to Geometry::origin.
+  bool near_origin = false;
 };
 
 /// Lists of vertices have the same length, or are empty without the attribute.
@@ -69,6 +71,11 @@ struct Geometry {
   Vectors<4> tangents;                 ///< likewise; w is 1 or -1
   std::vector<Vectors<2>> tex_coords;  ///< as requested
   Vectors<4> colors;                   ///< COLOR_0: linear, from 0 to 1
+  Vector3 origin{};                    ///< of the positions, in the space of the mesh
+  bool skinned = false;                ///< moved by joints, from then on with the origin 0
+  /// Where single precision stores positions in steps of more than a thousandth of their extent,
+  /// because they are so far from 0: that step. Else 0.
+  double coarse_step = 0;
   // Result of the mode; every vertex exists and is finite.
   std::vector<Triangle> triangles;
   std::vector<Segment> segments;

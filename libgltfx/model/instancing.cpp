@@ -79,17 +79,35 @@ class InstanceReader {
   std::optional<ElementBlocks> translations_, rotations_, scales_;
 };
 
+json::NodeId instancing_of(const Asset& asset, const Node& node) {
+  if (node.extensions == json::kNoNode) return json::kNoNode;
+  return object_member(asset.document(), node.extensions, kExtension);
+}
+
 }  // namespace
 
 std::optional<Instancing> read_instancing(const Asset& asset, const Views& views,
                                           const ResourceData& resources, const Node& node,
                                           MemoryBudget& budget) {
-  if (node.extensions == json::kNoNode) return std::nullopt;
-  const json::Document& document = asset.document();
-  const json::NodeId object = object_member(document, node.extensions, kExtension);
+  const json::NodeId object = instancing_of(asset, node);
   if (object == json::kNoNode) return std::nullopt;
-  const json::NodeId attributes = object_member(document, object, "attributes");
+  const json::NodeId attributes = object_member(asset.document(), object, "attributes");
   return InstanceReader(asset, views, resources, attributes).read(budget);
+}
+
+std::optional<Vector3> place_of_copy(const Asset& asset, const Views& views,
+                                     const ResourceData& resources, const Node& node) {
+  const json::NodeId object = instancing_of(asset, node);
+  if (object == json::kNoNode) return std::nullopt;
+  const json::NodeId attributes = object_member(asset.document(), object, "attributes");
+  const auto accessor = asset.index(attributes, "TRANSLATION", RootArray::accessors);
+  if (!accessor) return std::nullopt;
+  const auto data =
+      AccessorData::open(asset, views, resources, views.accessors[*accessor], Malformed::unusable);
+  if (!data || data->components() != 3) return std::nullopt;
+  const std::vector<float> place = element_at(*data, data->count() / 2);
+  if (place.size() != 3) return std::nullopt;
+  return wide(std::array<float, 3>{place[0], place[1], place[2]});
 }
 
 }  // namespace gltfx::model

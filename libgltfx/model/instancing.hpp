@@ -23,4 +23,9 @@ std::optional<Instancing> read_instancing(const Asset& asset, const Views& views
                                           const ResourceData& resources, const Node& node,
                                           MemoryBudget& budget);
 
+/// Where one of the copies is, in the space of the node; nothing when there are none, or none that
+/// can be read.
+std::optional<Vector3> place_of_copy(const Asset& asset, const Views& views,
+                                     const ResourceData& resources, const Node& node);
+
 }  // namespace gltfx::model

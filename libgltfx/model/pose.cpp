@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
+#include "model/double_array.hpp"
 #include "model/elements.hpp"
 #include "model/fields.hpp"
 #include "model/skin.hpp"
@@ -31,11 +32,29 @@ std::optional<std::array<float, N>> moved(const Properties& node, std::string_vi
 
 bool has_members(const AnimatedValues& animated) { return any_below(animated, "/nodes"); }
 
+// As written: far from the origin, single precision would round it to centimetres or metres. An
+// animation replaces it by numbers of single precision.
+Vector3 translation_of(const Asset& asset, const Node& node, const Transform& transform) {
+  const Vector3 rounded = wide(transform.translation.value_or(std::array<float, 3>{0, 0, 0}));
+  const auto written = double_array<3>(asset.document(), node.translation);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!written || static_cast<double>(static_cast<float>((*written)[i])) != rounded[i]) {
+      return rounded;
+    }
+  }
+  return *written;
+}
+
 // An animated node has no matrix.
 Affine local_transform(const Asset& asset, const Node& node, const AnimatedValues* animated,
                        std::size_t index) {
   Transform transform = read_transform(asset.document(), node);
-  if (transform.matrix) return Affine::from_matrix(*transform.matrix);
+  if (transform.matrix) {
+    Affine affine = Affine::from_matrix(*transform.matrix);
+    const auto written = double_array<16>(asset.document(), node.matrix);
+    for (std::size_t i = 0; written && i < 3; ++i) affine.columns[3][i] = (*written)[12 + i];
+    return affine;
+  }
   if (animated != nullptr) {
     const Properties properties(asset.document(), node.object, animated,
                                 fmt::format("/nodes/{}", index));
@@ -48,8 +67,7 @@ Affine local_transform(const Asset& asset, const Node& node, const AnimatedValue
     std::transform(transform.rotation->begin(), transform.rotation->end(), rotation.begin(),
                    [](float each) { return static_cast<double>(each); });
   }
-  return Affine::from_parts(wide(transform.translation.value_or(std::array<float, 3>{0, 0, 0})),
-                            rotation,
+  return Affine::from_parts(translation_of(asset, node, transform), rotation,
                             wide(transform.scale.value_or(std::array<float, 3>{1, 1, 1})));
 }
 

@@ -56,9 +56,10 @@ class Comparison {
     choose_backdrop(first_, views->front(), options_);
     const render::Framebuffer a = draw(first_, views->front(), 0);
     first_.forget_faces();
-    second_.subject = first_.subject;  // lit and framed alike
+    second_.follow(*first_.subject, first_.origin);
     second_.dim_backdrop = first_.dim_backdrop;
-    const render::Framebuffer b = draw(second_, views->front(), 0.5);
+    const render::View same = moved(views->front(), first_.origin, second_.origin);
+    const render::Framebuffer b = draw(second_, same, 0.5);
     const preview::Picture left = to_picture(a, first_.report);
     const preview::Picture right = to_picture(b, second_.report);
     const double difference = prove::mean_square_difference(left, right, a, b);

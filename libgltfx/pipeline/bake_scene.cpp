@@ -201,6 +201,7 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
   }
   result.scene = std::make_unique<const render::Scene>(std::move(made->scene));
   result.subject = std::move(made->subject);
+  result.origin = made->origin;
   return result;
 }
 
@@ -266,6 +267,18 @@ std::vector<render::View> views_inside(const BakeScene& loaded, const BakeOption
 }
 
 }  // namespace
+
+void BakeScene::follow(const preview::Subject& other, const Vec3d& other_origin) {
+  subject = other;
+  subject->forget_faces();
+  subject->least = other.least + other_origin - origin;
+  subject->greatest = other.greatest + other_origin - origin;
+}
+
+render::View moved(render::View view, const Vec3d& from_origin, const Vec3d& to_origin) {
+  view.origin = view.origin + (from_origin - to_origin);
+  return view;
+}
 
 validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options) {
   ValidateOptions wanted;

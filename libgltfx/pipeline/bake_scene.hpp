@@ -25,6 +25,7 @@ struct BakeScene {
   std::optional<render::Bvh> bvh;
   std::optional<preview::Subject> subject;  ///< all that is drawn
   std::optional<preview::Subject> framed;   ///< what the picture is of; nothing: the subject
+  Vec3d origin;                             ///< see BuiltScene
   bool dim_backdrop = false;                ///< see choose_backdrop()
 
   /// What framing needs of the subjects, after it.
@@ -33,6 +34,8 @@ struct BakeScene {
     framed.reset();
   }
   bool ready() const { return bvh.has_value(); }
+  /// Lit and framed as another scene was; only the box of its subject is needed.
+  void follow(const preview::Subject& other, const Vec3d& other_origin);
 };
 
 /// Opens, validates, reads and poses. Nothing is written.
@@ -42,6 +45,9 @@ BakeScene load_bake_scene(const std::string& path, const BakeOptions& options);
 BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options);
 /// The same for an asset that is needed further on.
 BakeScene load_bake_scene_of(const validate::ValidatedAsset& asset, const BakeOptions& options);
+
+/// The view in another scene, whose origin may differ.
+render::View moved(render::View view, const Vec3d& from_origin, const Vec3d& to_origin);
 
 /// Validates as baking does.
 validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options);

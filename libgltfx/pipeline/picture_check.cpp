@@ -32,14 +32,17 @@ PictureCheck::PictureCheck(const validate::ValidatedAsset& before, const std::st
   for (const render::View& view : views_) proof_.add(draw(scene, view, 0), draw(scene, view, 1));
   subject_ = scene.subject;
   subject_->forget_faces();
+  origin_ = scene.origin;
 }
 
 std::string PictureCheck::find_difference(const validate::ValidatedAsset& after) const {
   BakeScene scene = load_bake_scene_of(after, options_);
   if (!scene.ready()) return "the new asset cannot be drawn: " + scene.report.error;
-  scene.subject = subject_;  // lit and framed as before
+  scene.follow(*subject_, origin_);
   std::vector<preview::Picture> now;
-  for (const render::View& view : views_) now.push_back(draw(scene, view, 0));
+  for (const render::View& view : views_) {
+    now.push_back(draw(scene, moved(view, origin_, scene.origin), 0));
+  }
   return proof_.find_difference(now);
 }
 

@@ -36,6 +36,7 @@ class PictureCheck {
   BakeOptions options_;
   std::string obstacle_;
   std::optional<preview::Subject> subject_;
+  Vec3d origin_;  ///< of the scene
   std::vector<render::View> views_;
   prove::PictureProof proof_;
 };

@@ -22,6 +22,7 @@
 #include "model/texture.hpp"
 #include "pipeline/scene_environment.hpp"
 #include "pipeline/scene_meshes.hpp"
+#include "pipeline/scene_origin.hpp"
 #include "render/bvh_groups.hpp"
 
 namespace gltfx {
@@ -36,6 +37,13 @@ using model::Vector3;
 // rays need of them; compressed geometry and images of usual size.
 constexpr std::uint64_t kPlainWorth = 16;
 constexpr std::uint64_t kPackedWorth = 32;
+
+// Relative to another origin: before anything is rounded.
+Affine relative_to(const Vector3& origin, const Affine& world) {
+  Affine moved = world;
+  for (std::size_t i = 0; i < 3; ++i) moved.columns[3][i] -= origin[i];
+  return moved;
+}
 
 Float3 narrow(const Vector3& from) {
   return {static_cast<float>(from[0]), static_cast<float>(from[1]), static_cast<float>(from[2])};
@@ -156,19 +164,21 @@ class SceneBuilder {
     draco.add_all(asset_, views_, resources_);
     draco.decode(codec::Client::shared(), options_.jobs);
     const model::GeometrySource source{asset_, views_, resources_, draco};
+    const std::vector<std::uint8_t> framed = framed_nodes();
+    origin_ = find_origin(asset_, views_, resources_, pose, framed);
     SceneTextures textures(asset_, resources_, notes_, scene_);
     // A scene's material is large: the vector is not to be copied while it grows.
     scene_.materials.reserve(most_materials());
     SceneMaterials materials(asset_, animated_, textures, notes_, scene_);
-    SceneMeshes meshes(source, pose, animated_, options_.variant, materials, geometry_budget_,
-                       notes_, scene_);
-    place_all(pose, meshes);
+    SceneMeshes meshes(source, {pose, animated_, origin_}, options_.variant, materials,
+                       geometry_budget_, notes_, scene_);
+    place_all(pose, framed, meshes);
     std::optional<preview::Subject> subject = preview::find_subject(scene_);
     const double pixel =
         subject && options_.picture_side > 0 ? subject->size() / options_.picture_side : 0;
     textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel);
     light(roots);
-    return {std::move(scene_), std::move(subject)};
+    return {std::move(scene_), std::move(subject), {origin_[0], origin_[1], origin_[2]}};
   }
 
  private:
@@ -193,18 +203,19 @@ class SceneBuilder {
     for (std::string& note : sample.notes) notes_.add(std::move(note));
   }
 
-  void place_all(const model::Pose& pose, SceneMeshes& meshes) {
+  void place_all(const model::Pose& pose, const std::vector<std::uint8_t>& framed,
+                 SceneMeshes& meshes) {
     const auto lights = model::read_lights(asset_, &animated_);
-    const std::vector<std::uint8_t> framed = framed_nodes();
     for (NodeIndex node = 0; node < views_.nodes.size(); ++node) {
-      if (pose.in_scene[node] != 0) place_camera(node, pose.world[node]);
+      const Affine world = relative_to(origin_, pose.world[node]);
+      if (pose.in_scene[node] != 0) place_camera(node, world);
       if (pose.visible[node] == 0) continue;
       const auto light = model::light_of(asset_, views_.nodes[node]);
       if (light && *light < lights.size() && lights[*light]) {
-        scene_.lights.push_back(to_light(*lights[*light], pose.world[node]));
+        scene_.lights.push_back(to_light(*lights[*light], world));
       }
       const std::size_t before = scene_.instances.size();
-      if (views_.nodes[node].mesh) place_mesh(node, pose.world[node], meshes);
+      if (views_.nodes[node].mesh) place_mesh(node, world, meshes);
       if (!framed.empty() && framed[node] != 0) frame_from(before);
     }
     if (views_.nodes.empty()) place_library(meshes);
@@ -271,7 +282,9 @@ class SceneBuilder {
   }
 
   void place(const DrawnMeshes& drawn, const Affine& world) {
-    const render::Matrix34 to_world = rows_of(world);
+    Affine placed = world;
+    placed.columns[3] = world.point(drawn.origin);
+    const render::Matrix34 to_world = rows_of(placed);
     if (!is_finite(to_world)) {
       notes_.add("A mesh", "lies at infinity");
     } else if (!geometry_budget_.take(cost_of(drawn))) {
@@ -308,6 +321,7 @@ class SceneBuilder {
   model::MemoryBudget geometry_budget_;
   model::MemoryBudget pixel_budget_;
   model::AnimatedValues animated_;
+  Vector3 origin_{};
   std::unordered_map<std::uint32_t, Placed> placed_;  // by first mesh
   render::Scene scene_;
 };

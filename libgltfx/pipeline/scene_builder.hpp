@@ -2,6 +2,8 @@
 /// From an opened asset to what the renderer draws: one scene at one moment.
 #pragma once
 
+#include <gltfx/vec3.hpp>
+
 #include <cstdint>
 #include <optional>
 
@@ -33,6 +35,8 @@ struct SceneOptions {
 struct BuiltScene {
   render::Scene scene;
   std::optional<preview::Subject> subject;  ///< as preview::find_subject() finds it there
+  /// What is at 0 there, in the coordinates of the asset; 0 unless the asset is far from it.
+  Vec3d origin;
 };
 
 /// Reads, decodes and poses what is visible. What is invalid is left out, and named in the notes

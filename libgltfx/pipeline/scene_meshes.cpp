@@ -42,7 +42,7 @@ render::Mesh to_mesh(model::Geometry&& geometry, std::uint32_t material) {
 bool SceneMeshes::has_own_weights(model::NodeIndex node) const {
   const json::NodeId object = source_.views.nodes[node].object;
   return source_.asset.document().find(object, "weights") != json::kNoNode ||
-         model::any_below(animated_, fmt::format("/nodes/{}/weights", node));
+         model::any_below(moment_.animated, fmt::format("/nodes/{}/weights", node));
 }
 
 const std::vector<DrawnMeshes>& SceneMeshes::use(model::NodeIndex node) {
@@ -57,7 +57,8 @@ const std::vector<DrawnMeshes>& SceneMeshes::use(model::NodeIndex node) {
     notes_.add(fmt::format("Mesh {}", *from.mesh), kTooManyPoses);
     return nothing_;
   }
-  std::vector<float> weights = model::morph_weights(source_.asset, source_.views, node, animated_);
+  std::vector<float> weights =
+      model::morph_weights(source_.asset, source_.views, node, moment_.animated);
   const bool still = std::all_of(weights.begin(), weights.end(), [](float w) { return w == 0; });
   if (still) weights.clear();
   const auto& drawn = use(Key{*from.mesh, skin, std::move(weights)});
@@ -90,18 +91,21 @@ const std::vector<DrawnMeshes>& SceneMeshes::use(Key key) {
 }
 
 // Of the primitives of a mesh, those that are bound to joints and so moved, or all others: each
-// follow each other in the scene.
+// follow each other in the scene, as long as they have the same origin.
 void SceneMeshes::draw(const Key& key, const std::vector<bool>& bound, bool moved,
                        std::vector<DrawnMeshes>& drawn) {
-  const auto first = static_cast<std::uint32_t>(scene_.meshes.size());
-  bool skinned = false;
+  std::size_t group = drawn.size();
   for (std::uint32_t i = 0; i < bound.size(); ++i) {
     if (bound[i] != moved) continue;
-    skinned = moved && !joints(std::get<1>(key)).empty();
-    draw(key, i, moved);
+    const bool skinned = moved && !joints(std::get<1>(key)).empty();
+    const auto origin = draw(key, i, moved);
+    if (!origin) continue;
+    if (group == drawn.size() || drawn[group].origin != *origin) {
+      group = drawn.size();
+      drawn.push_back({static_cast<std::uint32_t>(scene_.meshes.size()) - 1, 0, skinned, *origin});
+    }
+    ++drawn[group].count;
   }
-  const auto count = static_cast<std::uint32_t>(scene_.meshes.size()) - first;
-  if (count > 0) drawn.push_back({first, count, skinned});
 }
 
 const std::vector<model::Affine>& SceneMeshes::joints(std::uint32_t skin) {
@@ -114,14 +118,17 @@ const std::vector<model::Affine>& SceneMeshes::joints(std::uint32_t skin) {
     return known->second;
   }
   known->second =
-      model::joint_matrices(source_.asset, source_.views, source_.resources, skin, pose_);
+      model::joint_matrices(source_.asset, source_.views, source_.resources, skin, moment_.pose);
+  for (model::Affine& matrix : known->second) {
+    for (std::size_t i = 0; i < 3; ++i) matrix.columns[3][i] -= moment_.origin[i];
+  }
   if (known->second.empty()) {
     notes_.add(fmt::format("Skin {}", skin), "has joints that lead nowhere and moves nothing");
   }
   return known->second;
 }
 
-void SceneMeshes::draw(const Key& key, std::uint32_t index, bool moved) {
+std::optional<model::Vector3> SceneMeshes::draw(const Key& key, std::uint32_t index, bool moved) {
   const auto& [mesh, skin, weights] = key;
   const model::Primitive& primitive = source_.views.meshes[mesh].primitives[index];
   const MaterialNeeds& needs =
@@ -130,13 +137,23 @@ void SceneMeshes::draw(const Key& key, std::uint32_t index, bool moved) {
   request.tex_coords = needs.tex_coords;
   request.weights = weights;
   if (moved) request.joints = joints(skin);
+  request.near_origin = true;
   model::Geometry geometry;
   const model::GeometryError error =
       model::read_geometry(source_, primitive, request, budget_, geometry);
   if (error != model::GeometryError::none) {
     notes_.add(place_of(mesh, index), std::string(model::error_text(error)));
-    return;
+    return std::nullopt;
   }
+  if (geometry.coarse_step > 0) {
+    notes_.add(place_of(mesh, index),
+               fmt::format("has positions so far from 0 that single precision rounds them to "
+                           "steps of {:.3g}",
+                           geometry.coarse_step));
+  }
+  model::Vector3 origin = geometry.origin;
+  const bool fixed = moved && !request.joints.empty() && !geometry.skinned;
+  for (std::size_t i = 0; fixed && i < 3; ++i) origin[i] -= moment_.origin[i];
   add_tangents(needs, geometry);
   const std::vector<model::Segment> segments = std::move(geometry.segments);
   const std::vector<std::uint32_t> points = std::move(geometry.points);
@@ -150,11 +167,12 @@ void SceneMeshes::draw(const Key& key, std::uint32_t index, bool moved) {
   const std::size_t most = std::min(markers, preview::kMostMarkers);
   if (!budget_.take(checked_mul(most, preview::marker_bytes(drawn)))) {
     notes_.add(place_of(mesh, index), "has more points or lines than memory allows");
-    return;
+    return std::nullopt;
   }
   if (!segments.empty()) drawn = preview::line_markers(drawn, segments);
   if (!points.empty()) drawn = preview::point_markers(drawn, points);
   scene_.meshes.push_back(std::move(drawn));
+  return origin;
 }
 
 // Flat triangles need none: each has its own, along its texture coordinates.

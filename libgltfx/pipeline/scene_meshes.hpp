@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -20,18 +21,24 @@ struct DrawnMeshes {
   std::uint32_t mesh = 0;   ///< index of the first in the scene
   std::uint32_t count = 0;  ///< of those that follow each other there
   bool skinned = false;     ///< stand where they are to be drawn, wherever their node is
+  model::Vector3 origin{};  ///< of their positions, which is not 0 if they are far from it
+};
+
+/// The moment that is drawn. All references must outlive it.
+struct DrawnMoment {
+  const model::Pose& pose;
+  const model::AnimatedValues& animated;
+  model::Vector3 origin{};  ///< what is to be at 0 in the scene
 };
 
 /// All references must outlive it.
 class SceneMeshes {
  public:
-  SceneMeshes(const model::GeometrySource& source, const model::Pose& pose,
-              const model::AnimatedValues& animated, std::optional<std::uint32_t> variant,
-              SceneMaterials& materials, model::MemoryBudget& budget, SceneNotes& notes,
-              render::Scene& scene)
+  SceneMeshes(const model::GeometrySource& source, const DrawnMoment& moment,
+              std::optional<std::uint32_t> variant, SceneMaterials& materials,
+              model::MemoryBudget& budget, SceneNotes& notes, render::Scene& scene)
       : source_(source),
-        pose_(pose),
-        animated_(animated),
+        moment_(moment),
         variant_(variant),
         materials_(materials),
         budget_(budget),
@@ -55,12 +62,12 @@ class SceneMeshes {
   const std::vector<model::Affine>& joints(std::uint32_t skin);
   void draw(const Key& key, const std::vector<bool>& bound, bool moved,
             std::vector<DrawnMeshes>& drawn);
-  void draw(const Key& key, std::uint32_t index, bool moved);
+  /// The origin of what was added to the scene, if anything was.
+  std::optional<model::Vector3> draw(const Key& key, std::uint32_t index, bool moved);
   void add_tangents(const MaterialNeeds& needs, model::Geometry& geometry);
 
   const model::GeometrySource& source_;
-  const model::Pose& pose_;
-  const model::AnimatedValues& animated_;
+  const DrawnMoment moment_;
   std::optional<std::uint32_t> variant_;
   SceneMaterials& materials_;
   model::MemoryBudget& budget_;
