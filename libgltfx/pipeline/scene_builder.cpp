@@ -290,15 +290,19 @@ class SceneBuilder {
     } else if (!geometry_budget_.take(cost_of(drawn))) {
       notes_.add("A mesh", "is drawn more often than memory allows");
     } else {
-      ++placed_[drawn.mesh].count;
+      ++placed_[shape_of(drawn)].count;
       scene_.instances.push_back({drawn.mesh, to_world, drawn.count});
     }
+  }
+
+  std::uint32_t shape_of(const DrawnMeshes& drawn) {
+    return shapes_.of(scene_, {drawn.mesh, render::kIdentity, drawn.count});
   }
 
   // Of one more instance, with all that rays need of it.
   std::uint64_t cost_of(const DrawnMeshes& drawn) {
     constexpr std::uint64_t kBytes = 96;  // of the instance itself, by all who keep count of it
-    const auto [known, fresh] = placed_.try_emplace(drawn.mesh);
+    const auto [known, fresh] = placed_.try_emplace(shape_of(drawn));
     Placed& placed = known->second;
     for (std::uint32_t i = 0; fresh && i < drawn.count; ++i) {
       placed.size.triangles += scene_.meshes[drawn.mesh + i].triangles.size();
@@ -322,7 +326,8 @@ class SceneBuilder {
   model::MemoryBudget pixel_budget_;
   model::AnimatedValues animated_;
   Vector3 origin_{};
-  std::unordered_map<std::uint32_t, Placed> placed_;  // by first mesh
+  render::Shapes shapes_;
+  std::unordered_map<std::uint32_t, Placed> placed_;  // by shape
   render::Scene scene_;
 };
 

@@ -133,14 +133,33 @@ std::optional<model::Vector3> SceneMeshes::draw(const Key& key, std::uint32_t in
   const model::Primitive& primitive = source_.views.meshes[mesh].primitives[index];
   const MaterialNeeds& needs =
       materials_.use(model::material_of(source_.asset, primitive, variant_));
+  if (!kept_.may_repeat(primitive)) return draw_new(key, index, moved, needs);
+  GeometryKey same =
+      geometry_key(source_, primitive, {weights, moved ? skin : render::kNone}, needs);
+  if (const KeptGeometry::Entry* known = kept_.find(same)) {
+    scene_.meshes.push_back(known->mesh);
+    scene_.meshes.back().material = needs.material;
+    return known->origin;
+  }
+  const auto origin = draw_new(key, index, moved, needs);
+  // The markers of points and lines get their size by instance.
+  if (origin && scene_.meshes.back().marker_directions.empty()) {
+    kept_.keep(std::move(same), {scene_.meshes.back(), *origin});
+  }
+  return origin;
+}
+
+std::optional<model::Vector3> SceneMeshes::draw_new(const Key& key, std::uint32_t index, bool moved,
+                                                    const MaterialNeeds& needs) {
+  const auto& [mesh, skin, weights] = key;
   model::GeometryRequest request;
   request.tex_coords = needs.tex_coords;
   request.weights = weights;
   if (moved) request.joints = joints(skin);
   request.near_origin = true;
   model::Geometry geometry;
-  const model::GeometryError error =
-      model::read_geometry(source_, primitive, request, budget_, geometry);
+  const model::GeometryError error = model::read_geometry(
+      source_, source_.views.meshes[mesh].primitives[index], request, budget_, geometry);
   if (error != model::GeometryError::none) {
     notes_.add(place_of(mesh, index), std::string(model::error_text(error)));
     return std::nullopt;
@@ -155,10 +174,18 @@ std::optional<model::Vector3> SceneMeshes::draw(const Key& key, std::uint32_t in
   const bool fixed = moved && !request.joints.empty() && !geometry.skinned;
   for (std::size_t i = 0; fixed && i < 3; ++i) origin[i] -= moment_.origin[i];
   add_tangents(needs, geometry);
-  const std::vector<model::Segment> segments = std::move(geometry.segments);
-  const std::vector<std::uint32_t> points = std::move(geometry.points);
+  const Marked marked{std::move(geometry.segments), std::move(geometry.points)};
   render::Mesh drawn = to_mesh(std::move(geometry), needs.material);
-  const std::size_t markers = segments.size() + points.size();  // one of them is 0
+  if (!add_markers(key, index, marked, drawn)) return std::nullopt;
+  scene_.meshes.push_back(std::move(drawn));
+  return origin;
+}
+
+// Markers in place of the mesh, whose vertices have points or lines. False without memory for them.
+bool SceneMeshes::add_markers(const Key& key, std::uint32_t index, const Marked& marked,
+                              render::Mesh& drawn) {
+  const std::uint32_t mesh = std::get<0>(key);
+  const std::size_t markers = marked.segments.size() + marked.points.size();  // one of them is 0
   if (markers > preview::kMostMarkers) {
     notes_.add(
         place_of(mesh, index),
@@ -167,12 +194,11 @@ std::optional<model::Vector3> SceneMeshes::draw(const Key& key, std::uint32_t in
   const std::size_t most = std::min(markers, preview::kMostMarkers);
   if (!budget_.take(checked_mul(most, preview::marker_bytes(drawn)))) {
     notes_.add(place_of(mesh, index), "has more points or lines than memory allows");
-    return std::nullopt;
+    return false;
   }
-  if (!segments.empty()) drawn = preview::line_markers(drawn, segments);
-  if (!points.empty()) drawn = preview::point_markers(drawn, points);
-  scene_.meshes.push_back(std::move(drawn));
-  return origin;
+  if (!marked.segments.empty()) drawn = preview::line_markers(drawn, marked.segments);
+  if (!marked.points.empty()) drawn = preview::point_markers(drawn, marked.points);
+  return true;
 }
 
 // Flat triangles need none: each has its own, along its texture coordinates.

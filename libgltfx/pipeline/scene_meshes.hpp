@@ -11,6 +11,7 @@
 
 #include "model/geometry.hpp"
 #include "model/pose.hpp"
+#include "pipeline/geometry_key.hpp"
 #include "pipeline/scene_materials.hpp"
 #include "render/scene.hpp"
 
@@ -43,7 +44,8 @@ class SceneMeshes {
         materials_(materials),
         budget_(budget),
         notes_(notes),
-        scene_(scene) {}
+        scene_(scene),
+        kept_(source.views) {}
 
   /// The primitives of the mesh of a node at the node's pose; none when there is no memory left for
   /// another pose. The node has a mesh.
@@ -56,6 +58,11 @@ class SceneMeshes {
   using Key = std::tuple<std::uint32_t, std::uint32_t, std::vector<float>>;
   /// Mesh, skin or kNone.
   using PlainKey = std::pair<std::uint32_t, std::uint32_t>;
+  /// What markers are drawn for.
+  struct Marked {
+    std::vector<model::Segment> segments;
+    std::vector<std::uint32_t> points;
+  };
 
   bool has_own_weights(model::NodeIndex node) const;
   const std::vector<DrawnMeshes>& use(Key key);
@@ -64,6 +71,9 @@ class SceneMeshes {
             std::vector<DrawnMeshes>& drawn);
   /// The origin of what was added to the scene, if anything was.
   std::optional<model::Vector3> draw(const Key& key, std::uint32_t index, bool moved);
+  std::optional<model::Vector3> draw_new(const Key& key, std::uint32_t index, bool moved,
+                                         const MaterialNeeds& needs);
+  bool add_markers(const Key& key, std::uint32_t index, const Marked& marked, render::Mesh& drawn);
   void add_tangents(const MaterialNeeds& needs, model::Geometry& geometry);
 
   const model::GeometrySource& source_;
@@ -73,6 +83,7 @@ class SceneMeshes {
   model::MemoryBudget& budget_;
   SceneNotes& notes_;
   render::Scene& scene_;
+  KeptGeometry kept_;
   const std::vector<DrawnMeshes> nothing_;
   std::map<Key, std::vector<DrawnMeshes>> known_;
   std::map<PlainKey, const std::vector<DrawnMeshes>*> usual_;  ///< of nodes without own weights

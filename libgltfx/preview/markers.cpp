@@ -121,8 +121,8 @@ void give_markers_size(render::Scene& scene, double radius) {
     const double own = scale > 0 && std::isfinite(scale) ? radius / scale : radius;
     for (std::uint32_t i = instance.mesh; i < instance.mesh + instance.count; ++i) {
       render::Mesh& mesh = scene.meshes[i];
-      const std::vector<Float3> directions = std::move(mesh.marker_directions);
-      mesh.marker_directions.clear();
+      if (mesh.marker_directions.empty()) continue;
+      const SharedArray<Float3> directions = std::move(mesh.marker_directions);
       for (std::size_t v = 0; v < directions.size(); ++v) {
         mesh.positions[v] = to_float3(to_vec(mesh.positions[v]) + to_vec(directions[v]) * own);
       }

@@ -32,7 +32,7 @@ T* new_buffer(RTCGeometry geometry, RTCBufferType type, std::size_t count) {
 }
 
 // The scene outlives the hierarchy. Vertices are copied: Embree reads past the last one.
-void share_triangles(RTCGeometry geometry, const std::vector<Triangle>& triangles) {
+void share_triangles(RTCGeometry geometry, std::span<const Triangle> triangles) {
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, triangles.data(),
                              0, 12, triangles.size());
 }
@@ -117,7 +117,7 @@ std::span<const Float3> Bvh::State::add_points(RTCGeometry geometry, const Group
 
 bool Bvh::State::add_triangles(RTCGeometry geometry, const Group& group,
                                std::span<const Float3> points, bool may_repeat) const {
-  const std::vector<Triangle>& only = scene.meshes[group.parts.front().mesh].triangles;
+  const std::span<const Triangle> only(scene.meshes[group.parts.front().mesh].triangles);
   const bool single = group.parts.size() == 1;
   if (single && (may_repeat || find_repeats(only, points).empty())) {
     share_triangles(geometry, only);
@@ -204,6 +204,9 @@ Hit Bvh::State::hit_of(const RTCHit& found) const {
   Hit hit;
   hit.instance = instanced ? groups.instanced[index] : part.instance;
   hit.mesh = part.mesh;
+  if (instanced) {  // another mesh may have the same triangles
+    hit.mesh += scene.instances[hit.instance].mesh - groups.first[groups.shape[index]];
+  }
   hit.triangle = found.primID - static_cast<std::uint32_t>(part.first);
   hit.u = found.u;
   hit.v = found.v;

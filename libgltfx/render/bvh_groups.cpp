@@ -17,6 +17,8 @@
 namespace gltfx::render {
 namespace {
 
+using Triangle = std::array<std::uint32_t, 3>;
+
 // Measured with Embree 3.13.
 constexpr std::uint64_t kSceneBytes = 5000;  // of a shape that is shared
 constexpr std::uint64_t kInstanceBytes = 600;
@@ -50,6 +52,14 @@ double inverse_norm(const Matrix34& m) {
   return most;
 }
 
+// Of triangles that may not be closed.
+Treatment treatment_by(const SceneMaterial& material) {
+  if (has_holes(material)) return Treatment::holed;
+  if (is_pane(material)) return Treatment::pane;
+  if (!is_culled(material)) return Treatment::solid;
+  return is_wall(material) ? Treatment::wall : Treatment::culled;
+}
+
 class Grouping {
  public:
   explicit Grouping(const Scene& scene)
@@ -60,7 +70,7 @@ class Grouping {
       sums_.push_back({sums_.back().triangles + mesh.triangles.size(),
                        sums_.back().vertices + mesh.positions.size()});
     }
-    for (const Instance& instance : scene.instances) ++uses_[instance.mesh];
+    for (const Instance& instance : scene.instances) ++uses_[shapes_.of(scene, instance)];
     groups_.closed.assign(scene.meshes.size(), false);
     treatments_.reserve(scene.meshes.size());
     for (std::uint32_t i = 0; i < scene.meshes.size(); ++i) treatments_.push_back(treatment_of(i));
@@ -81,13 +91,14 @@ class Grouping {
 
   Treatment treatment_of(std::uint32_t number) {
     const Mesh& mesh = scene_.meshes[number];
-    const SceneMaterial& material = material_of(scene_, mesh);
-    if (has_holes(material)) return Treatment::holed;
-    if (is_pane(material)) return Treatment::pane;
-    if (!is_culled(material)) return Treatment::solid;
-    if (!is_wall(material)) return Treatment::culled;
-    groups_.closed[number] = is_closed(mesh);
-    return groups_.closed[number] ? Treatment::body : Treatment::wall;
+    const Treatment open = treatment_by(material_of(scene_, mesh));
+    if (open != Treatment::wall) return open;
+    const bool shared = mesh.positions.shared();
+    const auto before = closed_.find({mesh.positions.data(), mesh.triangles.data()});
+    const bool closed = shared && before != closed_.end() ? before->second : is_closed(mesh);
+    if (shared) closed_.emplace(std::pair(mesh.positions.data(), mesh.triangles.data()), closed);
+    groups_.closed[number] = closed;
+    return closed ? Treatment::body : Treatment::wall;
   }
 
   void add(std::uint32_t number) {
@@ -97,7 +108,7 @@ class Grouping {
     const ShapeSize size = size_of(instance);
     if (size.triangles == 0) return;
     groups_.triangles += size.triangles;
-    const std::uint32_t uses = uses_[instance.mesh];
+    const std::uint32_t uses = uses_[shapes_.of(scene_, instance)];
     if (uses > 1 && shared_bytes(size, uses) < flat_bytes(size) * uses) {
       const double scale = inverse_norm(instance.to_world);
       if (scale > 0 && std::isfinite(scale)) {
@@ -111,13 +122,15 @@ class Grouping {
   }
 
   void share(std::uint32_t number, double ray_scale) {
-    std::uint32_t& shape = shape_of_[scene_.instances[number].mesh];
+    const Instance& instance = scene_.instances[number];
+    std::uint32_t& shape = shape_of_[shapes_.of(scene_, instance)];
     if (shape == kNone) {
       shape = static_cast<std::uint32_t>(groups_.shared.size());
+      groups_.first.push_back(instance.mesh);
       append(groups_.shared.emplace_back(), number);
     }
     if (groups_.shared[shape][static_cast<std::size_t>(Treatment::holed)].triangles == 0 &&
-        !places_.emplace(shape, scene_.instances[number].to_world).second) {
+        !places_.emplace(shape, instance.to_world).second) {
       return;  // each ray would hit it again
     }
     groups_.instanced.push_back(number);
@@ -139,18 +152,19 @@ class Grouping {
   }
 
   const Scene& scene_;
-  std::vector<ShapeSize> sums_;                          // of all meshes before one
-  std::vector<std::uint32_t> uses_;                      // by first mesh
-  std::vector<std::uint32_t> shape_of_;                  // by first mesh
-  std::set<std::pair<std::uint32_t, Matrix34>> places_;  // of shapes without holes
-  std::vector<Treatment> treatments_;                    // by mesh
+  std::vector<ShapeSize> sums_;  // of all meshes before one
+  Shapes shapes_;
+  std::vector<std::uint32_t> uses_;                                   // by Shapes
+  std::vector<std::uint32_t> shape_of_;                               // by Shapes
+  std::map<std::pair<const Float3*, const Triangle*>, bool> closed_;  // of shared arrays
+  std::set<std::pair<std::uint32_t, Matrix34>> places_;               // of shapes without holes
+  std::vector<Treatment> treatments_;                                 // by mesh
   std::uint64_t forced_ = 0;
   Groups groups_;
 };
 
 constexpr std::size_t kRepeatProbes = 4096;
 
-using Triangle = std::array<std::uint32_t, 3>;
 using CornerPoints = std::array<Float3, 3>;
 
 std::uint32_t hash_of(const CornerPoints& corners) {
@@ -202,6 +216,22 @@ bool may_repeat(std::span<const Triangle> triangles, std::span<const Float3> poi
 }
 
 }  // namespace
+
+std::uint32_t Shapes::of(const Scene& scene, const Instance& instance) {
+  const auto [known, fresh] = by_mesh_.try_emplace(instance.mesh, instance.mesh);
+  if (!fresh) return known->second;
+  std::vector<std::uintptr_t> key;
+  bool shared = true;
+  for (std::uint32_t i = instance.mesh; i < instance.mesh + instance.count; ++i) {
+    const Mesh& mesh = scene.meshes[i];
+    shared = shared && mesh.positions.shared() && mesh.triangles.shared();
+    key.push_back(reinterpret_cast<std::uintptr_t>(mesh.positions.data()));
+    key.push_back(reinterpret_cast<std::uintptr_t>(mesh.triangles.data()));
+    key.push_back(static_cast<std::uintptr_t>(treatment_by(material_of(scene, mesh))));
+  }
+  if (shared) known->second = known_.try_emplace(std::move(key), instance.mesh).first->second;
+  return known->second;
+}
 
 std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances) {
   const std::uint64_t flat = flat_bytes(shape) * instances;

@@ -6,7 +6,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "render/scene.hpp"
@@ -44,12 +46,25 @@ using TreatedGroups = std::array<Group, kTreatments>;
 struct Groups {
   TreatedGroups flat;                    ///< in world space: geometry 0, 1, ...
   std::vector<TreatedGroups> shared;     ///< in their own space, for several instances
+  std::vector<std::uint32_t> first;      ///< likewise: the first mesh of the parts
   std::vector<std::uint32_t> instanced;  ///< instance of geometry kTreatments + i
   std::vector<std::uint32_t> shape;      ///< likewise: index in `shared`
   std::vector<bool> closed;              ///< by mesh
   std::vector<std::int8_t> facing;       ///< by instance: -1 where the transform mirrors
   std::size_t triangles = 0;             ///< of all instances
   double farthest = kFarthest;           ///< farthest origin of a ray
+};
+
+/// Finds meshes that look the same to rays, whatever their color.
+class Shapes {
+ public:
+  /// The first mesh of the instance, or that of an earlier one whose triangles are the same arrays
+  /// with the same treatment. Precondition: the meshes do not change afterwards.
+  std::uint32_t of(const Scene& scene, const Instance& instance);
+
+ private:
+  std::unordered_map<std::uint32_t, std::uint32_t> by_mesh_;
+  std::map<std::vector<std::uintptr_t>, std::uint32_t> known_;
 };
 
 /// Sums over the meshes of one instance.

@@ -17,6 +17,7 @@
 
 #include "base/material_table.hpp"
 #include "base/packed.hpp"
+#include "base/shared_array.hpp"
 
 namespace gltfx::render {
 
@@ -126,18 +127,19 @@ inline constexpr auto kParameterMembers =
     material_members<ParameterMember, Material, SceneMaterial>();
 
 /// Triangles with one material, posed: skinned and morphed. Attributes are by vertex, and empty if
-/// the asset has none. Points and lines are markers (markers.hpp).
+/// the asset has none. Points and lines are markers (markers.hpp). Meshes that differ in their
+/// material only share the arrays.
 struct Mesh {
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the front
-  std::vector<Float3> positions;
+  SharedArray<std::array<std::uint32_t, 3>> triangles;  ///< counter-clockwise seen from the front
+  SharedArray<Float3> positions;
   /// Empty: flat, and tangents are ignored. Need not be of unit length.
-  std::vector<Float3> normals;
-  std::vector<Float4> tangents;          ///< w is the sign of the bitangent
-  std::vector<std::vector<Float2>> uvs;  ///< by number of the set
-  std::vector<Float4> colors;            ///< linear, factors of the base colour
+  SharedArray<Float3> normals;
+  SharedArray<Float4> tangents;          ///< w is the sign of the bitangent
+  SharedArray<std::vector<Float2>> uvs;  ///< by number of the set
+  SharedArray<Float4> colors;            ///< linear, factors of the base colour
   std::uint32_t material = kNone;        ///< index in Scene::materials; kNone: the default one
   /// Of markers that have no size yet: unit vectors from the point or line to their surface.
-  std::vector<Float3> marker_directions;
+  SharedArray<Float3> marker_directions;
   bool unlit = false;  ///< shows base colour and emission, independent of the material
 };
 

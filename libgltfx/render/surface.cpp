@@ -69,7 +69,7 @@ class HitTriangle {
 
  private:
   template <std::size_t N>
-  Vec3d mean(const std::vector<std::array<float, N>>& values) const {
+  Vec3d mean(const SharedArray<std::array<float, N>>& values) const {
     const auto at = [&](std::size_t corner) -> Vec3d {
       const auto& value = values[corners_[corner]];
       return {value[0], value[1], value[2]};
@@ -136,12 +136,11 @@ Frame turned(const Frame& frame, const Vec3d& normal) {
   return {tangent / norm, dot(bitangent, frame.bitangent) < 0 ? -bitangent : bitangent, normal};
 }
 
-template <std::size_t N>
-std::array<float, N> interpolate(const std::vector<std::array<float, N>>& values, const Mesh& mesh,
-                                 const Hit& hit) {
+template <class Array>
+typename Array::value_type interpolate(const Array& values, const Mesh& mesh, const Hit& hit) {
   const auto& [a, b, c] = mesh.triangles[hit.triangle];
-  std::array<float, N> sum{};
-  for (std::size_t i = 0; i < N; ++i) {
+  typename Array::value_type sum{};
+  for (std::size_t i = 0; i < sum.size(); ++i) {
     sum[i] = values[a][i] * (1 - hit.u - hit.v) + values[b][i] * hit.u + values[c][i] * hit.v;
   }
   return sum;

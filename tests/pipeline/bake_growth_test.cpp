@@ -79,6 +79,31 @@ render::Scene built(const std::function<void(AssetText&, int)>& fill, int n,
   return scene_of_text(asset.text(), options);
 }
 
+// n meshes of one sphere, each with a material of its own, in a row.
+void painted_alike(AssetText& asset, int n) {
+  const int first = asset.mesh(render::sphere(), asset.material(plastic()));
+  for (int i = 0; i < n; ++i) {
+    const int color = asset.material(dielectric({i % 2, (i + 1) % 2, 0.5, 1}, 0.5));
+    Json mesh = asset.json()["meshes"][static_cast<std::size_t>(first)];
+    mesh["primitives"][0]["material"] = color;
+    asset.node({{"mesh", asset.add("meshes", mesh)}, {"translation", {3 * i, 0, 0}}});
+  }
+}
+
+TEST(BakeGrowth, MeshesOfTheSameAccessorsAreKeptOnce) {
+  SceneOptions options;
+  options.free_bytes = std::uint64_t{4} << 20U;  // a tenth of 400 spheres
+  const render::Scene scene = built(painted_alike, 400, options);
+  EXPECT_THAT(scene.notes, testing::IsEmpty());
+  ASSERT_THAT(scene.meshes, SizeIs(400));
+  ASSERT_THAT(scene.instances, SizeIs(400));
+  EXPECT_EQ(scene.meshes[7].positions.data(), scene.meshes[0].positions.data());
+  EXPECT_NE(scene.meshes[7].material, scene.meshes[0].material);
+  const render::Groups groups = render::group_instances(scene);
+  EXPECT_THAT(groups.shared, SizeIs(1));
+  EXPECT_THAT(groups.instanced, SizeIs(400));
+}
+
 TEST(BakeGrowth, PrimitivesOfAMeshShareItsInstances) {
   const render::Scene scene = built(primitives_in_nodes, 60);
   EXPECT_THAT(scene.meshes, SizeIs(60));

@@ -27,6 +27,11 @@ namespace gltfx::test {
 
 using Json = nlohmann::ordered_json;
 
+template <typename T>
+std::string packed(const SharedArray<T>& values) {
+  return packed(std::vector<T>(values.begin(), values.end()));
+}
+
 /// A document that grows, with a buffer inside.
 class AssetText {
  public:
@@ -43,7 +48,7 @@ class AssetText {
     return static_cast<int>(made_.accessor(type, component, count, bytes, more));
   }
   /// Positions with the bounds that they have.
-  int positions(const std::vector<Float3>& points) {
+  int positions(const SharedArray<Float3>& points) {
     Float3 least = points.front();
     Float3 greatest = least;
     for (const Float3& p : points) {

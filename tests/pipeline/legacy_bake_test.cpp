@@ -66,7 +66,7 @@ class LegacyBaked : public testing::TestWithParam<Generation> {};
 // Squares side by side that face either way, each of a material of its own, with lamps on both
 // sides.
 Json with_squares(Json document) {
-  const std::vector<Float3> points = render::quad(0.45F).positions;
+  const SharedArray<Float3> points = render::quad(0.45F).positions;
   std::string bytes = packed(points);
   bytes += packed(render::quad().uvs[0]);
   bytes += floats({0.2F, 0.1F, 0.9F, 0.3F, 0.7F, 1.1F, -0.2F, 0.6F});

@@ -261,13 +261,36 @@ TEST(Bvh, WhatIsSmallIsCopiedAndWhatIsLargeIsShared) {
   EXPECT_EQ(hierarchy_bytes({1000, 1000}, 0), 0U);
 }
 
+TEST(Bvh, AHitOfSharedTrianglesIsOfTheMeshThatIsDrawn) {
+  Scene scene = scene_of(sphere());
+  scene.instances.clear();
+  scene.materials.resize(3);
+  scene.materials[2].double_sided = true;  // treated in another way
+  for (std::uint32_t i = 1; i < 3; ++i) {
+    scene.meshes.push_back(scene.meshes[0]);
+    scene.meshes.back().material = i;
+  }
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    scene.instances.push_back({i % 3, moved(3 * static_cast<float>(i), 0, 0)});
+  }
+  EXPECT_THAT(group_instances(scene).shared, testing::SizeIs(2));
+  const Bvh bvh = bvh_of(scene);
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    const auto hit = bvh.intersect({{3.0 * i, 0, 5}, {0, 0, -1}}, 0);
+    ASSERT_TRUE(hit);
+    EXPECT_EQ(hit->instance, i);
+    EXPECT_EQ(hit->mesh, i % 3);
+  }
+}
+
 // A hierarchy of triangles in one place would be a list.
 TEST(Bvh, TrianglesThatRepeatOthersAreLeftOut) {
   Mesh mesh = quad();
   for (int i = 0; i < 3; ++i) mesh.triangles.push_back({0, 1, 2});
   mesh.triangles.push_back({1, 2, 0});  // begins at another corner
   EXPECT_THAT(find_repeats(mesh.triangles, mesh.positions), testing::ElementsAre(2, 3, 4));
-  EXPECT_THAT(find_repeats(sphere().triangles, sphere().positions), testing::IsEmpty());
+  const Mesh ball = sphere();
+  EXPECT_THAT(find_repeats(ball.triangles, ball.positions), testing::IsEmpty());
   Scene scene = scene_of(mesh);
   scene.materials[0].double_sided = true;
   const auto hit = bvh_of(scene).intersect({{0.5F, -0.5F, 5}, {0, 0, -1}}, 0);

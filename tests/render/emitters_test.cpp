@@ -64,7 +64,7 @@ TEST(Emitters, TrianglesAreDimByTheirTexture) {
   scene.materials[0].use(Slot::emissive).texture = 0;
   Mesh& mesh = scene.meshes[0];
   mesh.normals.clear();
-  mesh.positions.insert(mesh.positions.end(), {mesh.positions[0], mesh.positions[2]});
+  for (const std::size_t i : {0U, 2U}) mesh.positions.push_back(mesh.positions[i]);
   mesh.triangles[1] = {4, 5, 3};
   mesh.uvs = {{{0.25F, 0}, {0.25F, 0}, {0.25F, 0}, {0.75F, 0}, {0.75F, 0}, {0.75F, 0}}};
   const Hit dim{1, 0, 0, 0, 0, 0};
