@@ -199,6 +199,9 @@ BakeScene built(const validate::ValidatedAsset& asset, FileReport report,
         fmt::format("it has {} error{}, which gltfx validate names; what can be drawn is drawn",
                     errors, errors == 1 ? "" : "s"));
   }
+  if (options.strict && !made->complete) {
+    return failed(std::move(result), BakeProblem::invalid, "parts of it would be left out");
+  }
   result.scene = std::make_unique<const render::Scene>(std::move(made->scene));
   result.subject = std::move(made->subject);
   result.origin = made->origin;

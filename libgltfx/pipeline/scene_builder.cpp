@@ -178,7 +178,7 @@ class SceneBuilder {
         subject && options_.picture_side > 0 ? subject->size() / options_.picture_side : 0;
     textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel);
     light(roots);
-    return {std::move(scene_), std::move(subject), {origin_[0], origin_[1], origin_[2]}};
+    return {std::move(scene_), std::move(subject), {origin_[0], origin_[1], origin_[2]}, true};
   }
 
  private:
@@ -266,8 +266,8 @@ class SceneBuilder {
     const auto copies =
         model::read_instancing(asset_, views_, resources_, views_.nodes[node], geometry_budget_);
     if (copies && !copies->readable) {
-      notes_.add(fmt::format("Node {}", node),
-                 "has copies that cannot be read or that ask for too much memory");
+      notes_.leave_out(fmt::format("Node {}", node),
+                       "has copies that cannot be read or that ask for too much memory");
       return;
     }
     for (const DrawnMeshes& drawn : meshes.use(node)) {
@@ -286,9 +286,9 @@ class SceneBuilder {
     placed.columns[3] = world.point(drawn.origin);
     const render::Matrix34 to_world = rows_of(placed);
     if (!is_finite(to_world)) {
-      notes_.add("A mesh", "lies at infinity");
+      notes_.leave_out("A mesh", "lies at infinity");
     } else if (!geometry_budget_.take(cost_of(drawn))) {
-      notes_.add("A mesh", "is drawn more often than memory allows");
+      notes_.leave_out("A mesh", "is drawn more often than memory allows");
     } else {
       ++placed_[shape_of(drawn)].count;
       scene_.instances.push_back({drawn.mesh, to_world, drawn.count});
@@ -358,6 +358,7 @@ BuiltScene build_scene(const validate::ValidatedAsset& validated, const schema::
       model::load_resources(opened.container(), files, asset, views, options.jobs, &images);
   for (std::string& note : loaded.notes) notes.add(std::move(note));
   BuiltScene built = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run(roots);
+  built.complete = notes.complete();
   built.scene.notes = notes.take();
   return built;
 }

@@ -37,6 +37,7 @@ struct BuiltScene {
   std::optional<preview::Subject> subject;  ///< as preview::find_subject() finds it there
   /// What is at 0 there, in the coordinates of the asset; 0 unless the asset is far from it.
   Vec3d origin;
+  bool complete = true;  ///< no part was left out
 };
 
 /// Reads, decodes and poses what is visible. What is invalid is left out, and named in the notes

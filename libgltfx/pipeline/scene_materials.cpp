@@ -150,13 +150,25 @@ void SceneNotes::add(const std::string& place, const std::string& outcome) {
   if (kind.count++ == 0) kind.first = place;
 }
 
+void SceneNotes::leave_out(const std::string& place, const std::string& outcome) {
+  add(place, outcome);
+  kinds_[outcome].left_out = true;
+  complete_ = false;
+}
+
 std::vector<std::string> SceneNotes::take() {
-  for (const auto& [outcome, kind] : kinds_) {
-    if (kind.count == 1) {
-      add(fmt::format("{} {}.", kind.first, outcome));
-    } else {
-      add(fmt::format("{} {}, and {} more like it.", kind.first, outcome, kind.count - 1));
+  std::vector<std::string> before = std::exchange(sentences_, {});
+  for (const bool left_out : {true, false}) {
+    for (const auto& [outcome, kind] : kinds_) {
+      if (kind.left_out != left_out) continue;
+      if (kind.count == 1) {
+        add(fmt::format("{} {}.", kind.first, outcome));
+      } else {
+        add(fmt::format("{} {}, and {} more like it.", kind.first, outcome, kind.count - 1));
+      }
     }
+    for (std::string& sentence : before) add(std::move(sentence));
+    before.clear();
   }
   if (more_ > 0) sentences_.push_back(fmt::format("{} more notes were left out.", more_));
   return std::move(sentences_);

@@ -26,15 +26,21 @@ class SceneNotes {
   void add(std::string sentence);
   /// Something with a place that shares its outcome with others: "Image 3", "is not there".
   void add(const std::string& place, const std::string& outcome);
+  /// The same for something that is not drawn, or not all of it.
+  void leave_out(const std::string& place, const std::string& outcome);
 
-  /// All of them; those beyond a few dozen are counted.
+  /// Whether nothing was left out.
+  bool complete() const { return complete_; }
+  /// All of them, first what was left out; those beyond a few dozen are counted.
   std::vector<std::string> take();
 
  private:
   struct Kind {
     std::string first;
     std::uint64_t count = 0;
+    bool left_out = false;
   };
+  bool complete_ = true;
   std::vector<std::string> sentences_;
   std::uint64_t more_ = 0;
   std::map<std::string, Kind> kinds_;

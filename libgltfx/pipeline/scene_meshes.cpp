@@ -54,7 +54,7 @@ const std::vector<DrawnMeshes>& SceneMeshes::use(model::NodeIndex node) {
   const auto usual = usual_.find({*from.mesh, skin});
   if (!own && usual != usual_.end()) return *usual->second;
   if (own && !budget_.take(targets * sizeof(float))) {
-    notes_.add(fmt::format("Mesh {}", *from.mesh), kTooManyPoses);
+    notes_.leave_out(fmt::format("Mesh {}", *from.mesh), kTooManyPoses);
     return nothing_;
   }
   std::vector<float> weights =
@@ -76,7 +76,7 @@ const std::vector<DrawnMeshes>& SceneMeshes::use(Key key) {
   const auto& [mesh, skin, weights] = key;
   const std::uint64_t primitives = source_.views.meshes[mesh].primitives.size();
   if (!budget_.take(primitives * kMeshBytes + weights.size() * sizeof(float))) {
-    notes_.add(fmt::format("Mesh {}", mesh), kTooManyPoses);
+    notes_.leave_out(fmt::format("Mesh {}", mesh), kTooManyPoses);
     return nothing_;
   }
   const auto known = known_.try_emplace(std::move(key)).first;
@@ -161,7 +161,12 @@ std::optional<model::Vector3> SceneMeshes::draw_new(const Key& key, std::uint32_
   const model::GeometryError error = model::read_geometry(
       source_, source_.views.meshes[mesh].primitives[index], request, budget_, geometry);
   if (error != model::GeometryError::none) {
-    notes_.add(place_of(mesh, index), std::string(model::error_text(error)));
+    const std::string why(model::error_text(error));
+    if (error == model::GeometryError::empty) {
+      notes_.add(place_of(mesh, index), why);
+    } else {
+      notes_.leave_out(place_of(mesh, index), why);
+    }
     return std::nullopt;
   }
   if (geometry.coarse_step > 0) {
@@ -187,13 +192,13 @@ bool SceneMeshes::add_markers(const Key& key, std::uint32_t index, const Marked&
   const std::uint32_t mesh = std::get<0>(key);
   const std::size_t markers = marked.segments.size() + marked.points.size();  // one of them is 0
   if (markers > preview::kMostMarkers) {
-    notes_.add(
+    notes_.leave_out(
         place_of(mesh, index),
         fmt::format("has more than {} points or lines; some are drawn", preview::kMostMarkers));
   }
   const std::size_t most = std::min(markers, preview::kMostMarkers);
   if (!budget_.take(checked_mul(most, preview::marker_bytes(drawn)))) {
-    notes_.add(place_of(mesh, index), "has more points or lines than memory allows");
+    notes_.leave_out(place_of(mesh, index), "has more points or lines than memory allows");
     return false;
   }
   if (!marked.segments.empty()) drawn = preview::line_markers(drawn, marked.segments);

@@ -67,6 +67,25 @@ TEST_F(BakeLimits, SizesAtTheirLimits) {
   }
 }
 
+TEST_F(BakeLimits, WhatIsLeftOutIsSaidFirstAndRefusedWhenStrict) {
+  AssetText asset;
+  asset.draw(cube(), plastic());
+  const int far = asset.add("nodes", {{"mesh", 0}, {"scale", {1e30, 1e30, 1e30}}});
+  asset.node({{"children", {far}}, {"scale", {1e30, 1e30, 1e30}}});
+  asset.json().erase("scene");
+  asset.json()["scenes"].push_back({{"name", "another"}});
+  options.camera.clear();
+  const BakeReport drawn = report(asset);
+  EXPECT_EQ(drawn.problem, BakeProblem::none) << drawn.error;
+  EXPECT_THAT(drawn.notes,
+              testing::ElementsAre(HasSubstr("lies at infinity"), HasSubstr("the first one")));
+  options.strict = true;
+  const BakeReport refused = report(asset);
+  EXPECT_EQ(refused.problem, BakeProblem::invalid);
+  EXPECT_THAT(refused.error, HasSubstr("left out"));
+  EXPECT_EQ(refused.notes, drawn.notes);
+}
+
 // What a caller of the library may hand over without a program that looks at it first.
 TEST_F(BakeLimits, NumbersThatMakeNoPictureAreRefused) {
   AssetText asset;

@@ -142,7 +142,8 @@ void declare_scene(Options& options, BakeOptions& bake) {
   options.add("--time", "SECONDS", "Time in the animation (default: 0)",
               decimal(bake.time, -1e9, 1e9));
   options.add("--variant", "NAME|N", "Material variant", text(bake.variant));
-  options.add("--strict", "", "Refuse every asset that has errors", flag(bake.strict));
+  options.add("--strict", "", "Refuse assets with errors, or with parts left out",
+              flag(bake.strict));
 }
 
 void declare_effort(Options& options, BakeOptions& bake) {

@@ -119,7 +119,9 @@ struct BakeOptions {
   double time = 0;        ///< of the animation, seconds
   std::string variant;    ///< name or index; empty: none
 
-  bool strict = false;  ///< refuse any asset that has errors, not only those that leave no picture
+  /// Refuse any asset that has errors, not only those that leave no picture, or of which parts
+  /// would be left out.
+  bool strict = false;
   /// File to write: .png, .webp, .jpg, .jpeg or .exr. Folders are made.
   std::string output;
   /// Put the picture, of the first size, into the asset itself, as its thumbnail.
