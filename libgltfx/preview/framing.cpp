@@ -8,7 +8,9 @@
 #include <numbers>
 
 #include "base/packed.hpp"
+#include "preview/framing_faces.hpp"
 #include "preview/framing_strays.hpp"
+#include "preview/framing_surroundings.hpp"
 #include "render/surface.hpp"
 #include "render/transform.hpp"
 
@@ -60,7 +62,8 @@ Subject surfaces_of(const render::Scene& scene, Which which) {
   Subject subject;
   subject.points.reserve(3 * (triangles / step + 1));
   subject.faces.reserve(triangles / step + 1);
-  std::size_t next = 0;  // index of the next triangle
+  std::size_t next = 0;      // index of the next triangle
+  std::uint32_t bodies = 0;  // of all instances before one
   for (std::size_t i = 0; i < count; ++i) {
     const render::Instance& each = instance(i);
     const bool mirrored = render::determinant(each.to_world) < 0;
@@ -80,8 +83,12 @@ Subject surfaces_of(const render::Scene& scene, Which which) {
       }
       if (!std::all_of(p.begin(), p.end(), is_sane)) continue;
       for (const Vec3d& corner : p) subject.points.push_back(to_float3(corner));
-      subject.faces.push_back({mirrored, render::is_culled(render::material_of(scene, mesh))});
+      const render::SceneMaterial& material = render::material_of(scene, mesh);
+      const auto number = static_cast<std::uint32_t>(mesh_end - sums.begin()) - 1 - each.mesh;
+      subject.faces.push_back({bodies + number, mirrored, render::is_culled(material),
+                               render::has_holes(material) || material.factors.transmission > 0});
     }
+    bodies += each.count;
     next -= own;
   }
   return subject;
@@ -93,20 +100,12 @@ Vec3d backward_of(const Direction& direction) {
   return {std::sin(turn) * std::cos(rise), std::sin(rise), std::cos(turn) * std::cos(rise)};
 }
 
-// The normal on the front of a face, of twice its area in length.
-Vec3d area_of(const Subject& subject, std::size_t face) {
-  const Float3* corners = &subject.points[3 * face];
-  const Vec3d first = to_vec(corners[0]);
-  const Vec3d area = cross(to_vec(corners[1]) - first, to_vec(corners[2]) - first);
-  return subject.faces[face].mirrored ? -area : area;
-}
-
 bool is_flat(const Subject& subject) {
   constexpr double kAlmost = 0.999;  // of all area
   Vec3d largest;
   double all = 0;
   for (std::size_t i = 0; i < subject.faces.size(); ++i) {
-    const Vec3d area = area_of(subject, i);
+    const Vec3d area = area_vector(subject, i);
     all += length(area);
     if (length(area) > length(largest)) largest = area;
   }
@@ -114,7 +113,7 @@ bool is_flat(const Subject& subject) {
   const Vec3d normal = normalize(largest);
   double along = 0;
   for (std::size_t i = 0; i < subject.faces.size(); ++i) {
-    along += std::fabs(dot(area_of(subject, i), normal));
+    along += std::fabs(dot(area_vector(subject, i), normal));
   }
   return along >= kAlmost * all;
 }
@@ -125,7 +124,7 @@ double fronts_seen(const Subject& subject, const Direction& direction) {
   double seen = 0;
   double all = 0;
   for (std::size_t i = 0; i < subject.faces.size(); ++i) {
-    const double area = dot(area_of(subject, i), backward);
+    const double area = dot(area_vector(subject, i), backward);
     all += std::fabs(area);
     seen += subject.faces[i].culled ? std::max(0.0, area) : std::fabs(area);
   }
@@ -169,6 +168,7 @@ void Subject::forget_faces() {
 std::optional<Subject> find_subject(const render::Scene& scene, Which which) {
   Subject subject = surfaces_of(scene, which);
   if (subject.points.empty()) return std::nullopt;
+  drop_surroundings(subject);
   drop_strays(subject);
   subject.least = subject.greatest = to_vec(subject.points.front());
   for (const Float3& point : subject.points) {
@@ -228,6 +228,7 @@ render::View frame(const Subject& subject, const Direction& direction, double as
   const double x = (s.right - s.left) / 2;
   const double y = (s.upper - s.lower) / 2;
   view.origin = middle + view.right * x + view.up * y + view.backward * distance;
+  view.inside = subject.enclosed;
   return view;
 }
 

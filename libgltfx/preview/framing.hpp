@@ -13,10 +13,12 @@
 
 namespace gltfx::preview {
 
-/// The sides of a triangle.
+/// A triangle beside its corners.
 struct Face {
-  bool mirrored = false;  ///< its corners are clockwise as seen from the front
-  bool culled = false;    ///< invisible from behind
+  std::uint32_t body = 0;  ///< number of its mesh in its instance
+  bool mirrored = false;   ///< its corners are clockwise as seen from the front
+  bool culled = false;     ///< invisible from behind
+  bool clear = false;      ///< what is behind it may be visible
 };
 
 /// The subject of a picture: triangles of the scene without strays, and their bounding box.
@@ -24,7 +26,8 @@ struct Subject {
   std::vector<Float3> points;  ///< corners, three for each face
   std::vector<Face> faces;
   Vec3d least, greatest;
-  bool flat = false;  ///< all faces are parallel
+  bool flat = false;      ///< all faces are parallel
+  bool enclosed = false;  ///< a sky around it was left out
 
   /// Frees the triangles, but not the box, when framing is done.
   void forget_faces();
@@ -37,7 +40,8 @@ struct Subject {
 enum class Which : std::uint8_t { all, framed };
 
 /// Nothing if no triangle is visible; alpha of the factors counts. For strays see
-/// framing_strays.hpp. Reads a bounded number of triangles.
+/// framing_strays.hpp, for skies and seas framing_surroundings.hpp. Reads a bounded number of
+/// triangles.
 std::optional<Subject> find_subject(const render::Scene& scene, Which which = Which::all);
 
 /// The side that the camera is on, in degrees. Azimuth 0 is the front (+z), 90 is +x; elevation 90

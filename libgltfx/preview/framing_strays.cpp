@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/packed.hpp"
+#include "preview/framing_faces.hpp"
 
 namespace gltfx::preview {
 namespace {
@@ -17,19 +18,6 @@ namespace {
 // Scenes that these numbers and those of drop_islands() distinguish are in
 // tests/preview/framing_test.cpp.
 constexpr double kStrayFactor = 3;  // maximum distance of a point from the middle, in core extents
-
-template <class Keep>
-void keep_faces(Subject& subject, const Keep& keep) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < subject.faces.size(); ++i) {
-    if (!keep(i)) continue;
-    const auto first = subject.points.begin() + static_cast<std::ptrdiff_t>(3 * i);
-    std::copy(first, first + 3, subject.points.begin() + static_cast<std::ptrdiff_t>(3 * kept));
-    subject.faces[kept++] = subject.faces[i];
-  }
-  subject.faces.resize(kept);
-  subject.points.resize(3 * kept);
-}
 
 // The range of points of the subject along one axis.
 std::pair<double, double> limits_along(const std::vector<Float3>& points, std::size_t axis) {
@@ -69,29 +57,12 @@ void drop_far_corners(Subject& subject) {
   });
 }
 
-struct Box {
-  Vec3d least = Vec3d(std::numeric_limits<double>::infinity());
-  Vec3d greatest = Vec3d(-std::numeric_limits<double>::infinity());
-
-  void add(const Vec3d& p) {
-    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
-    greatest = {std::max(greatest.x, p.x), std::max(greatest.y, p.y), std::max(greatest.z, p.z)};
-  }
-  double size() const { return length(greatest - least); }
-  double distance(const Box& other) const {
-    const Vec3d gap = {std::max({0.0, other.least.x - greatest.x, least.x - other.greatest.x}),
-                       std::max({0.0, other.least.y - greatest.y, least.y - other.greatest.y}),
-                       std::max({0.0, other.least.z - greatest.z, least.z - other.greatest.z})};
-    return length(gap);
-  }
-};
-
 /// Connected components of the cells of a grid, by triangles and neighbours.
 class Cells {
  public:
   explicit Cells(const Subject& subject) : filled_(kCells, 0), above_(kCells) {
     std::iota(above_.begin(), above_.end(), 0U);
-    Box box;
+    FaceBox box;
     for (const Float3& p : subject.points) box.add(to_vec(p));
     least_ = box.least;
     const Vec3d extent = box.greatest - box.least;
@@ -155,22 +126,16 @@ class Cells {
 };
 
 struct Island {
-  Box box;
+  FaceBox box;
   double area = 0;
 };
-
-double area_of(const Subject& subject, std::size_t face) {
-  const Float3* corners = &subject.points[3 * face];
-  const Vec3d first = to_vec(corners[0]);
-  return length(cross(to_vec(corners[1]) - first, to_vec(corners[2]) - first)) / 2;
-}
 
 // By cells. Empty if there is one component.
 std::vector<std::pair<std::size_t, Island>> islands_of(const Subject& subject, Cells& cells) {
   std::vector<Island> by_cell(Cells::kCells);
   for (std::size_t i = 0; i < subject.faces.size(); ++i) {
     Island& island = by_cell[cells.root_of(subject.points[3 * i])];
-    island.area += area_of(subject, i);
+    island.area += length(area_vector(subject, i)) / 2;
     for (std::size_t k = 0; k < 3; ++k) island.box.add(to_vec(subject.points[3 * i + k]));
   }
   std::vector<std::pair<std::size_t, Island>> islands;
@@ -180,11 +145,19 @@ std::vector<std::pair<std::size_t, Island>> islands_of(const Subject& subject, C
   return islands;
 }
 
+// Which islands are small beside the main one, and apart from it.
+struct StrayRule {
+  double small;   // part of the size of the main one
+  double apart;   // distance in sizes of the main one
+  double little;  // all of them together: part of the area of the main one
+  double gain;    // how much larger the picture becomes without them
+};
+constexpr std::array<StrayRule, 2> kStrayRules{{
+    {1.0 / 8, 1.0 / 4, 1.0 / 100, 1}, {1.0 / 4, 1.0 / 4, 1.0 / 30, 1.5},  // a figure beside a house
+}};
+
 // True if triangles were removed: the rest may have finer parts.
-bool drop_islands(Subject& subject) {
-  constexpr double kSmall = 1.0 / 8;
-  constexpr double kApart = 1.0 / 4;
-  constexpr double kLittle = 1.0 / 100;
+bool drop_islands(Subject& subject, const StrayRule& rule) {
   Cells cells(subject);
   const auto islands = islands_of(subject, cells);
   const Island& main =
@@ -194,13 +167,21 @@ bool drop_islands(Subject& subject) {
   const double size = main.box.size();
   std::vector<std::uint8_t> strays(Cells::kCells, 0);
   double area = 0;
+  FaceBox all, kept;
   for (const auto& [cell, island] : islands) {
-    const bool small = island.box.size() < kSmall * size;
-    if (!small || island.box.distance(main.box) <= kApart * size) continue;
+    all.add(island.box);
+    const bool small = island.box.size() < rule.small * size;
+    if (!small || island.box.distance(main.box) <= rule.apart * size) {
+      kept.add(island.box);
+      continue;
+    }
     strays[cell] = 1;
     area += island.area;
   }
-  if (std::count(strays.begin(), strays.end(), 1) == 0 || area > kLittle * main.area) return false;
+  if (std::count(strays.begin(), strays.end(), 1) == 0 || area > rule.little * main.area ||
+      all.size() < rule.gain * kept.size()) {
+    return false;
+  }
   keep_faces(subject, [&](std::size_t face) {
     return strays[cells.root_of(subject.points[3 * face])] == 0;
   });
@@ -212,7 +193,9 @@ bool drop_islands(Subject& subject) {
 void drop_strays(Subject& subject) {
   constexpr int kMostRounds = 8;
   drop_far_corners(subject);
-  for (int i = 0; i < kMostRounds && drop_islands(subject); ++i) continue;
+  for (const StrayRule& rule : kStrayRules) {
+    for (int i = 0; i < kMostRounds && drop_islands(subject, rule); ++i) continue;
+  }
 }
 
 }  // namespace gltfx::preview

@@ -95,6 +95,19 @@ TEST(Framing, WhatIsTinyAndFarAwayHalvesNoPicture) {
   }
 }
 
+// A cottage and a figure that is a quarter as large.
+TEST(Framing, AFigureFarFromACottageHalvesNoPicture) {
+  const auto width_with_figure = [](float place) {
+    render::Scene scene = render::scene_of(render::cube());
+    scene.instances[0].to_world = {{{2.5F, 0, 0, 0}, {0, 2, 0, 2}, {0, 0, 2.5F, 0}}};
+    scene.meshes.push_back(render::cube());
+    scene.instances.push_back({1, {{{0.25F, 0, 0, place}, {0, 0.9F, 0, 0.9F}, {0, 0, 0.2F, 2}}}});
+    return find_subject(scene)->greatest.x;
+  };
+  EXPECT_NEAR(width_with_figure(12), 2.5, 1e-5);
+  EXPECT_NEAR(width_with_figure(4), 4.25, 1e-5) << "beside it";
+}
+
 TEST(Framing, ManyOfOneSizeAreAllShown) {
   render::Scene scene = render::scene_of(render::cube(0.1F));
   for (int i = 1; i < 9; ++i) {
