@@ -40,7 +40,7 @@ struct Place {
 
 Place look_from(const render::Scene& scene, const render::Bvh& bvh, const Vec3d& point,
                 double clearance) {
-  constexpr double kClosed = 0.9;  // part of all directions
+  constexpr double kClosed = 0.8;  // part of all directions: windows and doors may be open
   constexpr double kFronts = 0.85;
   Place place;
   place.point = point;
@@ -83,7 +83,7 @@ struct Outside {
   int inside = 0;  // fronts that are visible from the room, too
   int on_box = 0;  // at the sides of the box
   std::set<std::uint64_t> bodies;
-  std::set<std::uint32_t> materials;
+  std::set<std::uint32_t> materials;  // at the sides of the box
 };
 
 bool is_on_box(const Subject& subject, const Vec3d& point) {
@@ -120,10 +120,11 @@ void look_at(const render::Scene& scene, const Subject& subject, const render::B
       ++outside.seen;
       const bool front = faces(scene, *hit, ray.direction);
       outside.backs += front ? 0 : 1;
-      outside.on_box += is_on_box(subject, point) ? 1 : 0;
+      const bool on_box = is_on_box(subject, point);
+      outside.on_box += on_box ? 1 : 0;
       outside.inside += front && is_seen_from(places, scene, bvh, *hit, point) ? 1 : 0;
       outside.bodies.insert(hit->body());
-      outside.materials.insert(scene.meshes[hit->mesh].material);
+      if (on_box) outside.materials.insert(scene.meshes[hit->mesh].material);
     }
   }
 }
@@ -161,7 +162,7 @@ bool is_closed_room(const render::Scene& scene, const Subject& subject, const re
   constexpr double kShown = 0.15;  // part of the picture in which the room is visible from outside
   constexpr double kMostly = 0.6;
   constexpr double kFills = 0.9;
-  constexpr std::size_t kMostOutside = 2;  // materials of plain walls
+  constexpr std::size_t kMostOutside = 4;  // materials of walls with windows and doors
   constexpr std::size_t kThings = 3;
   const Vec3d extent = subject.greatest - subject.least;
   if (std::min(extent.x, extent.z) < kLeastWidth || extent.y < kLeastHeight) return false;

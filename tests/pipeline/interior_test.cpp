@@ -58,6 +58,34 @@ AssetText room_of_thick_walls() {
   return asset;
 }
 
+// With windows, open or of glass, in two walls; their frames are of another material.
+AssetText room_with_windows(bool glazed, bool furnished = true) {
+  AssetText asset;
+  const int wall = asset.material(dielectric({0.9, 0.88, 0.85, 1}, 0.9));
+  const int frame = asset.material(dielectric({1, 1, 1, 1}, 0.4));
+  const int pane = asset.material(
+      dielectric({1, 1, 1, 1}, 0, {{"KHR_materials_transmission", {{"transmissionFactor", 1}}}}));
+  const auto add = [&asset](const Float3& from, const Float3& to, int material) {
+    asset.node({{"mesh", asset.mesh(box(from, to), material)}});
+  };
+  add({-2.7F, -0.2F, -2.2F}, {2.7F, 0, 2.2F}, wall);
+  add({-2.7F, 2.6F, -2.2F}, {2.7F, 2.8F, 2.2F}, wall);
+  add({2.5F, 0, -2.2F}, {2.7F, 2.6F, 2.2F}, wall);
+  add({-2.7F, 0, -2.2F}, {-2.5F, 2.6F, 2.2F}, wall);
+  for (const float z : {-2.2F, 2.0F}) {
+    add({-2.5F, 0, z}, {-0.7F, 2.6F, z + 0.2F}, wall);
+    add({0.7F, 0, z}, {2.5F, 2.6F, z + 0.2F}, wall);
+    add({-0.7F, 0, z}, {0.7F, 0.9F, z + 0.2F}, wall);
+    add({-0.7F, 2.2F, z}, {0.7F, 2.6F, z + 0.2F}, wall);
+    for (const float x : {-0.7F, -0.03F, 0.64F}) {
+      add({x, 0.9F, z - 0.02F}, {x + 0.06F, 2.2F, z + 0.22F}, frame);
+    }
+    if (glazed) add({-0.7F, 0.9F, z + 0.09F}, {0.7F, 2.2F, z + 0.1F}, pane);
+  }
+  if (furnished) furnish(asset);
+  return asset;
+}
+
 // A bottle of glass with a label and a cap, and something in it; its height is 0.3.
 AssetText bottle() {
   AssetText asset;
@@ -149,6 +177,8 @@ TEST_F(Interior, ClosedRoomsAreShownFromInside) {
   EXPECT_TRUE(goes_inside(room_of_thick_walls()));
   EXPECT_TRUE(goes_inside(in_unit(room_of_thick_walls(), 100)));
   EXPECT_TRUE(goes_inside(in_unit(room(true), 2.5)));
+  EXPECT_TRUE(goes_inside(room_with_windows(true)));
+  EXPECT_TRUE(goes_inside(room_with_windows(false)));
 }
 
 TEST_F(Interior, RoomsThatOpenToTheCameraAreNot) {
@@ -174,6 +204,7 @@ TEST_F(Interior, ThingsAreShownFromOutside) {
   }
   EXPECT_FALSE(goes_inside(in_unit(car(), 1.5))) << "a van";
   EXPECT_FALSE(goes_inside(house()));
+  EXPECT_FALSE(goes_inside(room_with_windows(true, false))) << "a model of a house, empty";
 }
 
 // Bright, nowhere black, and several things are seen.
