@@ -21,6 +21,7 @@
 #include "pipeline/scene_builder.hpp"
 #include "preview/interior.hpp"
 #include "preview/markers.hpp"
+#include "preview/view_choice.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -217,14 +218,20 @@ std::vector<std::string> camera_names(const render::Scene& scene) {
   return names;
 }
 
-Result<CameraChoice> choose_camera(const render::Scene& scene, const preview::Subject& subject,
-                                   const BakeOptions& options) {
+// What is framed alone has other things around it.
+preview::Direction direction_of(const BakeScene& loaded) {
+  if (loaded.framed) return preview::usual_direction(*loaded.framed);
+  return preview::best_direction(*loaded.scene, *loaded.subject, *loaded.bvh);
+}
+
+Result<CameraChoice> choose_camera(const BakeScene& loaded, const BakeOptions& options) {
+  const render::Scene& scene = *loaded.scene;
   if (const auto angles = parse_angles(options.camera)) {
     return CameraChoice(preview::Direction{angles->first, angles->second});
   }
   const auto named = find_named("camera", options.camera, camera_names(scene));
   if (named && *named) return CameraChoice(&scene.cameras[**named]);
-  if (named) return CameraChoice(preview::usual_direction(subject));
+  if (named) return CameraChoice(direction_of(loaded));
   if (const auto preset = find_preset(options.camera)) {
     return CameraChoice(preview::Direction{preset->first, preset->second});
   }
@@ -320,7 +327,7 @@ BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
 Result<std::vector<render::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
                                                double aspect) {
   const preview::Subject& subject = loaded.framed ? *loaded.framed : *loaded.subject;
-  const auto choice = choose_camera(*loaded.scene, subject, options);
+  const auto choice = choose_camera(loaded, options);
   if (!choice) return choice.error();
   if (const auto* camera = std::get_if<const render::Camera*>(&*choice)) {
     if (auto trouble = find_conflict(**camera, options)) return *std::move(trouble);
