@@ -77,6 +77,8 @@ class SpecularCurve {
   SpecularAlbedo at(double cosine) const { return at(albedo_column(cosine)); }
   SpecularAlbedo at(const TableCell& column) const;
   SpecularColumns::Albedos at(const SpecularColumns& columns) const { return columns.at(row_); }
+  /// s of shader/multiple_scattering.hpp.
+  double scale(double cosine) const;
 
  private:
   TableCell row_;
@@ -89,6 +91,8 @@ class SheenCurve {
   SheenCurve() = default;
   explicit SheenCurve(double sheen_roughness) : row_(sheen_roughness, kSheenRows) {}
   double at(double cosine) const;
+  /// Over a hemisphere.
+  double mean() const;
 
  private:
   TableCell row_;

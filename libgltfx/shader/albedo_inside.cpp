@@ -21,22 +21,34 @@ struct Lattice {
   int points, turn;
 };
 
-// The reflectance of the layer, summed over visible normals; reflectance(v.h) is that of a facet.
+// The mean over visible normals of light(h, part_of); part_of(l) is the part of light of facets
+// that send it to l which others do not block.
+template <class Light>
+auto sum_facets(const Lattice& lattice, const Microfacets& facets, const Vec3d& v,
+                const Light& light) {
+  const auto& [points, turn] = lattice;
+  const double stretched = facets.stretched(v);
+  const auto part_of = [&facets, &v, stretched](const Vec3d& l) {
+    return facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched);
+  };
+  decltype(light(Vec3d(), part_of)) sum{};
+  for (int i = 0; i < points; ++i) {
+    const double second = (i * turn % points + 0.5) / points;
+    sum += light(facets.sample_normal(v, (i + 0.5) / points, second), part_of) * (1.0 / points);
+  }
+  return sum;
+}
+
+// The reflectance of the layer; reflectance(v.h) is that of a facet.
 template <class Reflectance>
 auto sum_layer(const Lattice& lattice, const Microfacets& facets, const Vec3d& v,
                const Reflectance& reflectance) {
-  const auto& [points, turn] = lattice;
-  const double stretched = facets.stretched(v);
-  decltype(reflectance(0.0)) sum{};
-  for (int i = 0; i < points; ++i) {
-    const Vec3d h = facets.sample_normal(v, (i + 0.5) / points, (i * turn % points + 0.5) / points);
+  using Sum = decltype(reflectance(0.0));
+  return sum_facets(lattice, facets, v, [&](const Vec3d& h, const auto& part_of) {
     const double v_h = dot(v, h);
     const Vec3d l = 2 * v_h * h - v;
-    if (l.z <= 0) continue;
-    const double weight = facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched);
-    sum += reflectance(v_h) * (weight / points);
-  }
-  return sum;
+    return l.z > 0 ? reflectance(v_h) * part_of(l) : Sum{};
+  });
 }
 
 // The integral of max(l.z, 0) over a turn of l around v.
@@ -68,15 +80,17 @@ auto sum_base(double eta, double v_z, const Reflectance& reflectance) {
 }
 
 double share_of(double layer, double base, double margin) {
-  return base > 0 ? std::clamp((1 - layer - margin) / base, 0.0, 1.0) : 1;
+  constexpr double kMost = 4;  // in front of a base that has next to nothing of the light
+  return base > 0 ? std::clamp((1 - layer - margin) / base, 0.0, kMost) : 1;
 }
 
-double summed_share(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
+double summed_share(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v,
+                    double layer_scale) {
   const auto reflectance = [&](double cosine) { return max_value(fresnel.at(cosine)); };
   const double layer =
       facets.smooth() ? reflectance(v.z) : sum_layer({144, 89}, facets, v, reflectance);
   return share_of(
-      layer, sum_base(fresnel.eta, v.z, reflectance),
+      layer * layer_scale, sum_base(fresnel.eta, v.z, reflectance),
       facets.smooth() ? 1e-4 : 0.0145);  // with so few points, at most 0.010 below a fine sum
 }
 
@@ -99,7 +113,8 @@ class InsideTable {
   }
   double eta() const { return eta_; }
 
-  double share(const Fresnel& fresnel, const Microfacets& facets, double cosine) {
+  double share(const Fresnel& fresnel, const Microfacets& facets, double cosine,
+               double layer_scale) {
     const Rgb by(1, max_value(fresnel.f0), max_value(fresnel.f90));
     const TableCell row(1 - std::log(facets.alpha_b) / std::log(kSmoothAlpha), kRows);
     double layer = 0;
@@ -109,7 +124,7 @@ class InsideTable {
     double base = 0;
     for (std::size_t i = 0; i < column.weights.size(); ++i)
       base += column.weights[i] * dot(base_at(column.first + i), by);
-    return share_of(layer, base, kMargin);
+    return share_of(layer * layer_scale, base, kMargin);
   }
 
  private:
@@ -203,10 +218,25 @@ InsideTable& table_of(double eta) {
 
 }  // namespace
 
-double share_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
+double share_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v,
+                    double layer_scale) {
   const bool in_table = facets.isotropic() && !facets.smooth() && fresnel.film.strength <= 0;
-  return in_table ? table_of(fresnel.eta).share(fresnel, facets, v.z)
-                  : summed_share(fresnel, facets, v);
+  return in_table ? table_of(fresnel.eta).share(fresnel, facets, v.z, layer_scale)
+                  : summed_share(fresnel, facets, v, layer_scale);
+}
+
+double summed_albedo(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v) {
+  constexpr Lattice kLattice{144, 89};
+  return sum_facets(kLattice, facets, v, [&](const Vec3d& h, const auto& part_of) {
+    const double v_h = dot(v, h);
+    const double reflected = max_value(fresnel.at(v_h));
+    const Vec3d mirror = 2 * v_h * h - v;
+    double sum = mirror.z > 0 ? reflected * part_of(mirror) : 0;
+    const double cosine_square = 1 - (1 - square(v_h)) / square(fresnel.eta);
+    if (cosine_square <= 0) return sum;
+    const Vec3d l = h * (v_h / fresnel.eta - std::sqrt(cosine_square)) - v / fresnel.eta;
+    return l.z < 0 ? sum + (1 - reflected) * part_of(mirrored(l)) : sum;
+  });
 }
 
 }  // namespace gltfx::shader

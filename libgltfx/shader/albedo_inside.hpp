@@ -11,8 +11,13 @@
 namespace gltfx::shader {
 
 /// The transmittance of the layer over that of the sample implementation, which passes 1 - F on to
-/// diffuse lobes; from 0 to 1. Precondition: `fresnel.eta` is below 1. The result depends on the
-/// arguments alone.
-double share_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v);
+/// diffuse lobes. `layer_scale`: of the light of the layer, for what bounces between facets.
+/// Precondition: `fresnel.eta` is below 1. The result depends on the arguments alone.
+double share_inside(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v,
+                    double layer_scale = 1);
+
+/// The albedo of a refracting interface whose facets lose nothing, summed over facets. Exact to
+/// some 0.01.
+double summed_albedo(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v);
 
 }  // namespace gltfx::shader

@@ -33,7 +33,8 @@
 /// 10. The prose of KHR_materials_diffuse_transmission multiplies the colour texture by the factor
 ///    of the strength; its formula, by the colour factor: the formula holds. (That is done where
 ///    textures are read.)
-/// The layer of KHR_materials_clearcoat: specular_brdf about its own normal.
+/// 11. A thin film of the index of air or without thickness is none. (The formulas of the text, of
+/// which the curve of Schlick always ends at 1, give it a reflection.)
 #pragma once
 
 #include <gltfx/material.hpp>
@@ -62,14 +63,20 @@ struct CoatFrame {
   Vec3d out_of(const Vec3d& w) const { return w.x * x + w.y * y + w.z * z; }
 };
 
-/// A coat prepared from v.
+/// The layer of KHR_materials_clearcoat, specular_brdf about its own normal, prepared from v.
 struct SeenCoat {
   CoatFrame frame;
   Vec3d v;  ///< in that frame; below its horizon nothing is reflected
   SeenFacets facets;
+  MultipleScattering bounces;
+  bool hidden = false;  ///< takes no light from the base, as it reflects none
 
-  SeenCoat(const Vec3d& normal, double roughness, const Vec3d& viewer)
-      : frame(normal), v(frame.into(viewer)), facets(microfacets(roughness), v) {}
+  SeenCoat(const Vec3d& normal, double roughness, const Vec3d& viewer, ShaderMode mode)
+      : frame(normal), v(frame.into(viewer)), facets(microfacets(roughness), v) {
+    if (mode != ShaderMode::conserving) return;
+    hidden = v.z <= 0;
+    if (!hidden) bounces = MultipleScattering(facets, v);
+  }
 };
 
 /// clearcoat_brdf = specular_brdf(normal, alpha). Values are those of a BRDF about +z: they
@@ -92,7 +99,8 @@ struct clearcoat_brdf : Lobe {
   Evaluation evaluate(const Directions& d, const Through& through) const {
     const Directions turned = in_frame(d);
     const Evaluation about_normal = brdf.evaluate(turned, through);
-    const Rgb f = d.l.z > 0 ? about_normal.f * (turned.l.z / d.l.z) : Rgb();
+    const double scale = coat.bounces.active() ? coat.bounces.scale(turned.l) : 1;
+    const Rgb f = d.l.z > 0 ? about_normal.f * (scale * turned.l.z / d.l.z) : Rgb();
     return {f, f, about_normal.pdf};
   }
   Proposal sample(const Vec3d&, const Random3& r) const {
@@ -167,13 +175,14 @@ template <class Bsdf>
 struct conductor_fresnel : Lobe {
   const Fresnel& fresnel;
   Bsdf bsdf;
+  const TintedBounces& bounces;
 
-  conductor_fresnel(const Fresnel& f, const Bsdf& b, const Vec3d& v)
-      : Lobe{max_value(f.at(v.z)) * b.power, b.is_delta}, fresnel(f), bsdf(b) {}
+  conductor_fresnel(const Fresnel& f, const Bsdf& b, const Vec3d& v, const TintedBounces& s)
+      : Lobe{max_value(f.at(v.z)) * b.power, b.is_delta}, fresnel(f), bsdf(b), bounces(s) {}
   Evaluation evaluate(const Directions& d, const Through& through) const {
     const Evaluation value = evaluate_node(bsdf, d, through);
     if (value.f.x == 0) return {{}, {}, value.pdf};
-    const Rgb fr = fresnel.at(d.v_h);
+    const Rgb fr = bounces.scaled(fresnel.at(d.v_h), bounces.scale(d.l));
     return {value.f * fr, value.reflected * fr, value.pdf};
   }
   Proposal sample(const Vec3d& v, const Random3& r) const { return bsdf.sample(v, r); }
@@ -191,12 +200,13 @@ struct fresnel_mix : Lobe {
   const Fresnel& fresnel;
   Base base;
   Layer layer;
+  const TintedBounces& bounces;
   const EnergyCompensation& held;
   double chance;  ///< of sampling the layer
 
   fresnel_mix(const Fresnel& f, const Base& b, const Layer& l, const Vec3d& v,
-              const EnergyCompensation& h)
-      : fresnel(f), base(b), layer(l), held(h) {
+              const TintedBounces& s, const EnergyCompensation& h)
+      : fresnel(f), base(b), layer(l), bounces(s), held(h) {
     const Rgb fr = f.at(v.z);
     // Steep facets totally reflect light from the dense side.
     const double total = f.eta < 1 ? l.facets.beyond(f.eta / std::sqrt(1 - square(f.eta))) : 0;
@@ -204,24 +214,25 @@ struct fresnel_mix : Lobe {
     const double reflected = (1 - rest) * l.power;
     const double passed = rest * b.power;
     power = reflected + passed;
-    chance = b.power <= 0                          ? 1
-             : max_value(f.f90) <= 0 && f.eta >= 1 ? 0
-                                                   : chance_of(reflected, passed);
+    const bool reflects = max_value(f.f90) > 0 || f.eta < 1 || f.film.strength > 0;
+    chance = b.power <= 0 ? 1 : reflects ? chance_of(reflected, passed) : 0;
     is_delta = (chance >= 1 || b.is_delta) && (chance <= 0 || l.is_delta);
   }
   Evaluation evaluate(const Directions& d, const Through& through) const {
     const Rgb fr = fresnel.at(d.v_h);
     const Evaluation above = evaluate_node(layer, d, through);
-    const Rgb reflected = fr * above.f;
-    if (base.power <= 0) return {reflected, fr * above.reflected, above.pdf};
+    const double scale = bounces.scale(d.l);
+    const Rgb layer_fr = bounces.scaled(fr, scale);
+    const Rgb reflected = layer_fr * above.f;
+    if (base.power <= 0) return {reflected, layer_fr * above.reflected, above.pdf};
     const double rest = 1 - max_value(fr);
-    Through below{through.diffuse * rest * held.factor(d.l.z), through.specular * rest};
+    Through below{through.diffuse * held.passed(rest, fresnel, d), through.specular * rest * scale};
     if (d.opposite && fresnel.eta != 1) {
       const double cosine = dot(d.v, refraction_half(d, fresnel.eta));
-      below.specular = through.specular * (1 - max_value(fresnel.at(cosine)));
+      below.specular = through.specular * (1 - max_value(fresnel.at(cosine))) * scale;
     }
     const Evaluation passed = evaluate_node(base, d, below);
-    return {reflected + passed.f, fr * above.reflected + passed.reflected,
+    return {reflected + passed.f, layer_fr * above.reflected + passed.reflected,
             mix_pdf(passed.pdf, above.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
@@ -264,12 +275,13 @@ struct sheen_layer : Lobe {
     is_delta = chance <= 0 && b.is_delta;
   }
   Evaluation evaluate(const Directions& d, const Through& through) const {
-    const Evaluation below = evaluate_node(base, d, through);
-    if (scaling.strength <= 0) return below;
+    if (scaling.strength <= 0) return evaluate_node(base, d, through);
     const Evaluation sheen = evaluate_node(brdf, d, through);
     const SheenScaling::Weights weights = scaling.weights(d.l.z);
-    return {color * sheen.f * weights.sheen + below.f * weights.base,
-            color * sheen.reflected * weights.sheen + below.reflected * weights.base,
+    const Evaluation below = evaluate_node(
+        base, d, {through.diffuse * weights.diffuse, through.specular * weights.specular});
+    return {color * sheen.f * weights.sheen + below.f,
+            color * sheen.reflected * weights.sheen + below.reflected,
             mix_pdf(below.pdf, sheen.pdf, chance)};
   }
   Proposal sample(const Vec3d& v, Random3 r) const {
@@ -292,7 +304,9 @@ struct fresnel_coat : Lobe {
   double chance;  ///< of sampling the layer
 
   fresnel_coat(double ior, double weight, const Base& b, const clearcoat_brdf& l)
-      : base(b), layer(l), fr(weight * schlick(f0_of_ior(ior, 1), std::fabs(l.coat.v.z))) {
+      : base(b),
+        layer(l),
+        fr(l.coat.hidden ? 0 : weight * schlick(f0_of_ior(ior, 1), std::fabs(l.coat.v.z))) {
     power = fr + (1 - fr) * b.power;
     chance = fr <= 0 ? 0 : fr / power;
     is_delta = (chance >= 1 || b.is_delta) && (chance <= 0 || l.is_delta);

@@ -73,6 +73,23 @@ Rgb iridescent_fresnel(double outside_ior, double film_ior, const Rgb& base_f0, 
   return {std::max(sum.x, 0.0), std::max(sum.y, 0.0), std::max(sum.z, 0.0)};
 }
 
+double film_presence(double ior, double thickness) {
+  // Ramps instead of steps, for textures. The thickness at which the sample renderer of Khronos
+  // lets a film begin, and an index that only rare gases under pressure go below.
+  constexpr double kThickness = 0.03;
+  constexpr double kIndex = 0.01;
+  const auto ramp = [](double x) {
+    const double t = std::clamp(x, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+  };
+  return ramp(thickness / kThickness) * ramp((ior - 1) / kIndex);
+}
+
+Rgb Fresnel::iridescent(double cosine) const {
+  const Rgb f = iridescent_fresnel(1, film.ior, f0, film.thickness, cosine);
+  return {std::min(f.x, film.most), std::min(f.y, film.most), std::min(f.z, film.most)};
+}
+
 Rgb Fresnel::inside_or_iridescent(double cosine) const {
   if (eta < 1) {  // Schlick's curve uses the angle in the thinner medium
     const double sine_square = (1 - square(cosine)) / square(eta);
@@ -81,16 +98,16 @@ Rgb Fresnel::inside_or_iridescent(double cosine) const {
   }
   const Rgb plain = schlick(f0, f90, cosine);
   if (film.strength <= 0) return plain;
-  const Rgb iridescent = iridescent_fresnel(1, film.ior, f0, film.thickness, cosine);
-  const Rgb mixed = plain * (1 - film.strength) + iridescent * film.strength;
-  return {std::min(mixed.x, film.most), std::min(mixed.y, film.most), std::min(mixed.z, film.most)};
+  return plain * (1 - film.strength) + iridescent(cosine) * film.strength;
 }
 
 namespace {
 
 ThinFilm film_of(const Material& m, ShaderMode mode) {
+  if (m.iridescence <= 0) return {};
   const double most = mode == ShaderMode::conserving ? 1 : std::numeric_limits<double>::infinity();
-  return {m.iridescence, m.iridescence_ior, m.iridescence_thickness, most};
+  const double presence = film_presence(m.iridescence_ior, m.iridescence_thickness);
+  return {m.iridescence * presence, m.iridescence_ior, m.iridescence_thickness, most};
 }
 
 }  // namespace

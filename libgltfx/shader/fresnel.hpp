@@ -21,12 +21,15 @@ inline double schlick(double f0, double cosine) { return f0 + (1 - f0) * pow5(1 
 
 /// A thin film on the surface, with an IOR of 1 outside of it.
 struct ThinFilm {
-  double strength = 0;  ///< `iridescence`; 0: no film
+  double strength = 0;  ///< `iridescence` times film_presence(); 0: no film
   double ior = 1.3;
   double thickness = 0;  ///< nanometres
   /// The fit can give slightly more than 1, which the conserving mode clamps.
   double most = 1;
 };
+
+/// From 0 for a film that is none, of thickness 0 or as thin as air, to 1.
+double film_presence(double ior, double thickness);
 
 /// iridescent_fresnel: reflectance of a film on a base with `base_f0`, prepared under a cosine.
 Rgb iridescent_fresnel(double outside_ior, double film_ior, const Rgb& base_f0, double thickness,
@@ -44,6 +47,8 @@ struct Fresnel {
   Rgb at(double cosine) const {
     return eta < 1 || film.strength > 0 ? inside_or_iridescent(cosine) : schlick(f0, f90, cosine);
   }
+  /// With a film of full strength.
+  Rgb iridescent(double cosine) const;
 
  private:
   Rgb inside_or_iridescent(double cosine) const;

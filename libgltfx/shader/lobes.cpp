@@ -20,7 +20,8 @@ Rgb specular_btdf::eval(const Directions& d, const Through& through) const {
   const double l_h = refracts ? dot(mirrored(d.l), h) : v_h;
   if (v_h <= 0 || (refracts && l_h >= 0)) return {};
   // D G |H.V| / (|N.L| |N.V|) times the Jacobian is the formula of both texts.
-  const double g = 4 * facets.separable_visibility(d.v, facets.v_stretched, d.l);
+  const double g = 4 * (correlated ? facets.visibility(d.v, facets.v_stretched, d.l)
+                                   : facets.separable_visibility(d.v, facets.v_stretched, d.l));
   return color * (through.specular * facets.distribution(h) * g * v_h * jacobian(v_h, l_h));
 }
 

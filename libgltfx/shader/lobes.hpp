@@ -147,15 +147,18 @@ struct specular_btdf : Lobe {
   const SeenFacets& facets;
   double eta;  ///< IOR on the light's side over that on the viewer's; 1: nothing is refracted
   bool refracts;
+  /// Masking and shadowing as in specular_brdf, so that both together can be made to lose nothing.
+  bool correlated;
   Rgb color{1, 1, 1};
 
   /// `volume`: the surface bounds one. A boundary between equal media has no effect on light, at
   /// any roughness. Keeps a reference to the facets.
-  specular_btdf(const SeenFacets& f, bool volume, double relative_ior)
+  specular_btdf(const SeenFacets& f, bool volume, double relative_ior, ShaderMode mode)
       : Lobe{1, f.smooth() || (volume && std::fabs(relative_ior - 1) < 1e-9)},
         facets(f),
         eta(relative_ior),
-        refracts(volume && std::fabs(relative_ior - 1) >= 1e-9) {}
+        refracts(volume && std::fabs(relative_ior - 1) >= 1e-9),
+        correlated(mode == ShaderMode::conserving) {}
   specular_btdf operator*(const Rgb& tint) const {
     specular_btdf tinted = *this;
     tinted.color = tint;

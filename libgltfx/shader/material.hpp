@@ -17,17 +17,22 @@ namespace gltfx::shader {
 struct Prepared {
   Vec3d v;
   double eta;
+  ShaderMode mode;
   SeenFacets alpha;
   Fresnel ior, metal_f0;
+  TintedBounces bounces, metal_bounces;
   EnergyCompensation held;
 
-  Prepared(const Material& m, const Vec3d& viewer, double relative_ior, ShaderMode mode)
+  Prepared(const Material& m, const Vec3d& viewer, double relative_ior, ShaderMode mode_)
       : v(viewer),
         eta(relative_ior),
+        mode(mode_),
         alpha(microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation), v),
         ior(dielectric_fresnel(m, m.volumetric() ? eta : 1, mode)),
         metal_f0(metal_fresnel(m, mode)),
-        held(held_below(ior, alpha, v, m, mode)) {}
+        bounces(dielectric_bounces(ior, alpha, v, m, mode)),
+        metal_bounces(conductor_bounces(metal_f0, alpha, v, m, mode)),
+        held(held_below(ior, alpha, v, m, bounces, mode)) {}
 };
 
 /// The parameters of layers that extensions add on top.
@@ -36,8 +41,9 @@ struct PreparedLayers {
   SeenCoat coat;
 
   PreparedLayers(const Material& m, const Vec3d& v, ShaderMode mode)
-      : sheen(m.sheen_color, m.sheen_roughness, v, mode),
-        coat(m.clearcoat_normal, m.clearcoat_roughness, v) {}
+      : sheen(m.sheen_color, m.sheen_roughness,
+              microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation), v, mode),
+        coat(m.clearcoat_normal, m.clearcoat_roughness, v, mode) {}
 };
 
 /// Whether a material has only lobes of the core specification.
@@ -54,12 +60,12 @@ inline auto core_graph(const Material& m, const Prepared& prepared) {
       prepared.ior,
       /*base*/ diffuse_brdf(m.base_color),
       /*layer*/ specular_brdf(prepared.alpha),
-      prepared.v, prepared.held);
+      prepared.v, prepared.bounces, prepared.held);
 
   const auto metal_brdf = conductor_fresnel(
       /*f0*/ prepared.metal_f0,
       specular_brdf(prepared.alpha),
-      prepared.v);
+      prepared.v, prepared.metal_bounces);
 
   return mix(dielectric_brdf, metal_brdf, m.metallic);
 }
@@ -78,7 +84,7 @@ inline auto material_graph(const Material& m, const Prepared& prepared, const Pr
       m.diffuse_transmission);
 
   const auto transmitted_bsdf = mix(
-      specular_btdf(prepared.alpha, volume, prepared.eta) * m.base_color,
+      specular_btdf(prepared.alpha, volume, prepared.eta, prepared.mode) * m.base_color,
       scatter_bsdf(m.scatter_color, m.scatter_anisotropy),
       scatter_strength);
 
@@ -86,12 +92,12 @@ inline auto material_graph(const Material& m, const Prepared& prepared, const Pr
       prepared.ior,
       /*base*/ mix(diffuse_bsdf, transmitted_bsdf, m.transmission),
       /*layer*/ specular_brdf(prepared.alpha),
-      prepared.v, prepared.held);
+      prepared.v, prepared.bounces, prepared.held);
 
   const auto metal_brdf = conductor_fresnel(
       /*f0*/ prepared.metal_f0,
       specular_brdf(prepared.alpha),
-      prepared.v);
+      prepared.v, prepared.metal_bounces);
 
   const auto material = mix(dielectric_brdf, metal_brdf, m.metallic);
 

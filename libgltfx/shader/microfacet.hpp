@@ -43,6 +43,14 @@ struct Microfacets {
     return alpha_t * alpha_b / (alpha_t * alpha_b + square(tangent));
   }
 
+  /// alpha in the plane of the normal and a direction; of the normal, the wider one.
+  double under_azimuth(const Vec3d& direction) const {
+    const Vec3d w = turned(direction);
+    const double across = square(w.x) + square(w.y);
+    if (!(across > 0)) return alpha_t;
+    return std::sqrt((square(alpha_t * w.x) + square(alpha_b * w.y)) / across);
+  }
+
   /// sqrt(alpha^2 + (1 - alpha^2) (N.w)^2) of the texts.
   double stretched(const Vec3d& direction) const {
     const Vec3d w = turned(direction);

@@ -270,14 +270,14 @@ def directional_albedo(brdf, n_v, fine=True):
 
 # The mode "conserving", which departs from Appendix B (libgltfx/shader/conserving.hpp): diffuse light
 # below a layer is scaled by s(V) s(L) / m. Here s is what the layer transmits over what the sample
-# implementation lets pass, 1 at most, and m its mean over the lights of a grazing view.
+# implementation lets pass, and m its mean over the lights of a grazing view or of one from the front.
 
 @functools.lru_cache(maxsize=None)
 def transmitted_share(n, alpha):
     def reflected(p):
         return scaled(specular_brdf(alpha, p), dielectric_fresnel(p.v_h))
     transmits = 1 - directional_albedo(reflected, n, fine=False)[0]
-    return min(1.0, transmits / directional_albedo(passed_by_sample, n, fine=False)[0])
+    return transmits / directional_albedo(passed_by_sample, n, fine=False)[0]
 
 
 def passed_by_sample(p):
@@ -285,15 +285,65 @@ def passed_by_sample(p):
 
 
 @functools.lru_cache(maxsize=None)
-def mean_share(alpha, grazing=1e-3):
+def mean_share(alpha, view):
     def shared(p):
         return scaled(transmitted_share(p.n_l, alpha), passed_by_sample(p))
-    return (directional_albedo(shared, grazing, fine=False)[0] /
-            directional_albedo(passed_by_sample, grazing, fine=False)[0])
+    return (directional_albedo(shared, view, fine=False)[0] /
+            directional_albedo(passed_by_sample, view, fine=False)[0])
 
 
 def conserving_dielectric(p, base_color, roughness):
     alpha = roughness**2
-    held = transmitted_share(p.n_v, alpha) * transmitted_share(p.n_l, alpha) / mean_share(alpha)
+    highest = max(mean_share(alpha, view) for view in (1e-3, 1 - 1e-9))
+    held = transmitted_share(p.n_v, alpha) * transmitted_share(p.n_l, alpha) / highest
     return layered(dielectric_fresnel(p.v_h), scaled(held, diffuse_brdf(base_color)),
                    specular_brdf(alpha, p))
+
+
+# Light that bounces between facets (libgltfx/shader/multiple_scattering.hpp): the lobe of a white
+# metal is scaled by s(V) s(L), which makes its albedo 1, and what that adds has the colour of the
+# series F E + F^2 E (1 - E) + ..., with the mean albedo E and the mean reflectance F.
+
+LIGHTS = gauss_legendre(32, 0, 1)
+
+
+def lobe_by_cosine(alpha, n_v):
+    """The light of a white sky from each of LIGHTS."""
+    v = (math.sqrt(1 - n_v**2), 0.0, n_v)
+    ring = []
+    for cosine, weight in LIGHTS:
+        sine = math.sqrt(1 - cosine**2)
+        total = sum(w * specular_brdf(alpha, Pair(v, (sine * math.cos(turn), sine * math.sin(turn),
+                                                      cosine))) for turn, w in AZIMUTH)
+        ring.append(2 * cosine * weight * total)
+    return ring
+
+
+@functools.lru_cache(maxsize=None)
+def facet_scales(alpha):
+    """s at LIGHTS, and the mean albedo."""
+    lobe = [lobe_by_cosine(alpha, cosine) for cosine, _ in LIGHTS]
+    mean = sum(2 * cosine * weight * sum(row) for (cosine, weight), row in zip(LIGHTS, lobe))
+    scales = [1.0] * len(LIGHTS)
+    for _ in range(40):
+        scales = [math.sqrt(s / sum(a * t for a, t in zip(row, scales)))
+                  for s, row in zip(scales, lobe)]
+    return scales, mean
+
+
+@functools.lru_cache(maxsize=None)
+def facet_scale(alpha, n):
+    scales, _ = facet_scales(alpha)
+    return 1 / sum(a * s for a, s in zip(lobe_by_cosine(alpha, n), scales))
+
+
+def conserving_metal(p, base_color, roughness):
+    alpha = roughness**2
+    _, mean = facet_scales(alpha)
+    more = facet_scale(alpha, p.n_v) * facet_scale(alpha, p.n_l) - 1
+
+    def bounced(f0):
+        once = f0 + (1 - f0) / 21  # the mean of Schlick's curve
+        return 1 + more * once * mean / (1 - once * (1 - mean))
+    return product(metal_brdf(base_color, specular_brdf(alpha, p), p.v_h),
+                   each(bounced, base_color))

@@ -4,7 +4,7 @@ view and one of the light, both known exactly."""
 import math
 
 from brdf import (Pair, anisotropic_brdf, coat_weight, coated, conserving_dielectric,
-                  dielectric_fresnel, diffuse_brdf, iridescent_fresnel, layered, metal_brdf,
+                  conserving_metal, dielectric_fresnel, diffuse_brdf, iridescent_fresnel, layered, metal_brdf,
                   metallic_roughness, mirrored, mix, rough_diffuse_brdf, scaled, schlick,
                   sheen_brdf, specular_brdf, specular_btdf, with_sheen)
 from case import Case, group
@@ -69,7 +69,7 @@ def appendix_b():
 
 @group
 def conserving():
-    """The default mode: it changes diffuse light as documented, and nothing else."""
+    """The default mode: it changes diffuse light and rough metal as documented, and nothing else."""
     for roughness in (0.5, 0.8):
         for place in ("mirror", "same side", "grazing"):
             # Its curves of albedos are fits: half a percent of the diffuse light.
@@ -78,9 +78,15 @@ def conserving():
                             material(COLOR, 0, roughness), PAIRS[place],
                             lambda p, r=roughness: conserving_dielectric(p, COLOR, r),
                             shader="conserving", near=5e-3 * LUX / math.pi)
+    for roughness in (0.4, 0.7, 1):
+        for place in ("mirror", "same side", "grazing"):
+            yield brdf_case(f"conserving: metal, {place}, roughness {roughness}",
+                            "libgltfx/shader/multiple_scattering.hpp; Turquin 2019",
+                            material(COLOR, 1, roughness), PAIRS[place],
+                            lambda p, r=roughness: conserving_metal(p, COLOR, r),
+                            shader="conserving", near=3e-3 * LUX / math.pi)
     legal = {"sheen": {"sheenColorFactor": [0.5, 0.5, 0.5], "sheenRoughnessFactor": 0.5}}
     for name, made_of, brdf in (
-            ("metal", material(COLOR, 1, 0.4), lambda p: metallic_roughness(p, COLOR, 1, 0.4)),
             ("diffuse", lambert(COLOR), lambda p: diffuse_brdf(COLOR)),
             ("sheen alone", lambert((0, 0, 0), legal), lambda p: (0.5 * sheen_brdf(0.5, p),) * 3)):
         yield brdf_case(f"conserving: {name} is as in the text", "Appendix B", made_of, NEAR_MIRROR,

@@ -36,6 +36,17 @@ def furnaces():
                    (1, 1, 1), sky=WHITE, most=1.2, shader=shader, **MANY)
         yield in_white_light(f"furnace: a diffuse wall, {shader}", "Appendix B, Diffuse BRDF",
                              lambert(COLOR), 30, COLOR, shader=shader)
+    for roughness, view in ((0.3, 70), (0.6, 0), (1, 0), (1, 75)):
+        yield in_white_light(f"furnace: white metal of roughness {roughness}, view {view}, conserving",
+                             "Turquin 2019", material((1, 1, 1), 1, roughness), view, (1, 1, 1),
+                             shader="conserving", near=2e-3)
+    film = {"iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1,
+                            "iridescenceThicknessMaximum": 700}}
+    for view in (0, 60):  # which is no film
+        yield in_white_light(f"furnace: a film of air on white plastic, view {view}, conserving",
+                             "KHR_materials_iridescence", material(
+                                 (1, 1, 1), 0, 0.1, extensions=film), view, (0.995, 0.995, 0.995),
+                             shader="conserving", near=6e-3)
     yield in_white_light("furnace: unlit", "KHR_materials_unlit",
                          material(COLOR, extensions={"unlit": {}}), 30, COLOR)
     leaf = {"diffuse_transmission": {"diffuseTransmissionFactor": 0.3,

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "shader/albedo.hpp"
+#include "shader/film_layer.hpp"
 #include "shader/microfacet.hpp"
 
 namespace gltfx::shader {
@@ -29,19 +31,54 @@ auto mean(int resolution, const Function& f) {
   return sum * (1.0 / resolution);
 }
 
-inline SpecularAlbedo integrate_specular_albedo(double roughness, double cosine, int resolution) {
-  const Microfacets facets = microfacets(std::max(roughness, 0.01));
-  const Vec3d v = direction(cosine);
+// Light of the specular lobe by its facets: value(v_h, l) of each, times its part of all light.
+template <class Function>
+auto mean_of_facets(const Microfacets& facets, const Vec3d& v, int resolution,
+                    const Function& value) {
   const double stretched = facets.stretched(v);
-  const Vec3d sum = mean(resolution, [&](double u, double turn) -> Vec3d {
+  return mean(resolution, [&](double u, double turn) {
     const Vec3d h = facets.sample_normal(v, u, turn);
     const double v_h = dot(v, h);
     const Vec3d l = 2 * v_h * h - v;
-    if (l.z <= 0) return {};
-    const double weight = facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched);
-    return {weight * (1 - pow5(1 - v_h)), weight * pow5(1 - v_h), 0};
+    if (l.z <= 0) return decltype(value(v_h, l)){};
+    return value(v_h, l) * (facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched));
   });
+}
+
+inline SpecularAlbedo integrate_specular_albedo(double roughness, double cosine, int resolution) {
+  const Microfacets facets = microfacets(std::max(roughness, 0.01));
+  const Vec3d sum = mean_of_facets(
+      facets, direction(cosine), resolution,
+      [](double v_h, const Vec3d&) { return Vec3d(1 - pow5(1 - v_h), pow5(1 - v_h), 0); });
   return {sum.x, sum.y};
+}
+
+/// A number for each cosine at which a film is evaluated.
+struct FilmWeights {
+  std::array<double, kFilmColumns> at{};
+
+  FilmWeights operator*(double scale) const {
+    FilmWeights scaled = *this;
+    for (double& each : scaled.at) each *= scale;
+    return scaled;
+  }
+  FilmWeights& operator+=(const FilmWeights& other) {
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] += other.at[i];
+    return *this;
+  }
+};
+
+/// What the table of shader/film_layer.hpp holds for a roughness and a cosine of the view.
+inline FilmWeights integrate_film_weights(double roughness, double cosine, int resolution) {
+  const Microfacets facets = microfacets(std::max(roughness, 0.01));
+  return mean_of_facets(facets, direction(std::max(cosine, 1e-7)), resolution,
+                        [](double v_h, const Vec3d&) {
+                          FilmWeights weights;
+                          const TableCell cell = film_column(v_h);
+                          for (std::size_t i = 0; i < cell.weights.size(); ++i)
+                            weights.at[cell.first + i] += static_cast<double>(cell.weights[i]);
+                          return weights;
+                        });
 }
 
 inline double integrate_diffuse_fresnel(double cosine, int resolution) {

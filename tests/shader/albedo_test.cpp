@@ -2,16 +2,15 @@
 /// The tables of albedos against their quadratures. With GLTFX_UPDATE_TABLES set in the environment
 /// the tables are rewritten.
 #include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "albedo_integrals.hpp"
 #include "random.hpp"
+#include "table_file.hpp"
 
 namespace gltfx::shader {
 namespace {
@@ -21,15 +20,29 @@ using test::Chance;
 constexpr int kTableResolution = 256;
 
 void write(const std::string& name, int rows, const std::function<double(double, double)>& value) {
-  std::ofstream file(fmt::format("{}/libgltfx/shader/tables/{}.inc", GLTFX_SOURCE_DIR, name));
-  file << "// SPDX-License-Identifier: Apache-2.0\n"
-          "// Written by tests/shader/albedo_test.cpp: do not edit.\n";
+  TableFile file(name);
   for (int r = 0; r < rows; ++r) {
-    for (int c = 0; c < kAlbedoColumns; ++c) {
-      const std::string_view before = c == 0 ? "{" : c % 8 == 0 ? ",\n " : ", ";
-      file << before << fmt::format("{:.5f}F", value(row_roughness(r, rows), column_cosine(c)));
+    std::vector<double> row;
+    for (int c = 0; c < kAlbedoColumns; ++c)
+      row.push_back(value(row_roughness(r, rows), column_cosine(c)));
+    file.open();
+    file.numbers(row);
+    file.close();
+  }
+}
+
+void write_film_weights() {
+  TableFile file("film_weights");
+  for (int r = 0; r < kFilmRows; ++r) {
+    file.open();
+    for (int c = 0; c < kFilmColumns; ++c) {
+      file.open();
+      file.numbers(
+          integrate_film_weights(row_roughness(r, kFilmRows), film_cosine(c), kTableResolution / 2)
+              .at);
+      file.close();
     }
-    file << "},\n";
+    file.close();
   }
 }
 
@@ -44,6 +57,7 @@ TEST(AlbedoTables, AreWrittenWhenAskedFor) {
         [&](double r, double c) { return specular(r, c).rising; });
   write("sheen_albedo", kSheenRows,
         [](double r, double c) { return integrate_sheen_albedo(r, c, kTableResolution); });
+  write_film_weights();
 }
 
 TEST(AlbedoTables, AgreeWithTheQuadrature) {

@@ -80,7 +80,8 @@ TEST(Furnace, TheConservingModeNeverGains) {
     for (const double cosine : {0.03, 0.2, 0.6, 1.0}) {
       Vec3d v = direction_of_cosine(cosine);
       if (kind == 6 && i % 2 == 0) v.z = -v.z;
-      EXPECT_LE(max_value(integrate(m, v, kConserving, 48).total), 1.001)
+      const int resolution = kind == 6 ? 200 : 48;  // for the edge of total reflection
+      EXPECT_LE(max_value(integrate(m, v, kConserving, resolution).total), 1.001)
           << "kind " << kind << ", cosine " << cosine;
     }
   }
@@ -98,12 +99,13 @@ TEST(Furnace, TheConservingModeNeverGainsInsideOfVolumes) {
     m.anisotropy = i % 3 == 0 ? chance.number() : 0;
     m.diffuse_transmission = chance.number();
     const double cosine = chance.between(-1, 0);
-    EXPECT_LE(max_value(integrate(m, direction_of_cosine(cosine), kConserving, 64).total), 1.001)
+    EXPECT_LE(max_value(integrate(m, direction_of_cosine(cosine), kConserving, 200).total), 1.001)
         << "roughness " << m.roughness << ", ior " << m.ior << ", cosine " << cosine;
   }
 }
 
-// By albedo: the reduction at grazing angles does not darken the front.
+// By albedo: the reduction at grazing angles does not darken the front. Rough facets block light,
+// which only the text loses.
 TEST(Furnace, FromTheFrontTheConservingModeIsAsBrightAsTheText) {
   for (const double roughness : {0.0, 0.1, 0.3, 0.6, 1.0}) {
     for (const double ior : {1.2, 1.5, 2.0}) {
@@ -113,8 +115,13 @@ TEST(Furnace, FromTheFrontTheConservingModeIsAsBrightAsTheText) {
         m.roughness = roughness;
         m.ior = ior;
         const double text = integrate(m, {0, 0, 1}, kSpec, 64).total.x;
+        m.base_color = Rgb(1);
+        const double blocked = 1 - integrate(m, {0, 0, 1}, kSpec, 64).total.x;
+        m.base_color = Rgb(color);
         const double conserving = integrate(m, {0, 0, 1}, kConserving, 64).total.x;
-        EXPECT_NEAR(conserving / text, 1, 0.01)
+        EXPECT_GT(conserving / text, 0.99)
+            << "roughness " << roughness << ", ior " << ior << ", color " << color;
+        EXPECT_LT(conserving / text, 1.01 + 1.2 * blocked)
             << "roughness " << roughness << ", ior " << ior << ", color " << color;
       }
     }

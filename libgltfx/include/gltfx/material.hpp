@@ -96,7 +96,8 @@ void add_translucency(Material& material, double factor);
 /// How literally the specifications are implemented.
 enum class ShaderMode : std::uint8_t {
   spec,  ///< the literal sample implementations, which can reflect more than they receive
-  /// Diffuse light is reduced by what the layer above reflects: the albedo is never above 1.
+  /// Diffuse light below a layer is what the layer leaves over, and light that bounces between
+  /// facets is added: the albedo of a white material is 1 to some 0.01.
   conserving,
 };
 

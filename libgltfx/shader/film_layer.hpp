@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Energy conservation of a dielectric's layer with a thin film.
+///
+/// The reflectance of a film is no curve of Schlick: it rises and falls with the angle. The light
+/// that the layer leaves over is a sum over the reflectances at some angles, by a table of how
+/// often facets of a roughness are seen under each. The base gets r(V) r(L) / m of it: r is what is
+/// left over, m its mean. (C. Kulla and A. Conty, Revisiting Physically Based Shading at
+/// Imageworks, 2017.)
+#pragma once
+
+#include <array>
+
+#include "shader/albedo.hpp"
+#include "shader/fresnel.hpp"
+#include "shader/microfacet.hpp"
+
+namespace gltfx::shader {
+
+/// Cosines at which a film is evaluated: squares of even numbers from 0 to 1.
+inline constexpr int kFilmColumns = 24;
+/// Rows of the table, by roughness from 0 to 1.
+inline constexpr int kFilmRows = 12;
+
+inline TableCell film_column(double cosine) { return {std::sqrt(cosine), kFilmColumns}; }
+constexpr double film_cosine(int column) {
+  const double root = column / (kFilmColumns - 1.0);
+  return root * root;
+}
+
+/// What a film of full strength on facets leaves over for diffuse lobes below.
+class FilmLayer {
+ public:
+  /// Precondition: `fresnel` has a film and is not seen from the dense side.
+  /// `bounced`: the part of the light that facets block which the layer reflects.
+  FilmLayer(const Fresnel& fresnel, const Microfacets& facets, const Vec3d& v, double bounced);
+
+  /// The part of diffuse light that passes, reciprocal; `fresnel`: as before, `n_l`: of the light.
+  double passed(const Fresnel& fresnel, double n_l) const {
+    return scale_ * left_over(fresnel, n_l);
+  }
+
+ private:
+  using Curve = std::array<float, kFilmColumns>;
+  double left_over(const Fresnel& fresnel, double cosine) const;
+
+  bool smooth_;
+  Curve left_over_{};  ///< by cosine, unless it is smooth
+  double scale_ = 0;   ///< what is left over towards the viewer, over the mean
+};
+
+}  // namespace gltfx::shader

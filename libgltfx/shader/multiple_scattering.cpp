@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shader/multiple_scattering.hpp"
+
+#include <algorithm>
+
+#include "base/lanes.hpp"
+#include "shader/albedo_inside.hpp"
+
+namespace gltfx::shader {
+namespace {
+
+constexpr std::array<float, kSpecularRows> kMeanAlbedo{
+#include "shader/tables/mean_albedo.inc"
+};
+constexpr std::array<std::array<AnisotropicScale::Values, kAcrossRows>, kAlongRows> kAnisotropic{{
+#include "shader/tables/anisotropic_scale.inc"
+}};
+constexpr std::array<std::array<float, kAcrossRows>, kAlongRows> kAnisotropicMean{{
+#include "shader/tables/anisotropic_mean.inc"
+}};
+
+// Of a facet that reflects nothing but totally, and what F0 and F90 add.
+using GlassAlbedo = std::array<std::array<float, kGlassColumns>, kGlassRows>;
+using GlassParts = std::array<std::array<std::array<GlassAlbedo, 3>, 2>, kGlassIors>;
+constexpr GlassParts kGlass{{
+#include "shader/tables/glass_albedo.inc"
+}};
+
+// The tables are that close to quadratures where a lobe reflects or transmits all light.
+constexpr double kAnisotropicMargin = 0.004;
+constexpr double kGlassMargin = 0.004;
+constexpr double kInsideMargin = 0.009;  // where total reflection begins within a cell
+
+double glass_albedo(const Fresnel& fresnel, double roughness, double cosine) {
+  const double ratio = std::max(fresnel.eta, 1 / fresnel.eta);
+  const double root = std::sqrt(std::min(2 * (ratio - 1) / (ratio + 1), 1.0));
+  const TableCell ior(root, kGlassIors);
+  const TableCell row(roughness, kGlassRows);
+  const TableCell column(std::sqrt(std::sqrt(cosine)), kGlassColumns);
+  const std::array<float, 3> by{1, static_cast<float>(max_value(fresnel.f0)),
+                                static_cast<float>(max_value(fresnel.f90))};
+  const std::size_t side = fresnel.eta < 1 ? 1 : 0;
+  Lanes sum{};
+  for (std::size_t i = 0; i < ior.weights.size(); ++i) {
+    for (std::size_t part = 0; part < by.size(); ++part) {
+      const GlassAlbedo& rows = kGlass[ior.first + i][side][part];
+      for (std::size_t r = 0; r < row.weights.size(); ++r)
+        sum += ior.weights[i] * by[part] * row.weights[r] *
+               load_lanes(rows[row.first + r].data() + column.first);
+    }
+  }
+  return static_cast<double>(sum_of(sum * load_lanes(column.weights.data())));
+}
+
+}  // namespace
+
+AnisotropicScale::AnisotropicScale(const Microfacets& facets) : facets_(facets), values_{} {
+  const double along = std::sqrt(facets.alpha_t);
+  const TableCell row = along_row(along);
+  const TableCell column(std::sqrt(facets.alpha_b) / along, kAcrossRows);
+  float mean = 0;
+  for (std::size_t r = 0; r < row.weights.size(); ++r) {
+    for (std::size_t c = 0; c < column.weights.size(); ++c) {
+      const float weight = row.weights[r] * column.weights[c];
+      const Values& values = kAnisotropic[row.first + r][column.first + c];
+      for (std::size_t a = 0; a < kAzimuthRows; ++a) {
+        for (std::size_t i = 0; i < kScaleColumns; ++i) values_[a][i] += weight * values[a][i];
+      }
+      mean += weight * kAnisotropicMean[row.first + r][column.first + c];
+    }
+  }
+  mean_ = static_cast<double>(mean);
+}
+
+double AnisotropicScale::azimuth(const Microfacets& facets, const Vec3d& direction) {
+  const double alpha = facets.under_azimuth(direction);
+  const double least = std::sqrt(facets.alpha_b);
+  const double range = std::sqrt(facets.alpha_t) - least;
+  return range > 0 ? std::clamp((std::sqrt(alpha) - least) / range, 0.0, 1.0) : 0;
+}
+
+double AnisotropicScale::at(const Vec3d& direction) const {
+  const double place = azimuth(facets_, direction) * (kAzimuthRows - 1);
+  const std::size_t below =
+      std::min(static_cast<std::size_t>(place), std::size_t{kAzimuthRows - 2});
+  const auto part = static_cast<float>(place - static_cast<double>(below));
+  const TableCell column = scale_column(std::min(direction.z, 1.0));
+  const Lanes low = load_lanes(values_[below].data() + column.first);
+  const Lanes high = load_lanes(values_[below + 1].data() + column.first);
+  return static_cast<double>(
+      sum_of((low + part * (high - low)) * load_lanes(column.weights.data())));
+}
+
+MultipleScattering::MultipleScattering(const Microfacets& facets, const Vec3d& v) {
+  if (facets.smooth()) return;
+  if (facets.isotropic()) {
+    kind_ = Kind::isotropic;
+    const double roughness = std::sqrt(facets.alpha_b);
+    curve_ = SpecularCurve(roughness);
+    scale_v_ = curve_.scale(v.z);
+    const TableCell row(roughness, kSpecularRows);
+    mean_albedo_ = static_cast<double>(
+        sum_of(load_lanes(kMeanAlbedo.data() + row.first) * load_lanes(row.weights.data())));
+  } else {
+    kind_ = Kind::anisotropic;
+    anisotropic_.emplace(facets);
+    scale_v_ = anisotropic_->at(v) * (1 - kAnisotropicMargin);
+    mean_albedo_ = anisotropic_->mean_albedo();
+  }
+}
+
+MultipleScattering::MultipleScattering(const Fresnel& fresnel, const Microfacets& facets,
+                                       const Vec3d& v) {
+  if (facets.smooth() || std::fabs(fresnel.eta - 1) < 1e-9) return;
+  kind_ = Kind::refracting;
+  const bool in_table = facets.isotropic() && fresnel.film.strength <= 0;
+  const double albedo = in_table ? glass_albedo(fresnel, std::sqrt(facets.alpha_b), v.z)
+                                 : summed_albedo(fresnel, facets, v);
+  const double margin = fresnel.eta < 1 ? kInsideMargin : kGlassMargin;
+  scale_v_ = (1 - margin) / std::clamp(albedo, 0.1, 1.0);
+}
+
+Rgb mean_reflectance(const Fresnel& fresnel) {
+  const Rgb plain = fresnel.f0 + (fresnel.f90 - fresnel.f0) * (1.0 / 21);
+  if (fresnel.film.strength <= 0) return plain;
+  // Gauss and Legendre, over the square of the cosine.
+  const Rgb film =
+      (fresnel.iridescent(0.3357106870) + fresnel.iridescent(0.9419651451)) * (5.0 / 18) +
+      fresnel.iridescent(0.7071067812) * (8.0 / 18);
+  return plain * (1 - fresnel.film.strength) + film * fresnel.film.strength;
+}
+
+}  // namespace gltfx::shader
