@@ -286,6 +286,7 @@ PathSample incident_radiance(const TraceContext& context, PathState& path,
     // Evaluate the surface, and add the light that it and lights behind it send.
     SurfaceVertex vertex{*hit, surface_at(context.scene, *hit, path.ray), {}};
     Surface& surface = vertex.surface;
+    if (context.mode == ShaderMode::conserving) raise_reflections(surface, -path.ray.direction);
     vertex.v = surface.frame.to_local(-path.ray.direction);
     if (path.depth == 0) features.record_first(context.scene, *hit, surface);
     add_light_through_wall(context, vertex, path, L);

@@ -127,6 +127,25 @@ Vec3d facing(const Vec3d& normal, const Vec3d& viewer) {
   return norm > 1e-6 ? bent / norm : viewer;
 }
 
+// `normal` turned towards the flat one until the mirror image of the viewer is above the triangle.
+Vec3d raised(const Vec3d& normal, const Vec3d& flat, const Vec3d& viewer) {
+  const double viewer_z = dot(viewer, flat);
+  // The threshold of Cycles: reflections may always be as shallow as the view itself.
+  const double least = std::min(0.9 * viewer_z, 0.01);
+  if (viewer_z <= 0 || 2 * dot(normal, viewer) * dot(normal, flat) - viewer_z >= least)
+    return normal;
+  const Vec3d across = normal - flat * dot(normal, flat);
+  const double norm = length(across);
+  if (!(norm > 1e-9)) return normal;
+  // In the plane of both normals, the angles are from the flat one: that of the mirror image is
+  // twice that of the normal less that of the viewer.
+  const Vec3d x = across / norm;
+  const double viewer_x = dot(viewer, x);
+  const double part = std::hypot(viewer_x, viewer_z);
+  const double angle = (std::atan2(viewer_x, viewer_z) + std::acos(least / part)) / 2;
+  return x * std::sin(angle) + flat * std::cos(angle);
+}
+
 // The same axes around another normal, also on the other side.
 Frame turned(const Frame& frame, const Vec3d& normal) {
   const Vec3d tangent = frame.tangent - normal * dot(frame.tangent, normal);
@@ -194,6 +213,18 @@ Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray) {
     surface.material.clearcoat_normal = surface.frame.to_local(normal);
   }
   return surface;
+}
+
+void raise_reflections(Surface& surface, const Vec3d& viewer) {
+  const bool inside = dot(surface.flat_normal, viewer) <= 0;  // of a volume
+  if (inside || surface.frame.normal == surface.flat_normal) return;
+  const bool coated = surface.material.clearcoat > 0;
+  const Vec3d coat = coated ? surface.frame.to_world(surface.material.clearcoat_normal) : Vec3d();
+  const Vec3d normal = raised(surface.frame.normal, surface.flat_normal, viewer);
+  if (!(normal == surface.frame.normal)) surface.frame = turned(surface.frame, normal);
+  if (!coated) return;
+  surface.material.clearcoat_normal =
+      surface.frame.to_local(raised(coat, surface.flat_normal, viewer));
 }
 
 const SceneMaterial& material_of(const Scene& scene, const Mesh& mesh) {

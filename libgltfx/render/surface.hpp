@@ -59,6 +59,12 @@ bool is_pane(const SceneMaterial& material);
 
 Surface surface_at(const Scene& scene, const Hit& hit, const Ray& ray);
 
+/// Turns the shading normals of a surface towards the flat one where they send the mirror image of
+/// the viewer below the triangle, just far enough that it is above: interpolated and mapped normals
+/// then show reflections and no black rings. `viewer`: to the start of the ray, in world space.
+/// (The rule and its threshold are those of ensure_valid_specular_reflection() in Cycles.)
+void raise_reflections(Surface& surface, const Vec3d& viewer);
+
 /// The material of a mesh, or the default one.
 const SceneMaterial& material_of(const Scene& scene, const Mesh& mesh);
 

@@ -129,6 +129,7 @@ class SimplePath {
 
   bool meet(const Hit& hit) {
     Surface surface = surface_at(context_.scene, hit, ray_);
+    if (context_.mode == ShaderMode::conserving) raise_reflections(surface, -ray_.direction);
     const Vec3d v = surface.frame.to_local(-ray_.direction);
     look_through(hit, surface);
     const bool outshone = lit_through_ && surface.material.unlit;
