@@ -216,7 +216,7 @@ def iridescence():
     for thickness, ior, strength, metallic, place in (
             (400, 1.3, 1, 0, "mirror"), (250, 1.3, 1, 1, "mirror"), (550, 1.8, 1, 0, "coaxial"),
             (800, 1.5, 0.5, 1, "near mirror"), (120, 1.33, 1, 0, "grazing"),
-            (400, 2.2, 0.6, 0, "across"), (1200, 1.4, 1, 1, "same side"), (0, 1.3, 1, 0, "mirror")):
+            (400, 2.2, 0.6, 0, "across"), (1200, 1.4, 1, 1, "same side")):
         extension = {"iridescence": {"iridescenceFactor": strength, "iridescenceIor": ior,
                                      "iridescenceThicknessMaximum": thickness}}
 
@@ -231,6 +231,14 @@ def iridescence():
         yield brdf_case(f"iridescence: {thickness} nm, ior {ior}, factor {strength}, metallic "
                         f"{metallic}, {place}", source,
                         material(COLOR, metallic, 0.5, extensions=extension), PAIRS[place], brdf)
+    for thickness, ior in ((0, 1.3), (700, 1.0)):
+        for metallic in (0, 1):
+            nothing = {"iridescence": {"iridescenceFactor": 1, "iridescenceIor": ior,
+                                       "iridescenceThicknessMaximum": thickness}}
+            yield brdf_case(f"iridescence: {thickness} nm, ior {ior}, metallic {metallic}: no film",
+                            "KHR_materials_iridescence, an optical path of no length",
+                            material(COLOR, metallic, 0.5, extensions=nothing), PAIRS["mirror"],
+                            lambda p, m=metallic: metallic_roughness(p, COLOR, m, 0.5))
     tint = (0.5, 1.0, 2.0)
     extensions = {"iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.5,
                                   "iridescenceThicknessMaximum": 300},
