@@ -92,7 +92,8 @@ EnergyCompensation::EnergyCompensation(const Fresnel& fresnel, const Microfacets
     return;
   }
   f0_ = max_value(fresnel.f0);
-  if (fresnel.film.strength > 0) film_.emplace(fresnel, facets, v, bounced_);
+  if (fresnel.film.strength > 0)
+    film_ = std::make_unique<const FilmLayer>(fresnel, facets, v, bounced_);
   share_v_ = share(v);
   scale_ = 1 / mean_share();
 }
@@ -107,13 +108,15 @@ inline double EnergyCompensation::share(const SpecularAlbedo& albedo, double dif
   return handed_on > 0 ? std::clamp(left / handed_on, 0.0, kMost) : 1;
 }
 
+inline double EnergyCompensation::share(const SpecularCurve& curve, double cosine) const {
+  return share(curve.at(albedo_column(cosine)), diffuse_fresnel(cosine), table_margin(cosine));
+}
+
 // The albedo of an anisotropic lobe is about that of an isotropic one with the roughness under the
 // azimuth.
 inline double EnergyCompensation::share(const Vec3d& direction) const {
-  const double cosine = direction.z;
-  const SpecularCurve curve =
-      isotropic_ ? narrow_ : SpecularCurve(std::sqrt(facets_.under_azimuth(direction)));
-  return share(curve.at(albedo_column(cosine)), diffuse_fresnel(cosine), table_margin(cosine));
+  if (isotropic_) return share(narrow_, direction.z);
+  return share(SpecularCurve(std::sqrt(facets_.under_azimuth(direction))), direction.z);
 }
 
 double EnergyCompensation::mean_share() const {

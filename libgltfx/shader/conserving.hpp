@@ -10,7 +10,7 @@
 /// A. Conty, Revisiting Physically Based Shading at Imageworks, 2017.)
 #pragma once
 
-#include <optional>
+#include <memory>
 
 #include "shader/albedo.hpp"
 #include "shader/film_layer.hpp"
@@ -68,6 +68,7 @@ class EnergyCompensation {
   double factor(const Vec3d& l) const;
   /// The transmittance over that of the sample implementation.
   double share(const Vec3d& direction) const;
+  double share(const SpecularCurve& curve, double cosine) const;
   /// `diffuse`: diffuse_fresnel(); `margin`: of the albedo.
   double share(const SpecularAlbedo& albedo, double diffuse, double margin) const;
   /// The mean of shares over the lights of a view.
@@ -83,7 +84,7 @@ class EnergyCompensation {
   double bounced_ = 0;       ///< part of the light that facets block which the layer reflects
   double scale_ = 1;
   double calm_ = 1;
-  std::optional<FilmLayer> film_;  ///< not inside of a volume, where share_v_ has it
+  std::unique_ptr<const FilmLayer> film_;  ///< not inside of a volume, where share_v_ has it
 };
 
 /// The compensation below the dielectric interface of a material: none in spec mode, or without

@@ -103,7 +103,7 @@ MultipleScattering::MultipleScattering(const Microfacets& facets, const Vec3d& v
         sum_of(load_lanes(kMeanAlbedo.data() + row.first) * load_lanes(row.weights.data())));
   } else {
     kind_ = Kind::anisotropic;
-    anisotropic_.emplace(facets);
+    anisotropic_ = std::make_unique<const AnisotropicScale>(facets);
     scale_v_ = anisotropic_->at(v) * (1 - kAnisotropicMargin);
     mean_albedo_ = anisotropic_->mean_albedo();
   }
@@ -123,10 +123,8 @@ MultipleScattering::MultipleScattering(const Fresnel& fresnel, const Microfacets
 Rgb mean_reflectance(const Fresnel& fresnel) {
   const Rgb plain = fresnel.f0 + (fresnel.f90 - fresnel.f0) * (1.0 / 21);
   if (fresnel.film.strength <= 0) return plain;
-  // Gauss and Legendre, over the square of the cosine.
-  const Rgb film =
-      (fresnel.iridescent(0.3357106870) + fresnel.iridescent(0.9419651451)) * (5.0 / 18) +
-      fresnel.iridescent(0.7071067812) * (8.0 / 18);
+  // One cosine in the middle: the colour of what bounces needs no more.
+  const Rgb film = fresnel.iridescent(0.7071067812);
   return plain * (1 - fresnel.film.strength) + film * fresnel.film.strength;
 }
 

@@ -17,7 +17,6 @@
 
 #include <array>
 #include <memory>
-#include <optional>
 
 #include "shader/albedo.hpp"
 #include "shader/fresnel.hpp"
@@ -109,7 +108,7 @@ class MultipleScattering {
   double scale_v_ = 1;
   double mean_albedo_ = 1;
   SpecularCurve curve_;
-  std::optional<AnisotropicScale> anisotropic_;
+  std::unique_ptr<const AnisotropicScale> anisotropic_;  // large, and few surfaces have one
 };
 
 /// The mean of Schlick's curve, or of a film's, over a hemisphere.

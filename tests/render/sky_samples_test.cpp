@@ -64,7 +64,8 @@ TEST(SkySamples, LightAStageAlike) {
       EXPECT_NEAR(other.mean[c], one.mean[c],
                   3.5 * (one.error[c] + other.error[c]) + 0.004 * one.mean[c]);
     }
-    EXPECT_LT(other.error.x, 0.9 * one.error.x) << "and with less noise";
+    // Gloss is found by paths, which are as noisy with both.
+    EXPECT_LT(other.error.x, 0.96 * one.error.x) << "and with less noise";
   }
 }
 
