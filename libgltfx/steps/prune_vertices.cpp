@@ -72,7 +72,10 @@ class VertexPruner {
   // Whether indices use all vertices, so that a set that stays needs no note.
   bool is_known_to_read_all(const VertexSet& set) {
     const model::Views& views = data_.views();
-    const std::uint64_t count = views.accessors[set.accessors.front()].count.value_or(0);
+    std::uint64_t count = 0;
+    for (const std::uint32_t accessor : set.accessors) {
+      count = std::max(count, views.accessors[accessor].count.value_or(0));
+    }
     std::vector<std::vector<std::uint32_t>> lists;
     std::uint64_t total = 0;
     for (const model::Primitive* primitive : set.primitives) {

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <string>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -108,24 +109,33 @@ class Reorderer {
  private:
   // Why a set is left; empty: it is not.
   std::string reorder(const VertexSet& set) {
+    std::vector<ConvertNote> notes;  // about primitives that keep the order of their triangles
+    std::unordered_set<std::uint32_t> kept;  // their indices
     for (const model::Primitive* primitive : set.primitives) {
-      if (primitive->mode != model::Mode::triangles) return "has primitives that are not triangles";
-      if (!primitive->indices) return "has triangles without indices";
-      if (is_blended(*primitive)) return "is blended, so the order of its triangles is visible";
+      std::string why = find_fixed_order(*primitive);
+      if (!primitive->indices) return why.empty() ? "has triangles without indices" : why;
+      if (why.empty()) continue;
+      kept.insert(*primitive->indices);
+      notes.push_back({data_.pointer(primitive->node), std::move(why)});
     }
+    if (notes.size() == set.primitives.size()) return notes.front().reason;
     OpenedVertices vertices;
     if (std::string why = open_vertices(data_, set, vertices); !why.empty()) return why;
     std::vector<Indices> lists;
     for (const IndexList& list : vertices.indices) {
       lists.push_back(read_index_list(list.data));
-      if (lists.back().size() % 3 != 0) return "has an incomplete triangle";
+      if (!kept.contains(list.accessor) && lists.back().size() % 3 != 0)
+        return "has an incomplete triangle";
       for (const std::uint32_t index : lists.back()) {
         if (index >= vertices.count) return "has an index that is out of range";
       }
     }
+    outcome_.row.left.insert(outcome_.row.left.end(), notes.begin(), notes.end());
     TriangleOrder triangles(vertices.count);
     bool changed = false;
-    for (Indices& list : lists) changed |= triangles.improve(list);
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+      if (!kept.contains(vertices.indices[i].accessor)) changed |= triangles.improve(lists[i]);
+    }
     const Indices order = order_of_use(lists, vertices.count);
     changed |= !std::is_sorted(order.begin(), order.end());
     if (!changed) return {};
@@ -135,6 +145,13 @@ class Reorderer {
     }
     store(vertices, order, std::move(lists));
     primitives_ += set.primitives.size();
+    return {};
+  }
+
+  // Why the triangles of a primitive keep their order; empty: they may change it.
+  std::string find_fixed_order(const model::Primitive& primitive) {
+    if (primitive.mode != model::Mode::triangles) return "has primitives that are not triangles";
+    if (is_blended(primitive)) return "is blended, so the order of its triangles is visible";
     return {};
   }
 

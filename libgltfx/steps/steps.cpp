@@ -14,9 +14,11 @@ StepDescription meshopt_step();
 StepDescription draco_step();
 StepDescription container_step();
 
+// Steps that remove elements run before equal objects are merged: vertices and keyframes that
+// several objects share can only be removed if none of these needs them.
 std::vector<StepDescription> steps() {
-  return {decode_step(),   prune_step(),   dedup_step(),   images_step(), weld_step(),
-          resample_step(), reorder_step(), meshopt_step(), draco_step(),  container_step()};
+  return {decode_step(), prune_step(),   weld_step(),    resample_step(), dedup_step(),
+          images_step(), reorder_step(), meshopt_step(), draco_step(),    container_step()};
 }
 
 }  // namespace gltfx::steps

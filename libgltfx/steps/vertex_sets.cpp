@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <unordered_set>
 #include <utility>
 
 #include "model/draco.hpp"
@@ -19,20 +20,18 @@ using model::Primitive;
 constexpr std::size_t kNoSet = SIZE_MAX;
 constexpr const char* kBroken = "has members that cannot be read";
 
-/// The uses of one accessor.
+void sort_unique(std::vector<std::uint32_t>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
+/// The uses of one accessor by primitives.
 struct AccessorReaders {
-  std::size_t set = kNoSet;
-  bool several_sets = false;
+  std::size_t set = kNoSet;  ///< the first set that uses it
   bool as_indices = false;
   bool as_vertices = false;
-  std::uint64_t uses = 0;  ///< by primitives
-
-  void note(std::size_t other, bool indices) {
-    several_sets |= set != kNoSet && set != other;
-    set = other;
-    (indices ? as_indices : as_vertices) = true;
-    ++uses;
-  }
+  bool of_other_vertices = false;  ///< indices of sets with different numbers of vertices
+  std::uint64_t uses = 0;
 };
 
 class SetFinder {
@@ -45,13 +44,14 @@ class SetFinder {
         if (primitive.node != json::kNoNode) add(primitive);
       }
     }
-    for (VertexSet& set : sets_) {
-      for (const std::uint32_t accessor : set.accessors) look_at(accessor, false, set);
+    std::vector<VertexSet> joined = join();
+    for (VertexSet& set : joined) {
+      for (const std::uint32_t accessor : set.accessors) look_at(accessor, set);
       for (const Primitive* primitive : set.primitives) {
-        if (primitive->indices) look_at(*primitive->indices, true, set);
+        if (primitive->indices) look_at(*primitive->indices, set);
       }
     }
-    return std::move(sets_);
+    return joined;
   }
 
  private:
@@ -72,16 +72,62 @@ class SetFinder {
       take(model::read_attributes(data_.elements, target));
     }
     std::vector<std::uint32_t> key = accessors;
-    std::sort(key.begin(), key.end());
-    key.erase(std::unique(key.begin(), key.end()), key.end());
+    sort_unique(key);
     if (key.empty()) return;
     const auto [place, is_new] = numbers_.try_emplace(std::move(key), sets_.size());
-    if (is_new) sets_.push_back({place->first, {}, {}});
-    VertexSet& set = sets_[place->second];
-    set.primitives.push_back(&primitive);
-    if (set.obstacle.empty()) set.obstacle = std::move(obstacle);
-    for (const std::uint32_t accessor : accessors) readers_[accessor].note(place->second, false);
-    if (primitive.indices) readers_[*primitive.indices].note(place->second, true);
+    if (is_new) {
+      sets_.push_back({place->first, {}, {}});
+      parents_.push_back(place->second);
+    }
+    members_.emplace_back(&primitive, place->second);
+    std::string& known = sets_[place->second].obstacle;
+    if (known.empty()) known = std::move(obstacle);
+    for (const std::uint32_t accessor : accessors) note(accessor, place->second, false);
+    if (primitive.indices) note(*primitive.indices, place->second, true);
+  }
+
+  void note(std::uint32_t accessor, std::size_t set, bool as_indices) {
+    AccessorReaders& readers = readers_[accessor];
+    ++readers.uses;
+    (as_indices ? readers.as_indices : readers.as_vertices) = true;
+    if (readers.set == kNoSet) readers.set = set;
+    if (as_indices && vertices_of(readers.set) != vertices_of(set)) {
+      readers.of_other_vertices = true;
+    } else {
+      parents_[root_of(set)] = root_of(readers.set);
+    }
+  }
+
+  std::optional<std::uint64_t> vertices_of(std::size_t set) const {
+    return data_.views().accessors[sets_[set].accessors.front()].count;
+  }
+
+  std::size_t root_of(std::size_t set) {
+    while (parents_[set] != set) set = parents_[set] = parents_[parents_[set]];
+    return set;
+  }
+
+  // Joins the sets that share accessors, so that all of them get the same numbering.
+  std::vector<VertexSet> join() {
+    std::vector<VertexSet> joined;
+    std::vector<std::size_t> places(sets_.size(), kNoSet);  // in `joined`, by root
+    std::vector<bool> is_taken(sets_.size());
+    for (const auto& [primitive, set] : members_) {
+      std::size_t& place = places[root_of(set)];
+      if (place == kNoSet) {
+        place = joined.size();
+        joined.emplace_back();
+      }
+      VertexSet& all = joined[place];
+      all.primitives.push_back(primitive);
+      if (is_taken[set]) continue;
+      is_taken[set] = true;
+      const std::vector<std::uint32_t>& own = sets_[set].accessors;
+      all.accessors.insert(all.accessors.end(), own.begin(), own.end());
+      if (all.obstacle.empty()) all.obstacle = std::move(sets_[set].obstacle);
+    }
+    for (VertexSet& set : joined) sort_unique(set.accessors);
+    return joined;
   }
 
   std::string obstacle_of(const Primitive& primitive) const {
@@ -93,12 +139,11 @@ class SetFinder {
     return {};
   }
 
-  void look_at(std::uint32_t accessor, bool as_indices, VertexSet& set) const {
+  void look_at(std::uint32_t accessor, VertexSet& set) const {
     if (!set.obstacle.empty()) return;
     const AccessorReaders& readers = readers_[accessor];
-    if (readers.several_sets) {
-      set.obstacle = as_indices ? "shares its indices with primitives that have other vertices"
-                                : "shares some but not all of its accessors with other primitives";
+    if (readers.of_other_vertices) {
+      set.obstacle = "shares its indices with primitives that have other vertices";
       return;
     }
     const auto users = data_.graph.users(data_.views().accessors[accessor].node);
@@ -110,7 +155,9 @@ class SetFinder {
   const StepData& data_;
   std::vector<AccessorReaders> readers_;  ///< by accessor
   std::map<std::vector<std::uint32_t>, std::size_t> numbers_;
-  std::vector<VertexSet> sets_;
+  std::vector<VertexSet> sets_;       ///< by their exact accessors, without primitives
+  std::vector<std::size_t> parents_;  ///< joined sets as a forest, by set
+  std::vector<std::pair<const Primitive*, std::size_t>> members_;  ///< with their sets
 };
 
 }  // namespace
@@ -127,17 +174,9 @@ std::string open_vertices(const StepData& data, const VertexSet& set, OpenedVert
     opened.columns.push_back({accessor, *std::move(elements)});
   }
   if (opened.count > UINT32_MAX - 1) return "has too many vertices";
-  std::vector<std::uint32_t> known;
+  std::unordered_set<std::uint32_t> known;
   for (const Primitive* primitive : set.primitives) {
-    if (primitive->indices) known.push_back(*primitive->indices);
-  }
-  std::sort(known.begin(), known.end());
-  known.erase(std::unique(known.begin(), known.end()), known.end());
-  for (const Primitive* primitive : set.primitives) {
-    if (!primitive->indices) continue;
-    const auto found = std::lower_bound(known.begin(), known.end(), *primitive->indices);
-    if (found == known.end() || *found != *primitive->indices) continue;
-    known.erase(found);
+    if (!primitive->indices || !known.insert(*primitive->indices).second) continue;
     if (std::string why = data.open(*primitive->indices, elements); !why.empty()) return why;
     const model::Format& format = elements->format();
     if (format.type != model::ElementType::scalar || format.normalized ||

@@ -25,7 +25,8 @@ struct IndexList {
   model::AccessorData data;
 };
 
-/// Vertices and all primitives that use them. Unless there is an obstacle, nothing else uses their
+/// Vertices with one numbering, and all primitives that use them: primitives that share an
+/// accessor, directly or through others. Unless there is an obstacle, nothing else uses their
 /// accessors.
 struct VertexSet {
   std::vector<std::uint32_t> accessors;  ///< of attributes and targets; sorted and unique

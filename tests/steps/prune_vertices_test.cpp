@@ -163,15 +163,20 @@ TEST_F(PruneVertices, LeavesUnreadableAndSharedVertices) {
   beyond.made.json["accessors"][beyond.indices]["componentType"] = 5123;
   beyond.made.json["accessors"][beyond.indices]["count"] = 1;
   expect_left(beyond.made, "has an index that is out of range");
+}
+
+TEST_F(PruneVertices, RemovesVerticesOfPrimitivesThatShareSomeAccessors) {
   Unread shared;
-  OrderedJson second = shared.primitive();
-  second["attributes"]["NORMAL"] =
+  const std::size_t normals =
       shared.made.accessor<float>({1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}, "VEC3");
+  OrderedJson second = shared.primitive();
+  second["attributes"]["NORMAL"] = normals;
   shared.made.json["meshes"][0]["primitives"].push_back(second);
-  const ConvertStep row = row_of(shared.made.glb());
-  EXPECT_FALSE(row.changes);
-  ASSERT_THAT(row.left, SizeIs(2));
-  EXPECT_THAT(row.left[0].reason, HasSubstr("with other primitives"));
+  const StoredAsset now = converted_twice(shared.made.glb());
+  EXPECT_THAT(row_.left, IsEmpty());
+  EXPECT_LT(now.json()["accessors"][shared.positions]["count"], 5);
+  EXPECT_EQ(now.json()["accessors"][normals]["count"],
+            now.json()["accessors"][shared.positions]["count"]);
 }
 
 TEST_F(PruneVertices, LeavesCompressedPrimitives) {

@@ -188,22 +188,46 @@ TEST_F(Weld, LeavesPointsWithoutIndices) {
   expect_left(made, "has points without indices");
 }
 
-TEST_F(Weld, LeavesOverlappingSetsOfAccessors) {
+// Both primitives use POSITION, and each its own TEXCOORD_0.
+TEST_F(Weld, MergesVerticesThatAreEqualInAllPrimitivesThatShareThem) {
   Welded a;
-  const std::size_t uv = a.made.accessor(std::vector<float>(8, 0), "VEC2");
-  a.made.mesh({{"attributes", {{"POSITION", a.position}, {"TEXCOORD_0", uv}}},
-               {"indices", a.made.accessor<std::uint16_t>({0, 1, 2}, "SCALAR")}});
+  const std::size_t equal = a.made.accessor(std::vector<float>(8, 0), "VEC2");
+  const std::size_t other = a.made.accessor<std::uint16_t>({3, 1, 0}, "SCALAR");
+  a.made.mesh(
+      {{"attributes", {{"POSITION", a.position}, {"TEXCOORD_0", equal}}}, {"indices", other}});
+  const StoredAsset now = converted_twice(a.made.glb());
+  EXPECT_EQ(row_.what, "1 vertex merged in 2 primitives");
+  EXPECT_THAT(row_.left, IsEmpty());
+  for (const std::size_t each : {a.position, equal})
+    EXPECT_EQ(now.json()["accessors"][each]["count"], 3);
+  EXPECT_THAT(numbers_of(now, a.indices), ElementsAre(0, 1, 2, 1, 2, 0));
+  EXPECT_THAT(numbers_of(now, other), ElementsAre(1, 1, 0));
+}
+
+TEST_F(Weld, KeepsVerticesThatDifferInOneOfThePrimitives) {
+  Welded a;
+  const std::size_t uv = a.made.accessor<float>({0, 0, 1, 0, 0, 1, 0, 1}, "VEC2");
+  a.made.mesh(
+      {{"attributes", {{"POSITION", a.position}, {"TEXCOORD_0", uv}}}, {"indices", a.indices}});
   const ConvertStep row = row_of(a.made.glb());
   EXPECT_FALSE(row.changes);
-  ASSERT_EQ(row.left.size(), 2U);
-  for (const ConvertNote& note : row.left)
-    EXPECT_EQ(note.reason, "shares some but not all of its accessors with other primitives");
-  EXPECT_EQ(row.left[1].pointer, "/meshes/1/primitives/0");
+  EXPECT_THAT(row.left, IsEmpty());
+}
+
+TEST_F(Weld, MergesVerticesOfPrimitivesThatShareIndices) {
+  Welded a;
+  const std::size_t other =
+      a.made.accessor<float>({5, 0, 0, 2, 0, 0, 0, 2, 0, 2, 0, 0}, "VEC3", true);
+  a.made.mesh({{"attributes", {{"POSITION", other}}}, {"indices", a.indices}});
+  const StoredAsset now = converted_twice(a.made.glb());
+  EXPECT_THAT(numbers_of(now, a.position), ElementsAre(0, 0, 0, 1, 0, 0, 0, 1, 0));
+  EXPECT_THAT(numbers_of(now, other), ElementsAre(5, 0, 0, 2, 0, 0, 0, 2, 0));
+  EXPECT_THAT(numbers_of(now, a.indices), ElementsAre(0, 1, 2, 1, 2, 0));
 }
 
 TEST_F(Weld, LeavesIndicesSharedByDifferentVertices) {
   Welded a;
-  const std::size_t other = a.made.accessor(std::vector<float>(12, 1), "VEC3", true);
+  const std::size_t other = a.made.accessor(std::vector<float>(15, 1), "VEC3", true);
   a.made.mesh({{"attributes", {{"POSITION", other}}}, {"indices", a.indices}});
   const ConvertStep row = row_of(a.made.glb());
   EXPECT_FALSE(row.changes);
