@@ -9,6 +9,8 @@
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
+#include "container/base64.hpp"
+#include "container/uri.hpp"
 #include "model/fields.hpp"
 #include "model/resource_data.hpp"
 
@@ -71,6 +73,14 @@ void move_user(const json::Document& document, const BufferUser& user, std::uint
   } else {
     editor.replace_scalar(offset, std::to_string(begin));
   }
+}
+
+Result<std::string> with_data(std::string_view uri, std::string_view bytes) {
+  const auto split = container::split_data_uri(uri);
+  if (!split) return split.error();
+  std::string text(uri.substr(0, uri.find(',')));
+  if (!split->base64) text += ";base64";
+  return text.append(1, ',').append(container::encode_base64(bytes));
 }
 
 }  // namespace gltfx::change

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/result.hpp"
@@ -27,5 +29,9 @@ Result<std::vector<BufferUser>> buffer_users(const graph::Graph& graph);
 /// Moves the begin of an object to another byte of its buffer.
 void move_user(const json::Document& document, const BufferUser& user, std::uint64_t begin,
                json::Editor& editor);
+
+/// The data URI with other bytes, in base64. Its media type and parameters stay. An Error if it is
+/// not a data URI.
+Result<std::string> with_data(std::string_view uri, std::string_view bytes);
 
 }  // namespace gltfx::change

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/hash.hpp"
+#include "change/buffer_layout.hpp"
 #include "container/base64.hpp"
 #include "container/uri.hpp"
 #include "json/writer.hpp"
@@ -256,14 +257,10 @@ class Placement {
   }
 
   Trouble put_in_data_uri(json::NodeId value, std::string_view content) {
-    const std::string text = document().string(value);
-    const auto uri = container::split_data_uri(text);
+    const auto uri = with_data(document().string(value), content);
     if (!uri) return uri.error();
-    std::string next = text.substr(0, text.find(','));
-    if (!uri->base64) next += ";base64";
-    next.append(1, ',').append(container::encode_base64(content));
     std::string json;
-    json::append_string(json, next);
+    json::append_string(json, *uri);
     editor_.replace_scalar(value, std::move(json));
     return std::nullopt;
   }

@@ -12,9 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "change/apply.hpp"
 #include "change/companions.hpp"
-#include "change/place.hpp"
 #include "json/parse.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
@@ -25,6 +23,7 @@
 #include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
 #include "steps/layout.hpp"
+#include "steps/stages.hpp"
 #include "steps/step.hpp"
 
 namespace gltfx {
@@ -62,7 +61,8 @@ class ConvertRun {
         schemas_(schemas),
         pictures_(pictures),
         folders_(folders),
-        report_(report) {}
+        report_(report),
+        stages_(before) {}
 
   std::optional<Draft> run() {
     if (auto why = find_edit_obstacle(before_)) return refuse(*std::move(why));
@@ -78,25 +78,24 @@ class ConvertRun {
       if (auto why = take(step)) return refuse(*std::move(why));
     }
     drop_unnamed_files();
-    report_.changes = !change_.empty();
-    if (options_.diff) report_.diff = diff_of(before_, change_.edits, !change_.format);
+    const change::Change& change = stages_.all();
+    report_.changes = !change.empty();
+    if (options_.diff) report_.diff = diff_of(before_, change.edits, !change.format);
     if (!report_.changes) {
       copy_unchanged(before_, state_, options_, report_);
       return std::nullopt;
     }
     if (auto why = find_taken_name()) return refuse(*std::move(why));
     if (auto why = find_other_reader()) return refuse(*std::move(why));
-    for (const change::NewFile& file : change_.files) report_.new_files.push_back(file.path);
+    for (const change::NewFile& file : change.files) report_.new_files.push_back(file.path);
     auto draft = carry_out(
-        {before_, state_, options_, schemas_, folders_, options_.jobs}, std::move(change_),
+        {before_, state_, options_, schemas_, folders_, options_.jobs}, std::move(stages_.all()),
         [this](const ValidatedAsset& after) { return find_error(after); }, report_);
     if (!draft) forget_changes();
     return draft;
   }
 
  private:
-  const OpenedAsset& asset() const { return now_ ? *now_ : before_; }
-
   bool changes_container_in_place() const {
     const bool is_glb = before_.container().format == container::Format::glb;
     return options_.in_place && options_.to && (options_.to == StoredAs::glb) != is_glb;
@@ -134,7 +133,7 @@ class ConvertRun {
     const std::uint64_t bytes =
         first ? steps::stored_size(before_) : report_.steps[report_.steps.size() - 2].bytes_after;
     row.bytes_before = row.bytes_after = bytes;
-    auto outcome = step.run({asset(), *schemas_, options_, file_name()});
+    auto outcome = step.run(input());
     if (!outcome) {
       row.refused.push_back({{}, outcome.error().message});
       return outcome.error().message;
@@ -148,70 +147,69 @@ class ConvertRun {
     }
     if (!row.changes) return std::nullopt;
     freedom_ |= outcome->freedom;
-    auto placed = change::place(std::move(outcome->change), asset(), nullptr);
-    if (!placed) return placed.error().message;
-    if (auto why = add(*placed)) return why;
-    last_ = *std::move(placed);
-    return std::nullopt;
+    return add(std::move(outcome->change));
+  }
+
+  Reason add(change::Change change) {
+    auto trouble = stages_.add(std::move(change));
+    return trouble ? Reason(std::move(trouble->message)) : std::nullopt;
+  }
+  Reason apply() {
+    auto trouble = stages_.apply();
+    return trouble ? Reason(std::move(trouble->message)) : std::nullopt;
   }
 
   // Makes what the last step changes: the next one works on that.
   Reason resolve() {
-    if (!last_) return std::nullopt;
-    auto next = change::apply(asset(), *last_);
-    if (!next) return next.error().message;
-    last_.reset();
-    now_.emplace(*std::move(next));
-    report_.steps.back().bytes_after = size_now();
+    if (!stages_.is_open()) return std::nullopt;
+    if (auto why = apply()) return why;
+    report_.steps.back().bytes_after =
+        laid_out_ ? steps::stored_size(stages_.asset())
+                  : steps::laid_out_size(used_before(), stages_.asset(), *schemas_);
     return std::nullopt;
   }
 
   // Moves the bytes that steps made to where the asset has its own.
   Reason lay_out() {
-    if (auto why = resolve()) return why;
-    if (!now_) return std::nullopt;
-    auto change = steps::lay_out(before_, {*now_, *schemas_, options_, file_name()});
+    if (stages_.all().empty()) return std::nullopt;
+    if (auto why = apply()) return why;
+    auto change = steps::lay_out(used_before(), input());
     if (!change) return change.error().message;
     laid_out_ = true;
-    if (change->empty()) return std::nullopt;
-    if (auto why = add(*change)) return why;
-    auto next = change::apply(*now_, *change);
-    if (!next) return next.error().message;
-    now_.emplace(*std::move(next));
+    if (!change->empty()) {
+      if (auto why = add(*std::move(change))) return why;
+      if (auto why = apply()) return why;
+    }
+    set_last_size(steps::stored_size(stages_.asset()));
     return std::nullopt;
   }
 
-  std::uint64_t size_now() const {
-    return laid_out_ ? steps::stored_size(*now_) : steps::laid_out_size(before_, *now_, *schemas_);
+  // After the last step with changes.
+  void set_last_size(std::uint64_t bytes) {
+    for (auto row = report_.steps.rbegin(); row != report_.steps.rend(); ++row) {
+      row->bytes_after = bytes;
+      if (row->changes) return;
+      row->bytes_before = bytes;
+    }
+  }
+
+  steps::StepInput input() const { return {stages_.asset(), *schemas_, options_, file_name()}; }
+  const steps::UsedBytes& used_before() {
+    if (!used_before_) used_before_.emplace(before_, *schemas_);
+    return *used_before_;
   }
 
   // Files of steps that a later one moved elsewhere.
   void drop_unnamed_files() {
     if (!laid_out_) return;
-    const auto text = share_text(json::apply_edits(*before_.container().json, change_.edits));
+    change::Change& change = stages_.all();
+    const auto text = share_text(json::apply_edits(*before_.container().json, change.edits));
     const json::Parsed parsed = json::parse(*text);
     const std::set<std::string> named = change::referred_paths(parsed.document);
-    std::erase_if(change_.files,
+    std::erase_if(change.files,
                   [&](const change::NewFile& file) { return !named.contains(file.path); });
-    std::erase_if(change_.replaced,
+    std::erase_if(change.replaced,
                   [&](const change::ReplacedFile& file) { return !named.contains(file.path); });
-  }
-
-  // Adds a change to those of the steps before; why they do not go together, or nothing.
-  Reason add(const change::Change& change) {
-    if (change_.empty()) {
-      change_ = change;
-      return std::nullopt;
-    }
-    change_.edits = json::chain_edits(*before_.container().json, change_.edits, change.edits);
-    change_.files.insert(change_.files.end(), change.files.begin(), change.files.end());
-    change_.replaced.insert(change_.replaced.end(), change.replaced.begin(), change.replaced.end());
-    if (change.format) {  // the bytes are those of the asset as the steps before left it
-      change_.format = change.format;
-      change_.bin = {};
-    }
-    if (!change.bin.empty()) change_.bin = change.bin;
-    return std::nullopt;
   }
 
   // A new file does not take the place of another.
@@ -219,7 +217,7 @@ class ConvertRun {
     if (!writes(options_)) return std::nullopt;
     const fs::path folder =
         change::target_folder(before_.name(), options_.in_place ? "" : options_.output);
-    for (const change::NewFile& file : change_.files) {
+    for (const change::NewFile& file : stages_.all().files) {
       std::error_code error;
       const fs::path target = folder / file.path;
       if (!fs::exists(fs::symlink_status(target, error))) continue;
@@ -233,7 +231,7 @@ class ConvertRun {
   Reason find_other_reader() const {
     if (!change::is_in_place(options_, before_.name())) return std::nullopt;
     const fs::path folder = change::target_folder(before_.name(), {});
-    for (const change::ReplacedFile& file : change_.replaced) {
+    for (const change::ReplacedFile& file : stages_.all().replaced) {
       const auto identity = identity_of(file.state, (folder / file.path).native());
       for (const std::string& asset : folders_.naming(folder, {identity})) {
         std::error_code error;
@@ -246,13 +244,13 @@ class ConvertRun {
   }
 
   Reason find_error(const ValidatedAsset& after) {
-    report_.steps.back().bytes_after = steps::stored_size(after.asset());
+    set_last_size(steps::stored_size(after.asset()));
     prove::NewFindings found = prove::new_findings(before_, after, schemas_);
     report_.new_warnings = std::move(found.warnings);
     if (!found.error.empty()) {
       return fmt::format("the new file would have the new error {}", found.error);
     }
-    if (laid_out_) {
+    if (laid_out_ || pictures_ != nullptr) {
       if (auto why = find_difference(after.asset())) return why;
     }
     if (pictures_ == nullptr) return std::nullopt;
@@ -287,11 +285,10 @@ class ConvertRun {
   const PictureCheck* pictures_;  ///< of the old asset; null: none are compared
   FolderIndex& folders_;
   ConvertReport& report_;
-  std::optional<OpenedAsset> now_;      ///< what the steps before the last make; nothing: the old
-  std::optional<change::Change> last_;  ///< of the last step, where it has one
-  change::Change change_;               ///< of the old asset, all steps together
-  steps::Freedom freedom_;              ///< of all steps
-  bool laid_out_ = false;               ///< steps before the last changed something
+  steps::Stages stages_;
+  std::optional<steps::UsedBytes> used_before_;
+  steps::Freedom freedom_;  ///< of all steps
+  bool laid_out_ = false;   ///< steps before the last changed something
 };
 
 std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderIndex& folders,

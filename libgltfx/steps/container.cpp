@@ -12,6 +12,7 @@
 #include "container/uri.hpp"
 #include "graph/unknown_indices.hpp"
 #include "report/wording.hpp"
+#include "steps/file_names.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -36,6 +37,11 @@ bool keeps_file_names(const StepInput& input) {
   std::error_code error;
   return !std::filesystem::equivalent(change::target_folder(input.asset.name(), options.output),
                                       change::target_folder(input.asset.name(), {}), error);
+}
+
+std::string asset_stem(const StepInput& input) {
+  std::string name = clean_name(std::filesystem::path(input.file_name).stem().native());
+  return name.empty() ? std::string("model") : name;
 }
 
 std::string stem_of(const std::string& path) {

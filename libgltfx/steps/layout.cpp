@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -15,8 +16,6 @@
 #include "change/buffer_layout.hpp"
 #include "change/commit.hpp"
 #include "change/companions.hpp"
-#include "change/shared_bytes.hpp"
-#include "container/base64.hpp"
 #include "container/near_files.hpp"
 #include "container/uri.hpp"
 #include "graph/renumber.hpp"
@@ -28,6 +27,7 @@
 #include "steps/geometry_input.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/storage.hpp"
+#include "steps/used_bytes.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -38,51 +38,7 @@ using container::Bytes;
 using model::OpenedAsset;
 using model::RootArray;
 using model::Storage;
-using Ranges = std::vector<ByteRange>;
 using Trouble = std::optional<Error>;
-
-// The parts of `ranges` that are not in `taken`. Both are sorted and have no overlaps.
-Ranges without(const Ranges& ranges, const Ranges& taken) {
-  Ranges left;
-  auto next = taken.begin();
-  for (ByteRange range : ranges) {
-    while (next != taken.end() && next->end <= range.begin) ++next;
-    for (auto at = next; at != taken.end() && at->begin < range.end; ++at) {
-      if (at->begin > range.begin) left.push_back({range.begin, at->begin});
-      range.begin = std::min(at->end, range.end);
-    }
-    if (range.begin < range.end) left.push_back(range);
-  }
-  return left;
-}
-
-std::uint64_t size_of(const Ranges& ranges) {
-  std::uint64_t size = 0;
-  for (const ByteRange& range : ranges) size += range.end - range.begin;
-  return size;
-}
-
-/// The bytes of all buffers of an asset that have users.
-class Named {
- public:
-  Named(const OpenedAsset& asset, const schema::Set& schemas)
-      : graph(asset.document(), schemas), users(change::buffer_users(graph)) {
-    if (!users) return;
-    for (const BufferUser& user : *users) ranges_[user.buffer].push_back(user.bytes);
-    for (auto& [buffer, ranges] : ranges_) change::add_ranges(ranges, {});
-  }
-  const Ranges& of(std::uint64_t buffer) const {
-    const auto found = ranges_.find(buffer);
-    return found == ranges_.end() ? none_ : found->second;
-  }
-
-  const graph::Graph graph;
-  const Result<std::vector<BufferUser>> users;
-
- private:
-  std::map<std::uint64_t, Ranges> ranges_;  ///< by buffer
-  const Ranges none_;
-};
 
 /// The unfinished content of a buffer of the new asset.
 struct NewContent {
@@ -109,9 +65,8 @@ struct Moved {
 
 class Layout {
  public:
-  Layout(const OpenedAsset& before, const OpenedAsset& now, const schema::Set& schemas)
-      : old_count_(model::Asset(before.document()).count(RootArray::buffers)),
-        before_(before, schemas),
+  Layout(const UsedBytes& before, const OpenedAsset& now, const schema::Set& schemas)
+      : before_(before),
         now_(now, schemas),
         asset_(now),
         document_(now.document()),
@@ -119,24 +74,27 @@ class Layout {
         bytes_(elements_, now.container(), now.resolver()),
         editor_(document_),
         may_cut_(before_.users && now_.users &&
-                 graph::find_unknown_offset(now_.graph) == json::kNoNode) {}
+                 graph::find_unknown_offset(now_.graph) == json::kNoNode) {
+    outcome_.removed.assign(count(), false);
+    group_buffers();
+  }
 
   Result<change::Change> run(const StepInput& input) {
     if (!now_.users) return now_.users.error();
-    list_files();
-    if (auto trouble = choose_home()) return *trouble;
+    choose_home();
     choose_removed();
     std::vector<std::uint64_t> changed;
-    for (std::uint64_t i = 0; i < old_count_; ++i) {
-      if (outcome_.removed[i]) continue;
-      if (i != outcome_.home && freed(i).empty()) continue;
-      if (i == outcome_.home && freed(i).empty() && !outcome_.home_gets_more) continue;
-      if (auto trouble = fill(i)) return *trouble;
-      changed.push_back(i);
+    for (const auto& [first, members] : members_) {
+      const bool is_left = std::any_of(members.begin(), members.end(),
+                                       [this](std::uint64_t i) { return !outcome_.removed[i]; });
+      const bool gets_more = first == outcome_.home && outcome_.home_gets_more;
+      if (!is_left || (!gets_more && freed(first).empty())) continue;
+      if (auto trouble = fill(first)) return *trouble;
+      changed.push_back(first);
     }
     renumber();
-    for (const std::uint64_t i : changed) {
-      if (auto trouble = store(i, input)) return *trouble;
+    for (const std::uint64_t first : changed) {
+      if (auto trouble = store(first, input)) return *trouble;
     }
     change_.edits = editor_.take();
     return std::move(change_);
@@ -144,9 +102,8 @@ class Layout {
 
   std::uint64_t freed_size() {
     std::uint64_t size = 0;
-    list_files();
-    for (std::uint64_t i = 0; i < count(); ++i) {
-      size += size_of(i < old_count_ ? freed(i) : unnamed(i));
+    for (const auto& [first, members] : members_) {
+      size += size_of(is_new(first) ? unused(first) : freed(first));
     }
     return size;
   }
@@ -160,29 +117,35 @@ class Layout {
     return container::classify_uri(model::string_member(document_, object, "uri")).path;
   }
   bool is_new(std::uint64_t index) const {
-    return index >= old_count_ && NewBuffer::is_own(path_of(buffer(index)));
+    return index >= before_.buffers && NewBuffer::is_own(path_of(buffer(index)));
   }
 
-  // Counts the references to each file.
-  void list_files() {
-    for (const auto& [node, path] : change::referred_files(document_)) ++files_[path];
-    outcome_.removed.assign(count(), false);
-  }
-  bool is_shared(std::uint64_t index) const {
-    const auto found = files_.find(path_of(buffer(index)));
-    return found != files_.end() && found->second > 1;
+  // Old buffers with the same file share its bytes, so their bytes change together.
+  void group_buffers() {
+    std::map<std::string, unsigned> references;
+    for (const auto& [node, path] : change::referred_files(document_)) ++references[path];
+    std::map<std::string, std::uint64_t> known;
+    for (std::uint64_t i = 0; i < count(); ++i) {
+      const bool is_file = i < before_.buffers && bytes_.buffer_storage(i) == Storage::file;
+      const std::uint64_t first = is_file ? known.emplace(path_of(buffer(i)), i).first->second : i;
+      members_[first].push_back(i);
+    }
+    for (const auto& [path, first] : known) {
+      const auto found = references.find(path);
+      if (found != references.end() && found->second > members_[first].size()) fixed_.insert(first);
+    }
   }
 
-  // The bytes of an old buffer that lost their last user.
-  Ranges freed(std::uint64_t index) {
-    const Storage storage = bytes_.buffer_storage(index);
-    if (!may_cut_ || storage == Storage::nowhere || is_shared(index)) return {};
-    return without(before_.of(index), now_.of(index));
+  // The bytes of old buffers with one file that lost their last user.
+  ByteRanges freed(std::uint64_t first) {
+    const Storage storage = bytes_.buffer_storage(first);
+    if (!may_cut_ || storage == Storage::nowhere || fixed_.contains(first)) return {};
+    return without(before_.of(members_.at(first)), now_.of(members_.at(first)));
   }
-  Ranges unnamed(std::uint64_t index) {
-    if (!is_new(index)) return {};
+  // The bytes of a new buffer without users.
+  ByteRanges unused(std::uint64_t index) {
     const auto bytes = bytes_.buffer(index);
-    return bytes ? without({{0, bytes->size()}}, now_.of(index)) : Ranges();
+    return bytes ? without({{0, bytes->size()}}, now_.of({index})) : ByteRanges();
   }
 
   // Otherwise new bytes would follow inside the declared length, where views may refer to them.
@@ -192,17 +155,23 @@ class Layout {
                         bytes->size();
   }
 
-  Trouble choose_home() {
-    for (std::uint64_t i = old_count_; i < count(); ++i)
-      outcome_.home_gets_more = outcome_.home_gets_more || is_new(i);
-    for (std::uint64_t i = 0; i < old_count_; ++i) {
-      if (buffer(i) == json::kNoNode || is_shared(i)) continue;
-      if (bytes_.buffer_storage(i) == Storage::nowhere || !has_declared_bytes(i)) continue;
-      outcome_.home = i;
-      return std::nullopt;
+  // Chooses the old buffer that stores new bytes. If none can, the first buffer of a step stays and
+  // gets a file.
+  void choose_home() {
+    for (std::uint64_t i = count(); i > before_.buffers; --i) {
+      if (!is_new(i - 1)) continue;
+      outcome_.home_gets_more = true;
+      outcome_.home = i - 1;
     }
-    if (!outcome_.home_gets_more) return std::nullopt;
-    return Error{"no buffer of the asset can store new bytes"};
+    for (const auto& [first, members] : members_) {
+      if (first >= before_.buffers || buffer(first) == json::kNoNode) continue;
+      if (fixed_.contains(first) || bytes_.buffer_storage(first) == Storage::nowhere) continue;
+      const bool is_whole = std::all_of(members.begin(), members.end(),
+                                        [this](std::uint64_t i) { return has_declared_bytes(i); });
+      if (!is_whole) continue;
+      outcome_.home = first;
+      return;
+    }
   }
 
   // Chooses the buffers of steps, and buffers that lost their last use if no unknown index would
@@ -214,14 +183,15 @@ class Layout {
       const bool is_last =
           std::all_of(outcome_.removed.begin() + static_cast<std::ptrdiff_t>(i),
                       outcome_.removed.end(), [](bool removed) { return removed; });
-      outcome_.removed[index] = is_new(index) || ((certain || is_last) && is_left(index));
+      outcome_.removed[index] =
+          (is_new(index) && index != outcome_.home) || ((certain || is_last) && is_left(index));
     }
   }
   bool is_left(std::uint64_t index) const {
     const json::NodeId object = buffer(index);
-    if (index >= old_count_ || object == json::kNoNode) return false;
+    if (index >= before_.buffers || object == json::kNoNode) return false;
     if (index == outcome_.home && outcome_.home_gets_more) return false;
-    if (before_.of(index).empty() || !may_cut_ || is_shared(index)) return false;
+    if (before_.of({index}).empty() || !may_cut_) return false;
     if (!now_.graph.users(object).empty()) return false;
     for (const auto member : document_.members(object)) {
       const std::string_view name = document_.key(member.key_id);
@@ -230,23 +200,27 @@ class Layout {
     return true;
   }
 
-  Trouble fill(std::uint64_t index) {
-    const auto bytes = bytes_.buffer(index);
-    if (!bytes) return bytes.error();
-    const auto declared =
-        model::unsigned_member(document_, buffer(index), "byteLength").value_or(bytes->size());
-    const std::uint64_t length = bytes_.buffer_storage(index) == Storage::bin_chunk
-                                     ? chunk_data_length(declared, bytes->size())
-                                     : bytes->size();
-    NewContent& content = outcome_.contents[index];
-    for (const ByteRange& range : without({{0, length}}, freed(index))) {
-      outcome_.moved[index].push_back({range, content.add(*bytes, range)});
+  // Collects the bytes of the buffers with one file.
+  Trouble fill(std::uint64_t first) {
+    NewContent& content = outcome_.contents[first];
+    if (!is_new(first)) {
+      const auto bytes = bytes_.buffer(first);
+      if (!bytes) return bytes.error();
+      const auto declared =
+          model::unsigned_member(document_, buffer(first), "byteLength").value_or(bytes->size());
+      const std::uint64_t length = bytes_.buffer_storage(first) == Storage::bin_chunk
+                                       ? chunk_data_length(declared, bytes->size())
+                                       : bytes->size();
+      for (const ByteRange& range : without({{0, length}}, freed(first))) {
+        const std::uint64_t to = content.add(*bytes, range);
+        for (const std::uint64_t i : members_.at(first)) outcome_.moved[i].push_back({range, to});
+      }
     }
-    for (std::uint64_t i = old_count_; index == outcome_.home && i < count(); ++i) {
+    for (std::uint64_t i = before_.buffers; first == outcome_.home && i < count(); ++i) {
       if (!is_new(i)) continue;
       const auto made = bytes_.buffer(i);
       if (!made) return made.error();
-      for (const ByteRange& range : now_.of(i)) {
+      for (const ByteRange& range : now_.of({i})) {
         if (range.end > made->size()) return Error{"an object refers to bytes that no buffer has"};
         outcome_.moved[i].push_back({range, content.add(*made, range)});
       }
@@ -291,29 +265,36 @@ class Layout {
     change::move_user(document_, user, part.to + user.bytes.begin - part.from.begin, editor_);
   }
 
-  Trouble store(std::uint64_t index, const StepInput& input) {
-    NewContent& content = outcome_.contents[index];
-    const json::NodeId object = buffer(index);
-    set_number(document_, editor_, object, "byteLength", content.size);
-    const json::NodeId uri = document_.find(object, "uri");
-    switch (bytes_.buffer_storage(index)) {
+  Trouble store(std::uint64_t first, const StepInput& input) {
+    NewContent& content = outcome_.contents[first];
+    for (const std::uint64_t i : members_.at(first)) {
+      if (!outcome_.removed[i])
+        set_number(document_, editor_, buffer(i), "byteLength", content.size);
+    }
+    if (is_new(first)) {
+      store_new_file(first, asset_stem(input), ".bin",
+                     Bytes::from_string(container::join(content.pieces)), input);
+      return std::nullopt;
+    }
+    switch (bytes_.buffer_storage(first)) {
       case Storage::bin_chunk:
         change_.bin.whole = std::move(content.pieces);
         return std::nullopt;
-      case Storage::data_uri:
-        editor_.replace_scalar(
-            uri, json::string_value(container::data_uri("application/octet-stream",
-                                                        container::join(content.pieces))));
+      case Storage::data_uri: {
+        const json::NodeId uri = document_.find(buffer(first), "uri");
+        auto text = change::with_data(document_.string(uri), container::join(content.pieces));
+        if (!text) return text.error();
+        editor_.replace_scalar(uri, json::string_value(*text));
         return std::nullopt;
+      }
       default:
-        return store_file(index, content.pieces, input);
+        return store_file(first, content.pieces, input);
     }
   }
 
-  Trouble store_file(std::uint64_t index, const std::vector<Bytes>& pieces,
+  Trouble store_file(std::uint64_t first, const std::vector<Bytes>& pieces,
                      const StepInput& input) {
-    const json::NodeId member = document_.find(buffer(index), "uri");
-    const auto uri = container::classify_uri(document_.string(member));
+    const auto uri = container::classify_uri(model::string_member(document_, buffer(first), "uri"));
     container::Resolved file = asset_.resolver().open(uri);
     if (file.error != container::ResolveError::none)
       return Error{"the bytes of a buffer are missing"};
@@ -324,25 +305,35 @@ class Layout {
     Bytes bytes = container::gathered(pieces, folder);
     if (change::is_in_place(input.options, asset_.name()) || keeps_file_names(input)) {
       change_.replaced.push_back({uri.path, file.state, std::move(file.bytes), std::move(bytes)});
-      return std::nullopt;
+    } else {
+      store_new_file(first, stem_in_folder(uri.path), ending_of(uri.path), std::move(bytes), input);
     }
-    FileNames names(taken_names(input));
-    std::string path =
-        names.take(stem_in_folder(uri.path) + content_mark({bytes}), ending_of(uri.path));
-    editor_.replace_scalar(member, json::string_value(container::uri_of_path(path)));
-    change_.files.push_back({std::move(path), {std::move(bytes)}});
     return std::nullopt;
   }
 
-  const std::uint64_t old_count_;
-  const Named before_, now_;
+  void store_new_file(std::uint64_t first, const std::string& stem, const std::string& ending,
+                      Bytes bytes, const StepInput& input) {
+    FileNames names(taken_names(input));
+    std::string path = names.take(stem + content_mark({bytes}), ending);
+    for (const std::uint64_t i : members_.at(first)) {
+      if (outcome_.removed[i]) continue;
+      editor_.replace_scalar(document_.find(buffer(i), "uri"),
+                             json::string_value(container::uri_of_path(path)));
+    }
+    change_.files.push_back({std::move(path), {std::move(bytes)}});
+  }
+
+  const UsedBytes& before_;
+  const UsedBytes now_;
   const OpenedAsset& asset_;
   const json::Document& document_;
   const model::Asset elements_;
   model::AssetBytes bytes_;
   json::Editor editor_;
   const bool may_cut_;
-  std::map<std::string, unsigned> files_;
+  std::map<std::uint64_t, std::vector<std::uint64_t>>
+      members_;                    ///< buffers with one file, by first
+  std::set<std::uint64_t> fixed_;  ///< first buffers of files that other objects also refer to
   /// The outcome for buffers, by index.
   struct {
     std::uint64_t home = UINT64_MAX;  ///< buffer for new bytes
@@ -356,11 +347,11 @@ class Layout {
 
 }  // namespace
 
-Result<change::Change> lay_out(const OpenedAsset& before, const StepInput& now) {
+Result<change::Change> lay_out(const UsedBytes& before, const StepInput& now) {
   return Layout(before, now.asset, now.schemas).run(now);
 }
 
-std::uint64_t laid_out_size(const OpenedAsset& before, const OpenedAsset& now,
+std::uint64_t laid_out_size(const UsedBytes& before, const OpenedAsset& now,
                             const schema::Set& schemas) {
   const std::uint64_t size = stored_size(now);
   return size - std::min(size, Layout(before, now, schemas).freed_size());

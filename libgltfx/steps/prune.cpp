@@ -138,7 +138,7 @@ class PruneRun {
     if (is_safe_) {
       if (auto error = remove_vertices()) return *error;
     }
-    outcome_.change = stages_.take();
+    outcome_.change = std::move(stages_.all());
     outcome_.freedom.unused = true;
     std::string& what = outcome_.row.what;
     if (objects_ > 0) what = report::counted(objects_, "object");
@@ -150,6 +150,11 @@ class PruneRun {
   }
 
  private:
+  std::optional<Error> change(change::Change change) {
+    if (auto error = stages_.add(std::move(change))) return error;
+    return stages_.apply();
+  }
+
   std::optional<Error> remove_objects() {
     const graph::Graph graph(stages_.asset().document(), input_.schemas);
     const std::vector<NodeId> unused = Unreached(graph).find(outcome_.row);
@@ -162,7 +167,7 @@ class PruneRun {
     if (count == 0 || !plan_) return std::nullopt;
     // Before the document of the graph is replaced.
     if (auto note = find_indices_in_extras(graph)) outcome_.row.left.push_back(*std::move(note));
-    if (auto error = stages_.add(*std::move(plan_))) return error;
+    if (auto error = change(*std::move(plan_))) return error;
     objects_ += count;
     return std::nullopt;
   }
@@ -198,7 +203,7 @@ class PruneRun {
     if (!pruned) return pruned.error();
     vertices_ = pruned->vertices;
     if (vertices_ == 0) return std::nullopt;
-    if (auto error = stages_.add(std::move(pruned->change))) return error;
+    if (auto error = change(std::move(pruned->change))) return error;
     // Accessors may have moved to new views, so old views may be unused now.
     const std::uint64_t objects = objects_;
     auto error = remove_objects();

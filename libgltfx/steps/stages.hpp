@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Several changes within one step, each based on the result of the previous one.
+/// Several changes, each based on the result of the previous one.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,30 @@
 
 namespace gltfx::steps {
 
-/// Collects changes of text and new files. Keeps a reference to the asset.
+/// Combines changes into one change of an asset. Keeps a reference to the asset.
 class Stages {
  public:
   explicit Stages(const model::OpenedAsset& before) : before_(before) {}
 
-  /// The asset after all changes so far.
+  /// The asset after all changes that were applied.
   const model::OpenedAsset& asset() const { return now_ ? *now_ : before_; }
-  /// Places a change and applies it to asset(). Returns an Error (half a sentence) if that fails.
+  /// Adds a change of asset(), which is the same until apply(). Returns an Error (half a sentence)
+  /// if there is no room for it. Precondition: all changes before are applied.
   std::optional<Error> add(change::Change change);
+  /// Applies the last change, if it is not yet applied, to asset(). Returns an Error (half a
+  /// sentence) if that fails.
+  std::optional<Error> apply();
+  /// Whether the last change is not yet applied.
+  bool is_open() const { return last_.has_value(); }
+
   /// All changes, combined into one change of the original asset.
-  change::Change take() { return std::move(all_); }
+  const change::Change& all() const { return all_; }
+  change::Change& all() { return all_; }
 
  private:
   const model::OpenedAsset& before_;
   std::optional<model::OpenedAsset> now_;
+  std::optional<change::Change> last_;
   change::Change all_;
 };
 

@@ -31,6 +31,9 @@ std::set<std::string> taken_names(const StepInput& input);
 /// than that of the old asset. In other folders, other assets may refer to files of that name.
 bool keeps_file_names(const StepInput& input);
 
+/// The name of the new asset without its ending, as a file name that is valid on any system.
+std::string asset_stem(const StepInput& input);
+
 /// A path without the ending of its file.
 std::string stem_of(const std::string& path);
 

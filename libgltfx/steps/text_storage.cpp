@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // JSON text: the data of a GLB and of data URIs goes into files, or all data into data URIs.
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
@@ -231,7 +230,8 @@ class TextStorage {
   }
 
   void name_buffer(std::uint64_t index, Pieces pieces) {
-    const std::string stem = index == 0 ? own_name() : fmt::format("{}-{}", own_name(), index);
+    const std::string stem =
+        index == 0 ? asset_stem(input_) : fmt::format("{}-{}", asset_stem(input_), index);
     set_uri(element(RootArray::buffers, index),
             embeds_ ? container::data_uri(kOctets, pieces.front().text())
                     : new_file(stem, ".bin", std::move(pieces)));
@@ -261,13 +261,8 @@ class TextStorage {
     const json::NodeId image = element(RootArray::images, index);
     const std::string type = model::string_member(document_, image, "mimeType");
     std::string stem = clean_name(model::string_member(document_, image, "name"));
-    if (stem.empty()) stem = fmt::format("{}_image{}", own_name(), index);
+    if (stem.empty()) stem = fmt::format("{}_image{}", asset_stem(input_), index);
     return new_file(std::move(stem), image_ending(bytes, type), {bytes});
-  }
-
-  std::string own_name() const {
-    std::string name = clean_name(std::filesystem::path(input_.file_name).stem().native());
-    return name.empty() ? std::string("model") : name;
   }
 
   // Other assets of a shared folder may have files of the same name.
