@@ -5,10 +5,8 @@
 #include <string_view>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "steps/accessor_bounds.hpp"
-#include "steps/geometry_input.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -16,10 +14,6 @@ namespace {
 
 using model::Accessor;
 using model::BufferView;
-
-std::uint64_t aligned(std::uint64_t size) {
-  return (size + kAlignment - 1) / kAlignment * kAlignment;
-}
 
 std::uint64_t stride_of(const BufferView& view, const Accessor& accessor) {
   return view.byte_stride.value_or(model::packed_stride(accessor.format));
@@ -54,12 +48,7 @@ std::uint64_t AccessorContents::count_of(std::uint32_t accessor) const {
 std::optional<Error> AccessorContents::store() {
   std::map<std::uint32_t, std::vector<std::uint32_t>> by_view;
   for (const auto& [accessor, elements] : set_) {
-    const auto& view = views_.accessors[accessor].buffer_view;
-    if (view) {
-      by_view[*view].push_back(accessor);
-    } else {
-      store_alone(accessor, elements);
-    }
+    by_view[*views_.accessors[accessor].buffer_view].push_back(accessor);
   }
   for (const auto& [view, accessors] : by_view) {
     if (const auto blocks = blocks_of(view)) {
@@ -148,16 +137,11 @@ std::optional<Error> AccessorContents::store_view(std::uint32_t index,
 }
 
 void AccessorContents::store_alone(std::uint32_t index, const NewElements& elements) {
-  constexpr std::uint64_t kVertexAlignment = 4;
   const Accessor& accessor = views_.accessors[index];
-  const bool has_view = accessor.buffer_view.has_value();
-  const model::ViewTarget target =
-      has_view ? views_.buffer_views[*accessor.buffer_view].target : elements.target;
+  const BufferView& old = views_.buffer_views[*accessor.buffer_view];
   const std::uint64_t size = model::packed_stride(accessor.format);
-  const bool of_vertices = target == model::ViewTarget::vertices ||
-                           (has_view && views_.buffer_views[*accessor.buffer_view].byte_stride);
-  const std::uint64_t stride =
-      of_vertices ? (size + kVertexAlignment - 1) / kVertexAlignment * kVertexAlignment : size;
+  const bool of_vertices = old.target == model::ViewTarget::vertices || old.byte_stride;
+  const std::uint64_t stride = of_vertices ? aligned(size, kVertexAlignment) : size;
   std::string bytes = elements.bytes;
   if (stride != size) {
     bytes.assign(stride * elements.count, '\0');
@@ -165,12 +149,11 @@ void AccessorContents::store_alone(std::uint32_t index, const NewElements& eleme
       elements.bytes.copy(bytes.data() + i * stride, size, i * size);
     }
   }
-  std::string json = fmt::format(R"({{"buffer":{},"byteLength":{})", buffer_.index(), bytes.size());
-  json += fmt::format(R"(,"byteOffset":{})", buffer_.add(std::move(bytes)));
-  if (of_vertices) json += fmt::format(R"(,"byteStride":{})", stride);
-  if (target == model::ViewTarget::vertices) json += R"(,"target":34962)";
-  if (target == model::ViewTarget::indices) json += R"(,"target":34963)";
-  const std::uint64_t view = additions_.add_element("bufferViews", json.append(1, '}'));
+  const std::size_t length = bytes.size();
+  const std::uint64_t offset = buffer_.add(std::move(bytes));
+  const std::uint64_t view = additions_.add_element(
+      "bufferViews",
+      view_json({buffer_.index(), offset, length, of_vertices ? stride : 0, old.target}));
   set_number(document_, editor_, accessor.node, "bufferView", view);
   declare(index, 0);
 }

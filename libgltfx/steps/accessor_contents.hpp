@@ -24,8 +24,6 @@ struct NewElements {
   std::uint64_t count = 0;
   /// Whether to recompute declared bounds. Bounds that do not change keep their text.
   bool other_values = false;
-  /// Target of a new view, if the accessor has no view yet.
-  model::ViewTarget target = model::ViewTarget::none;
 };
 
 /// Stores new elements. Accessors keep their index, their buffer view and its interleaving. If the
@@ -38,7 +36,7 @@ class AccessorContents {
                    const model::ResourceData& resources, NewBuffer& buffer,
                    change::Additions& additions, json::Editor& editor);
 
-  /// Precondition: the accessor is not sparse and has a known format.
+  /// Precondition: the accessor is not sparse and has a buffer view and a known format.
   void set(std::uint32_t accessor, NewElements elements);
   bool empty() const { return set_.empty(); }
 

@@ -11,10 +11,12 @@
 
 #include <fmt/format.h>
 
+#include "change/name_list.hpp"
 #include "graph/extensions.hpp"
 #include "model/meshopt_view.hpp"
 #include "report/wording.hpp"
 #include "steps/accessor_bounds.hpp"
+#include "steps/json_edits.hpp"
 
 namespace gltfx::steps {
 namespace {

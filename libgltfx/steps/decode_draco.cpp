@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replaces bitstreams of KHR_draco_mesh_compression with the decoded vertices and triangles.
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <optional>
 #include <set>
@@ -18,6 +17,8 @@
 #include "model/draco.hpp"
 #include "steps/accessor_bounds.hpp"
 #include "steps/decode.hpp"
+#include "steps/json_edits.hpp"
+#include "steps/storage.hpp"
 #include "steps/view_pool.hpp"
 
 namespace gltfx::steps {
@@ -49,15 +50,6 @@ struct PlainPrimitive {
   model::DracoReference reference;
   std::vector<Part> parts;
 };
-
-std::string indices_as(const codec::DracoMesh& mesh, ComponentType type) {
-  const std::size_t size = model::component_size(type);
-  std::string bytes(mesh.indices.size() * size, '\0');
-  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-    std::memcpy(bytes.data() + i * size, &mesh.indices[i], size);
-  }
-  return bytes;
-}
 
 // Adds padding to elements. Vertex attributes are aligned to 4 bytes.
 std::string spread(std::string bytes, std::size_t size, std::size_t stride) {
@@ -107,7 +99,7 @@ class DracoDecoder {
   }
   // The packed elements.
   std::string bytes(const Decoded& elements) const {
-    if (!elements.attribute) return indices_as(mesh(elements), elements.indices);
+    if (!elements.attribute) return index_bytes(mesh(elements).indices, elements.indices);
     const auto values = model::find_attribute(mesh(elements), *elements.attribute)->values;
     return {reinterpret_cast<const char*>(values.data()), values.size()};
   }
@@ -257,12 +249,10 @@ class DracoDecoder {
                          model::ViewTarget::indices);
         continue;
       }
-      constexpr std::uint64_t kVertexAlignment = 4;
       const model::Format format = this->format(elements);
       const std::uint64_t size = std::uint64_t{model::component_count(format.type)} *
                                  model::component_size(format.component);
-      const std::uint64_t stride =
-          (size + kVertexAlignment - 1) / kVertexAlignment * kVertexAlignment;
+      const std::uint64_t stride = aligned(size, kVertexAlignment);
       view = pool_.add(container::Bytes::from_string(spread(bytes(elements), size, stride)), stride,
                        model::ViewTarget::vertices);
     }

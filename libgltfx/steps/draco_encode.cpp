@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stores triangles and vertices as bitstreams (KHR_draco_mesh_compression), without loss.
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
@@ -21,6 +20,7 @@
 #include "steps/accessor_bounds.hpp"
 #include "steps/codec_steps.hpp"
 #include "steps/draco_primitives.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/references.hpp"
 #include "steps/shrink_views.hpp"
@@ -44,15 +44,6 @@ struct DracoGroup {
   std::map<std::uint32_t, std::uint64_t> copies = {};  ///< new accessors by old ones
   std::optional<std::uint64_t> indices = {};           ///< a new accessor
 };
-
-std::string triangles_as(const codec::DracoMesh& mesh, ComponentType type) {
-  const std::size_t size = model::component_size(type);
-  std::string bytes(mesh.indices.size() * size, '\0');
-  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-    std::memcpy(bytes.data() + i * size, &mesh.indices[i], size);
-  }
-  return bytes;
-}
 
 class DracoStep {
  public:
@@ -272,8 +263,8 @@ class DracoStep {
     if (each.indices) {
       const ComponentType old = accessor(*each.indices).format.component;
       const bool fits = mesh.points <= model::value_range(old).most;
-      refer(group, *each.indices, each.indices_node, triangles_as(mesh, fits ? old : type), count,
-            fits ? ComponentType::none : type);
+      refer(group, *each.indices, each.indices_node, index_bytes(mesh.indices, fits ? old : type),
+            count, fits ? ComponentType::none : type);
       return;
     }
     if (!group.indices) {

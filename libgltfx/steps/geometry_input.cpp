@@ -1,21 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "steps/geometry_input.hpp"
 
-#include <array>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "base/checked.hpp"
-#include "base/text.hpp"
+#include "container/opened_files.hpp"
 #include "model/accessor_data.hpp"
-#include "steps/step_data.hpp"
 
 namespace gltfx::steps {
+namespace {
+
+model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements) {
+  container::OpenedFiles files(input.asset.resolver());
+  const std::vector<bool> images(elements.count(model::RootArray::images), false);
+  model::ResourceData data = model::load_resources(input.asset.container(), files, elements,
+                                                   input.asset.views(), input.options.jobs, &images)
+                                 .data;
+  // Readers that support the extension use the stream, not the plain copy.
+  data.decoded_views.merge(data.unread_views);
+  return data;
+}
+
+}  // namespace
+
 GeometryInput::GeometryInput(const StepInput& input)
-    : asset(input.asset.document()),
+    : document(input.asset.document()),
+      asset(document),
       views(input.asset.views()),
-      graph(input.asset.document(), input.schemas),
+      graph(document, input.schemas),
       resources(load_buffers(input, asset)) {}
 
 std::string GeometryInput::pointer(json::NodeId value) const { return graph.tree().pointer(value); }
@@ -25,7 +37,7 @@ std::optional<std::uint32_t> GeometryInput::accessor_of(const graph::Use& use) c
   const graph::Tree& tree = graph.tree();
   const json::NodeId object = tree.parent(use.at.node);
   const json::NodeId list = tree.parent(object);
-  const json::NodeId accessors = asset.document().find(asset.document().root(), "accessors");
+  const json::NodeId accessors = document.find(document.root(), "accessors");
   if (list == json::kNoNode || list != accessors) return std::nullopt;
   const std::uint32_t index = tree.position(object);
   const bool is_own = index < views.accessors.size() && views.accessors[index].node == object;
@@ -45,12 +57,12 @@ std::optional<std::vector<std::uint32_t>> GeometryInput::accessors_of(json::Node
 std::optional<std::uint64_t> GeometryInput::end_in_view(const model::Accessor& accessor) const {
   const model::BufferView* view = views.view_of(accessor);
   if (view == nullptr || !accessor.format.known() || !accessor.count) return std::nullopt;
-  const auto begin = model::start_of(asset.document(), accessor.node, accessor.byte_offset);
+  const auto begin = model::start_of(document, accessor.node, accessor.byte_offset);
   const std::uint64_t stride = view->byte_stride.value_or(model::packed_stride(accessor.format));
   const auto size = accessor.span_size(stride);
   const Checked end = begin && size ? checked_add(*begin, *size) : std::nullopt;
   if (!end || !view->byte_length || *end > *view->byte_length) return std::nullopt;
-  const bool has_stride = asset.document().find(view->node, "byteStride") != json::kNoNode;
+  const bool has_stride = document.find(view->node, "byteStride") != json::kNoNode;
   if (has_stride != view->byte_stride.has_value()) return std::nullopt;
   return *end;
 }
@@ -83,54 +95,14 @@ std::optional<std::string> GeometryInput::elements_of(
   return bytes;
 }
 
-void set_number(const json::Document& document, json::Editor& editor, json::NodeId object,
-                std::string_view name, std::uint64_t value) {
-  const json::NodeId old = document.find(object, name);
-  if (old == json::kNoNode) {
-    editor.append_member(object, name, std::to_string(value));
-  } else {
-    editor.replace(object, old, std::to_string(value));
+std::string index_bytes(std::span<const std::uint32_t> indices, model::ComponentType type) {
+  const std::size_t size = model::component_size(type);
+  std::string bytes(size * indices.size(), '\0');
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    for (std::size_t k = 0; k < size; ++k)
+      bytes[i * size + k] = static_cast<char>(indices[i] >> (8 * k) & 0xFFU);
   }
-}
-
-void remove_member(const json::Document& document, json::Editor& editor, json::NodeId object,
-                   std::string_view name) {
-  const json::NodeId value = document.find(object, name);
-  if (value != json::kNoNode) editor.remove(object, value - 1);
-}
-
-void add_extension(const json::Document& document, json::Editor& editor, json::NodeId host,
-                   std::string_view name, std::string_view json) {
-  const json::NodeId extensions = document.find(host, "extensions");
-  if (extensions != json::kNoNode) {
-    editor.append_member(extensions, name, json);
-  } else {
-    editor.append_member(host, "extensions", fmt::format(R"({{"{}":{}}})", name, json));
-  }
-}
-
-void remove_extension(const json::Document& document, json::Editor& editor, json::NodeId host,
-                      std::string_view name) {
-  const json::NodeId extensions = document.find(host, "extensions");
-  const json::NodeId object = document.find(extensions, name);
-  if (object == json::kNoNode) return;
-  if (document.object_size(extensions) == 1) {
-    editor.remove(host, extensions - 1);
-  } else {
-    editor.remove(extensions, object - 1);
-  }
-}
-
-bool require_extension(const json::Document& document, json::Editor& editor,
-                       std::string_view name) {
-  std::array lists{change::NameList(document, "extensionsUsed"),
-                   change::NameList(document, "extensionsRequired")};
-  for (change::NameList& list : lists) {
-    if (!list.can_change()) return false;
-    list.add(name);
-  }
-  for (const change::NameList& list : lists) list.apply(editor);
-  return true;
+  return bytes;
 }
 
 }  // namespace gltfx::steps

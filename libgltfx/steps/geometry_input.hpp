@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Input and common edits of the steps that change geometry.
+/// Input of the steps that change geometry.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "change/name_list.hpp"
 #include "graph/graph.hpp"
-#include "json/edit.hpp"
 #include "model/resource_data.hpp"
 #include "steps/step.hpp"
 
@@ -38,26 +36,14 @@ struct GeometryInput {
   std::optional<std::string> elements_of(const model::Accessor& accessor,
                                          const std::vector<std::uint32_t>& positions) const;
 
+  const json::Document& document;
   const model::Asset asset;
   const model::Views& views;
   const graph::Graph graph;
   const model::ResourceData resources;
 };
 
-/// Sets a member of an object to a number.
-void set_number(const json::Document& document, json::Editor& editor, json::NodeId object,
-                std::string_view name, std::uint64_t value);
-/// Removes a member of an object, if it exists.
-void remove_member(const json::Document& document, json::Editor& editor, json::NodeId object,
-                   std::string_view name);
-/// Adds the object of an extension to `host`. Precondition: `host` does not have the extension.
-void add_extension(const json::Document& document, json::Editor& editor, json::NodeId host,
-                   std::string_view name, std::string_view json);
-/// Removes the object of an extension, and `extensions` if it becomes empty.
-void remove_extension(const json::Document& document, json::Editor& editor, json::NodeId host,
-                      std::string_view name);
-/// Adds a name to `extensionsUsed` and `extensionsRequired`. Returns false if one of them is not a
-/// list of names.
-bool require_extension(const json::Document& document, json::Editor& editor, std::string_view name);
+/// Packs indices into bytes. Precondition: each index fits into the component type.
+std::string index_bytes(std::span<const std::uint32_t> indices, model::ComponentType type);
 
 }  // namespace gltfx::steps

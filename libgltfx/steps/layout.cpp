@@ -24,7 +24,7 @@
 #include "model/asset_bytes.hpp"
 #include "model/fields.hpp"
 #include "steps/file_names.hpp"
-#include "steps/geometry_input.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/storage.hpp"
 #include "steps/used_bytes.hpp"
@@ -47,10 +47,8 @@ struct NewContent {
 
   // Returns the new offset of the range.
   std::uint64_t add(const Bytes& bytes, const ByteRange& range) {
-    const std::uint64_t gap =
-        (range.begin % kAlignment + kAlignment - size % kAlignment) % kAlignment;
-    if (gap > 0) pieces.push_back(Bytes::from_string(std::string(gap, '\0')));
-    const std::uint64_t begin = size + gap;
+    const std::uint64_t begin = aligned_like(range.begin, size);
+    if (begin > size) pieces.push_back(Bytes::from_string(std::string(begin - size, '\0')));
     pieces.push_back(bytes.part(range.begin, range.end - range.begin));
     size = begin + range.end - range.begin;
     return begin;

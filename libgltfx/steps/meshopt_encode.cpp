@@ -22,6 +22,7 @@
 #include "model/meshopt_view.hpp"
 #include "report/wording.hpp"
 #include "steps/geometry_input.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/references.hpp"
 #include "steps/storage.hpp"
@@ -267,7 +268,7 @@ class MeshoptStep {
         fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{},"byteStride":{},)"
                     R"("count":{},"mode":"{}"}})",
                     buffer_.index(), begin, length, job.stride, job.count, mode_text(job.mode)));
-    fallback_size_ += (size + kAlignment - 1) / kAlignment * kAlignment;
+    fallback_size_ += aligned(size);
     outcome_.freedom.vertex_order |= job.mode == Mode::triangles;
     ++stored_;
   }

@@ -30,7 +30,7 @@ NewBuffer::NewBuffer(const model::OpenedAsset& asset)
 }
 
 std::uint64_t NewBuffer::add(Bytes bytes) {
-  const std::uint64_t begin = (size_ + kAlignment - 1) / kAlignment * kAlignment;
+  const std::uint64_t begin = aligned(size_);
   if (begin > size_) pieces_.push_back(Bytes::from_string(std::string(begin - size_, '\0')));
   size_ = begin + bytes.size();
   pieces_.push_back(std::move(bytes));

@@ -16,6 +16,7 @@
 #include "model/asset_bytes.hpp"
 #include "model/fields.hpp"
 #include "report/wording.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -80,7 +81,7 @@ class Packer {
 
   // Returns the offset of the bytes.
   std::uint64_t append(Bytes bytes) {
-    const std::uint64_t begin = (size_ + kAlignment - 1) / kAlignment * kAlignment;
+    const std::uint64_t begin = aligned(size_);
     if (begin > size_) data_.push_back(Bytes::from_string(std::string(begin - size_, '\0')));
     size_ = begin + bytes.size();
     data_.push_back(std::move(bytes));
@@ -248,9 +249,8 @@ class Packer {
   std::uint64_t add_view(Bytes bytes) {
     const std::uint64_t length = bytes.size();
     const std::uint64_t begin = append(std::move(bytes));
-    return outcome_.change.additions.add_element(
-        "bufferViews",
-        fmt::format(R"({{"buffer":0,"byteOffset":{},"byteLength":{}}})", begin, length));
+    return outcome_.change.additions.add_element("bufferViews",
+                                                 view_json({.offset = begin, .length = length}));
   }
 
   void refer(json::NodeId image, std::uint64_t view, std::string_view media_type) {

@@ -71,7 +71,7 @@ class VertexPruner {
 
   // Whether indices use all vertices, so that a set that stays needs no note.
   bool is_known_to_read_all(const VertexSet& set) {
-    const model::Views& views = data_.views();
+    const model::Views& views = data_.views;
     std::uint64_t count = 0;
     for (const std::uint32_t accessor : set.accessors) {
       count = std::max(count, views.accessors[accessor].count.value_or(0));
@@ -79,7 +79,7 @@ class VertexPruner {
     std::vector<std::vector<std::uint32_t>> lists;
     std::uint64_t total = 0;
     for (const model::Primitive* primitive : set.primitives) {
-      const auto list = model::AccessorData::open(data_.elements, views, data_.resources,
+      const auto list = model::AccessorData::open(data_.asset, views, data_.resources,
                                                   views.accessors[*primitive->indices],
                                                   model::Malformed::unusable);
       if (!list || list->implied() || list->components() != 1) return false;

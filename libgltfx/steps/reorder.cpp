@@ -95,7 +95,7 @@ class Reorderer {
     }
     if (primitives_ == 0) return std::move(outcome_);
     if (std::string why = find_doubt(data_.graph, "accessors"); !why.empty()) {
-      outcome_.row.refused = {{{}, std::move(why)}};
+      outcome_.row.refused.push_back({{}, std::move(why)});
       return std::move(outcome_);
     }
     auto change = changes_.finish();
@@ -167,7 +167,7 @@ class Reorderer {
     return found;
   }
   bool is_blended(std::uint32_t material) const {
-    const model::Material read = model::read_material(data_.elements, material);
+    const model::Material read = model::read_material(data_.asset, material);
     return read.alpha_mode == model::AlphaMode::blend ||
            read.of(MaterialParameter::transmission)[0] > 0;
   }

@@ -60,7 +60,7 @@ struct Output {
 class Resampler {
  public:
   explicit Resampler(const StepInput& input)
-      : data_(input), changes_(data_), uses_(data_.views().accessors.size()) {}
+      : data_(input), changes_(data_), uses_(data_.views.accessors.size()) {}
 
   Result<StepOutcome> run() {
     find_clips();
@@ -72,7 +72,7 @@ class Resampler {
     }
     if (removed_ == 0) return std::move(outcome_);
     if (std::string why = find_doubt(data_.graph, "accessors"); !why.empty()) {
-      outcome_.row.refused = {{{}, std::move(why)}};
+      outcome_.row.refused.push_back({{}, std::move(why)});
       return std::move(outcome_);
     }
     auto change = changes_.finish();
@@ -86,7 +86,7 @@ class Resampler {
  private:
   void find_clips() {
     std::map<std::uint32_t, std::size_t> numbers;
-    for (const model::Animation& animation : data_.views().animations) {
+    for (const model::Animation& animation : data_.views.animations) {
       for (UsedSampler& used : samplers_of(animation)) {
         const auto& input = used.sampler->input;
         if (used.sampler->output) uses_[*used.sampler->output].note(input);
@@ -142,7 +142,7 @@ class Resampler {
   }
 
   const model::Accessor& accessor(std::uint32_t index) const {
-    return data_.views().accessors[index];
+    return data_.views.accessors[index];
   }
 
   // Why a clip is left; empty: it is not.
@@ -215,8 +215,8 @@ class Resampler {
     for (const std::uint32_t key : kept)
       bytes.append(output.bytes, key * output.key_size, output.key_size);
     const std::uint64_t size = model::packed_stride(accessor(output.accessor).format);
-    changes_.contents.set(output.accessor, {std::move(bytes), output.key_size * kept.size() / size,
-                                            other_values, model::ViewTarget::none});
+    changes_.contents.set(output.accessor,
+                          {std::move(bytes), output.key_size * kept.size() / size, other_values});
   }
 
   const StepData data_;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
 #include "steps/view_pool.hpp"
 
@@ -51,9 +52,7 @@ void shrink(const GeometryInput& input, std::uint32_t index, const std::vector<K
   std::vector<std::pair<std::uint32_t, std::uint64_t>> places;
   for (const KeptBytes& each : kept) {
     if (each.begin >= copied) {
-      const std::uint64_t gap =
-          (each.begin % kAlignment + kAlignment - bytes.size() % kAlignment) % kAlignment;
-      bytes.append(gap, '\0');
+      bytes.resize(aligned_like(each.begin, bytes.size()));
       distance = each.begin - bytes.size();
       copied = each.begin;
     }

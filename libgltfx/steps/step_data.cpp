@@ -2,9 +2,6 @@
 #include "steps/step_data.hpp"
 
 #include <utility>
-#include <vector>
-
-#include "container/opened_files.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -20,38 +17,21 @@ std::uint64_t readable_bytes(const model::ResourceData& resources) {
 
 }  // namespace
 
-model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements) {
-  container::OpenedFiles files(input.asset.resolver());
-  const std::vector<bool> images(elements.count(model::RootArray::images), false);
-  model::ResourceData data = model::load_resources(input.asset.container(), files, elements,
-                                                   input.asset.views(), input.options.jobs, &images)
-                                 .data;
-  // Readers that support the extension use the stream, not the plain copy.
-  data.decoded_views.merge(data.unread_views);
-  return data;
-}
-
 StepData::StepData(const StepInput& of)
-    : input(of),
-      document(of.asset.document()),
-      elements(document),
-      graph(document, of.schemas),
-      resources(load_buffers(of, elements)),
-      budget(readable_bytes(resources)) {}
+    : GeometryInput(of), input(of), budget(readable_bytes(resources)) {}
 
 std::string StepData::open(std::uint32_t index, std::optional<model::AccessorData>& data) const {
-  const model::Accessor& accessor = views().accessors[index];
+  const model::Accessor& accessor = views.accessors[index];
   if (accessor.sparse != json::kNoNode) return "has a sparse accessor";
   if (document.find(accessor.node, "extensions") != json::kNoNode)
     return "has an accessor with an extension";
-  const model::BufferView* view = views().view_of(accessor);
+  const model::BufferView* view = views.view_of(accessor);
   if (!view) return "has an accessor without a buffer view";
   if (resources.decoded(*view)) return "is compressed; decode it first: --compress none";
   if (document.find(view->node, "extensions") != json::kNoNode)
     return "has a buffer view with an extension";
   if (model::is_matrix(accessor.format.type)) return "has an accessor with matrices";
-  data =
-      model::AccessorData::open(elements, views(), resources, accessor, model::Malformed::unusable);
+  data = model::AccessorData::open(asset, views, resources, accessor, model::Malformed::unusable);
   if (!data) return "has data that cannot be read";
   if (!budget.take(checked_mul(data->count(), model::packed_stride(data->format())))) {
     data.reset();

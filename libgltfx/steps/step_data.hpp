@@ -7,29 +7,21 @@
 #include <string>
 
 #include "base/result.hpp"
-#include "graph/graph.hpp"
 #include "json/edit.hpp"
 #include "model/accessor_data.hpp"
-#include "model/asset.hpp"
 #include "model/memory_budget.hpp"
-#include "model/resource_data.hpp"
 #include "steps/accessor_contents.hpp"
+#include "steps/geometry_input.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/step.hpp"
 
 namespace gltfx::steps {
 
-/// Loads the buffers of the asset, without images.
-model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements);
-
-/// References and bytes of an asset. Keeps a reference to the input.
-struct StepData {
+/// Input of a step that replaces elements of accessors. Keeps a reference to the input.
+struct StepData : GeometryInput {
   explicit StepData(const StepInput& input);
   StepData(const StepData&) = delete;
   StepData& operator=(const StepData&) = delete;
-
-  const model::Views& views() const { return input.asset.views(); }
-  std::string pointer(json::NodeId value) const { return graph.tree().pointer(value); }
 
   /// Opens an accessor whose elements can be replaced. Returns why that is not possible, half a
   /// sentence. Empty: `data` contains the elements, which have a core component type and are all
@@ -37,10 +29,6 @@ struct StepData {
   std::string open(std::uint32_t accessor, std::optional<model::AccessorData>& data) const;
 
   const StepInput& input;
-  const json::Document& document;
-  const model::Asset elements;
-  const graph::Graph graph;
-  const model::ResourceData resources;  ///< without images
   /// Limits the bytes to read, so that accessors that share bytes do not take unlimited time.
   mutable model::MemoryBudget budget;
 };

@@ -17,6 +17,18 @@ namespace gltfx::steps {
 
 /// Alignment of bytes that move to another buffer: the widest component of any extension.
 inline constexpr std::uint64_t kAlignment = 8;
+/// Alignment of vertex attributes (glTF 2.0 section 3.6.2.4).
+inline constexpr std::uint64_t kVertexAlignment = 4;
+
+/// The first multiple of an alignment that is not less than `size`.
+constexpr std::uint64_t aligned(std::uint64_t size, std::uint64_t alignment = kAlignment) {
+  return (size + alignment - 1) / alignment * alignment;
+}
+
+/// The first offset that is not less than `size` and equals `begin` modulo kAlignment.
+constexpr std::uint64_t aligned_like(std::uint64_t begin, std::uint64_t size) {
+  return size + (begin % kAlignment + kAlignment - size % kAlignment) % kAlignment;
+}
 
 /// One GLB with all buffers and images.
 Result<StepOutcome> pack(const StepInput& input);

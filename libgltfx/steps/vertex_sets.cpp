@@ -36,10 +36,10 @@ struct AccessorReaders {
 
 class SetFinder {
  public:
-  explicit SetFinder(const StepData& data) : data_(data), readers_(data.views().accessors.size()) {}
+  explicit SetFinder(const StepData& data) : data_(data), readers_(data.views.accessors.size()) {}
 
   std::vector<VertexSet> run() {
-    for (const model::Mesh& mesh : data_.views().meshes) {
+    for (const model::Mesh& mesh : data_.views.meshes) {
       for (const Primitive& primitive : mesh.primitives) {
         if (primitive.node != json::kNoNode) add(primitive);
       }
@@ -69,7 +69,7 @@ class SetFinder {
     };
     take(primitive.attributes);
     for (const json::NodeId target : primitive.targets) {
-      take(model::read_attributes(data_.elements, target));
+      take(model::read_attributes(data_.asset, target));
     }
     std::vector<std::uint32_t> key = accessors;
     sort_unique(key);
@@ -99,7 +99,7 @@ class SetFinder {
   }
 
   std::optional<std::uint64_t> vertices_of(std::size_t set) const {
-    return data_.views().accessors[sets_[set].accessors.front()].count;
+    return data_.views.accessors[sets_[set].accessors.front()].count;
   }
 
   std::size_t root_of(std::size_t set) {
@@ -146,7 +146,7 @@ class SetFinder {
       set.obstacle = "shares its indices with primitives that have other vertices";
       return;
     }
-    const auto users = data_.graph.users(data_.views().accessors[accessor].node);
+    const auto users = data_.graph.users(data_.views.accessors[accessor].node);
     const bool has_others = users.size() != readers.uses;
     if (has_others || (readers.as_indices && readers.as_vertices))
       set.obstacle = "shares an accessor with objects other than primitives";
@@ -200,16 +200,6 @@ std::vector<std::uint32_t> read_index_list(const AccessorData& data) {
   return indices;
 }
 
-std::string index_bytes(const std::vector<std::uint32_t>& indices, model::ComponentType type) {
-  const std::size_t size = model::component_size(type);
-  std::string bytes(size * indices.size(), '\0');
-  for (std::size_t i = 0; i < indices.size(); ++i) {
-    for (std::size_t k = 0; k < size; ++k)
-      bytes[i * size + k] = static_cast<char>(indices[i] >> (8 * k) & 0xFFU);
-  }
-  return bytes;
-}
-
 std::uint32_t restart_index(const AccessorData& indices) {
   return static_cast<std::uint32_t>(model::value_range(indices.format().component).most);
 }
@@ -227,14 +217,12 @@ void store_vertices(StepChanges& changes, const OpenedVertices& vertices,
     std::string bytes;
     bytes.reserve(size * order.size());
     for (const std::uint32_t vertex : order) bytes.append(old, vertex * size, size);
-    changes.contents.set(column.accessor, {std::move(bytes), order.size(), other_values,
-                                           model::ViewTarget::vertices});
+    changes.contents.set(column.accessor, {std::move(bytes), order.size(), other_values});
   }
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const model::AccessorData& data = vertices.indices[i].data;
     changes.contents.set(vertices.indices[i].accessor,
-                         {index_bytes(indices[i], data.format().component), data.count(), true,
-                          model::ViewTarget::indices});
+                         {index_bytes(indices[i], data.format().component), data.count(), true});
   }
 }
 

@@ -50,8 +50,6 @@ std::string open_vertices(const StepData& data, const VertexSet& set, OpenedVert
 
 /// Reads the indices of a list.
 std::vector<std::uint32_t> read_index_list(const model::AccessorData& data);
-/// Packs indices into bytes. Precondition: each index fits into the component type.
-std::string index_bytes(const std::vector<std::uint32_t>& indices, model::ComponentType type);
 /// The index value that is reserved for primitive restart: the maximum of the component type.
 std::uint32_t restart_index(const model::AccessorData& indices);
 

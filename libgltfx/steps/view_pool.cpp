@@ -10,13 +10,10 @@
 #include "base/text.hpp"
 #include "graph/renumber.hpp"
 #include "graph/unknown_indices.hpp"
+#include "steps/json_edits.hpp"
 
 namespace gltfx::steps {
 namespace {
-
-std::uint64_t target_number(model::ViewTarget target) {
-  return target == model::ViewTarget::vertices ? 34962 : 34963;
-}
 
 void collect_integers(const json::Document& document, json::NodeId object,
                       std::set<std::uint64_t>& integers) {
@@ -51,13 +48,8 @@ std::uint64_t ViewPool::add(container::Bytes bytes, std::uint64_t stride,
     declare(view, begin_, length_, stride, target);
     return view;
   }
-  std::string json = fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{})",
-                                 buffer_.index(), begin_, length_);
-  if (stride > 0) json += fmt::format(R"(,"byteStride":{})", stride);
-  if (target != model::ViewTarget::none) {
-    json += fmt::format(R"(,"target":{})", target_number(target));
-  }
-  return additions_.add_element("bufferViews", json.append(1, '}'));
+  return additions_.add_element("bufferViews",
+                                view_json({buffer_.index(), begin_, length_, stride, target}));
 }
 
 void ViewPool::declare(std::uint32_t index, std::uint64_t begin, std::uint64_t length,

@@ -11,6 +11,7 @@
 #include "base/hash.hpp"
 #include "graph/unknown_indices.hpp"
 #include "report/wording.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
 #include "steps/vertex_sets.hpp"
 
@@ -102,7 +103,7 @@ class Welder {
     }
     if (merged_ == 0) return std::move(outcome_);
     if (std::string why = find_doubt(data_.graph, "accessors"); !why.empty()) {
-      row().refused = {{{}, std::move(why)}};
+      row().refused.push_back({{}, std::move(why)});
       return std::move(outcome_);
     }
     auto change = changes_.finish();
@@ -190,10 +191,10 @@ class Welder {
     const model::ComponentType type = index_type(merging);
     std::string bytes = index_bytes(merging.numbers, type);
     const std::size_t length = bytes.size();
+    const std::uint64_t offset = changes_.buffer.add(std::move(bytes));
     const std::uint64_t view = changes_.additions.add_element(
         "bufferViews",
-        fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{},"target":34963}})",
-                    changes_.buffer.index(), changes_.buffer.add(std::move(bytes)), length));
+        view_json({changes_.buffer.index(), offset, length, 0, model::ViewTarget::indices}));
     return changes_.additions.add_element(
         "accessors",
         fmt::format(R"({{"bufferView":{},"componentType":{},"count":{},"type":"SCALAR"}})", view,

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "steps/json_edits.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "change/name_list.hpp"
+
+namespace gltfx::steps {
+
+unsigned target_number(model::ViewTarget target) {
+  return target == model::ViewTarget::vertices ? 34962 : 34963;
+}
+
+std::string view_json(const NewView& view) {
+  std::string json = fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{})", view.buffer,
+                                 view.offset, view.length);
+  if (view.stride > 0) json += fmt::format(R"(,"byteStride":{})", view.stride);
+  if (view.target != model::ViewTarget::none) {
+    json += fmt::format(R"(,"target":{})", target_number(view.target));
+  }
+  return json.append(1, '}');
+}
+
+void set_number(const json::Document& document, json::Editor& editor, json::NodeId object,
+                std::string_view name, std::uint64_t value) {
+  const json::NodeId old = document.find(object, name);
+  if (old == json::kNoNode) {
+    editor.append_member(object, name, std::to_string(value));
+  } else {
+    editor.replace(object, old, std::to_string(value));
+  }
+}
+
+void remove_member(const json::Document& document, json::Editor& editor, json::NodeId object,
+                   std::string_view name) {
+  const json::NodeId value = document.find(object, name);
+  if (value != json::kNoNode) editor.remove(object, value - 1);
+}
+
+void add_extension(const json::Document& document, json::Editor& editor, json::NodeId host,
+                   std::string_view name, std::string_view json) {
+  const json::NodeId extensions = document.find(host, "extensions");
+  if (extensions != json::kNoNode) {
+    editor.append_member(extensions, name, json);
+  } else {
+    editor.append_member(host, "extensions", fmt::format(R"({{"{}":{}}})", name, json));
+  }
+}
+
+void remove_extension(const json::Document& document, json::Editor& editor, json::NodeId host,
+                      std::string_view name) {
+  const json::NodeId extensions = document.find(host, "extensions");
+  const json::NodeId object = document.find(extensions, name);
+  if (object == json::kNoNode) return;
+  if (document.object_size(extensions) == 1) {
+    editor.remove(host, extensions - 1);
+  } else {
+    editor.remove(extensions, object - 1);
+  }
+}
+
+bool require_extension(const json::Document& document, json::Editor& editor,
+                       std::string_view name) {
+  std::array lists{change::NameList(document, "extensionsUsed"),
+                   change::NameList(document, "extensionsRequired")};
+  for (change::NameList& list : lists) {
+    if (!list.can_change()) return false;
+    list.add(name);
+  }
+  for (const change::NameList& list : lists) list.apply(editor);
+  return true;
+}
+
+}  // namespace gltfx::steps
