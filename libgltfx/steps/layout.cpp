@@ -146,11 +146,17 @@ class Layout {
     return bytes ? without({{0, bytes->size()}}, now_.of({index})) : ByteRanges();
   }
 
-  // Otherwise new bytes would follow inside the declared length, where views may refer to them.
-  bool has_declared_bytes(std::uint64_t index) {
-    const auto bytes = bytes_.buffer(index);
-    return bytes && model::unsigned_member(document_, buffer(index), "byteLength").value_or(0) <=
-                        bytes->size();
+  std::uint64_t declared_length(std::uint64_t index) const {
+    return model::unsigned_member(document_, buffer(index), "byteLength").value_or(0);
+  }
+
+  // Buffers with users of bytes after their end, which would be new bytes then.
+  std::set<std::uint64_t> overrun() const {
+    std::set<std::uint64_t> found;
+    for (const BufferUser& user : *now_.users) {
+      if (user.bytes.end > declared_length(user.buffer)) found.insert(user.buffer);
+    }
+    return found;
   }
 
   // Chooses the old buffer that stores new bytes. If none can, the first buffer of a step stays and
@@ -161,11 +167,15 @@ class Layout {
       outcome_.home_gets_more = true;
       outcome_.home = i - 1;
     }
+    const std::set<std::uint64_t> overrun = this->overrun();
     for (const auto& [first, members] : members_) {
       if (first >= before_.buffers || buffer(first) == json::kNoNode) continue;
       if (fixed_.contains(first) || bytes_.buffer_storage(first) == Storage::nowhere) continue;
-      const bool is_whole = std::all_of(members.begin(), members.end(),
-                                        [this](std::uint64_t i) { return has_declared_bytes(i); });
+      const auto bytes = bytes_.buffer(first);
+      const bool is_whole =
+          bytes && std::all_of(members.begin(), members.end(), [&](std::uint64_t i) {
+            return !overrun.contains(i) && declared_length(i) <= bytes->size();
+          });
       if (!is_whole) continue;
       outcome_.home = first;
       return;

@@ -154,7 +154,7 @@ class Packer {
     const graph::Graph graph(document_, input_.schemas);
     const auto users = change::buffer_users(graph);
     std::string doubt = find_doubt(graph, "buffers");
-    if (doubt.empty() && !users) doubt = users.error().message;
+    if (doubt.empty()) doubt = users ? find_overrun(graph, *users) : users.error().message;
     for (std::uint64_t i = 1; i < count(); ++i) {
       const json::NodeId object = buffer(i);
       if (object == json::kNoNode || bytes_.buffer_storage(i) == Storage::nowhere) continue;
@@ -170,6 +170,20 @@ class Packer {
       }
     }
     if (packed_.size() > 1) move_users(graph, *users);
+  }
+
+  // An object that refers to bytes after the end of its buffer, which would be those of another one
+  // after merging; empty: there is none.
+  std::string find_overrun(const graph::Graph& graph,
+                           const std::vector<change::BufferUser>& users) const {
+    for (const change::BufferUser& user : users) {
+      if (bytes_.buffer_storage(user.buffer) == Storage::nowhere) continue;
+      const auto declared = model::unsigned_member(document_, buffer(user.buffer), "byteLength");
+      if (user.bytes.end <= declared.value_or(0)) continue;
+      return fmt::format("{} refers to bytes after the end of its buffer",
+                         printable(graph.tree().pointer(user.object)));
+    }
+    return {};
   }
 
   // The first member of a merged buffer, other than length, place and name, that would be lost.

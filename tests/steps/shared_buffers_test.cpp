@@ -17,13 +17,15 @@ using test::StoredAsset;
 using test::view_bytes;
 using testing::SizeIs;
 
-// Two grids, one in each buffer. The buffers have the same file.
+// Three grids, two of them in the second buffer. The buffers have the same file. The last grid is
+// too small to be compressed.
 class SharedBuffers : public testing::Test {
  protected:
   SharedBuffers() {
     asset_.mesh(asset_.grid(Grid(16)));
     asset_.mesh(asset_.grid(Grid(12)));
-    for (std::size_t i = 3; i < 6; ++i) asset_.json["bufferViews"][i]["buffer"] = 1;
+    asset_.mesh(asset_.grid(Grid(2)));
+    for (std::size_t i = 3; i < 9; ++i) asset_.json["bufferViews"][i]["buffer"] = 1;
   }
   fs::path write() {
     folder_.write("b.bin", asset_.buffer);
@@ -114,7 +116,7 @@ TEST_F(SharedBuffers, AreRemovedWithoutUsers) {
 
 // The file is also an image, so it must not change.
 TEST(NewBytes, GetABufferIfNoOtherCanStoreThem) {
-  const TempFolder folder;
+  TempFolder folder;
   AssetText asset;
   asset.mesh(asset.grid());
   asset.json["images"].push_back({{"uri", "b.bin"}});
@@ -128,15 +130,40 @@ TEST(NewBytes, GetABufferIfNoOtherCanStoreThem) {
   const OrderedJson now = StoredAsset::at(options.output).json();
   ASSERT_THAT(report.new_files, SizeIs(1));
   EXPECT_TRUE(report.new_files[0].starts_with("a-"));
-  EXPECT_EQ(now["buffers"][1]["uri"], report.new_files[0]);
-  EXPECT_EQ(now["buffers"][1]["byteLength"],
+  EXPECT_EQ(now["buffers"][0]["uri"], report.new_files[0]);
+  EXPECT_EQ(now["buffers"][0]["byteLength"],
             fs::file_size(folder.path() / "out" / report.new_files[0]));
   EXPECT_EQ(content_of(folder.path() / "out" / "b.bin"), asset.buffer);
   EXPECT_EQ(view_bytes(options.output), view_bytes(path));
 }
 
+// The view ends after its buffer. The new bytes do not become its content.
+TEST(NewBytes, DoNotFollowABufferThatAViewOverruns) {
+  TempFolder folder;
+  AssetText asset;
+  asset.mesh(asset.grid());
+  asset.mesh(asset.grid(Grid(12)));
+  asset.json["bufferViews"][3]["byteOffset"] = asset.buffer.size() - 8;
+  const fs::path path = asset.write(folder);
+  ConvertOptions options;
+  options.reorder = true;
+  options.partial = true;
+  options.output = (folder.path() / "out" / "a.gltf").native();
+  const ConvertReport report = convert_file(path.native(), options);
+  ASSERT_TRUE(report.written) << report.error;
+  EXPECT_EQ(view_bytes(options.output)[3], "none");
+  EXPECT_THAT(StoredAsset::at(options.output).json()["buffers"], SizeIs(2));
+  options.output = (folder.path() / "again" / "a.gltf").native();
+  EXPECT_FALSE(convert_file((folder.path() / "out" / "a.gltf").native(), options).changes);
+  ConvertOptions packing;
+  packing.output = (folder.path() / "a.glb").native();
+  EXPECT_EQ(convert_file((folder.path() / "out" / "a.gltf").native(), packing).error,
+            "/buffers/1: /bufferViews/3 refers to bytes after the end of its buffer "
+            "(--partial writes the rest)");
+}
+
 TEST(NewBytes, KeepTheMediaTypeOfADataUri) {
-  const TempFolder folder;
+  TempFolder folder;
   AssetText asset;
   asset.mesh(asset.grid());
   const fs::path path = asset.write(folder);
