@@ -245,7 +245,9 @@ class ConvertRun {
 
   Reason find_error(const ValidatedAsset& after) {
     set_last_size(steps::stored_size(after.asset()));
-    prove::NewFindings found = prove::new_findings(before_, after, schemas_);
+    prove::NewFindings found = prove::new_findings(
+        before_, after, schemas_,
+        freedom_.plain_elements ? prove::Louder::is_known : prove::Louder::is_new);
     report_.new_warnings = std::move(found.warnings);
     if (!found.error.empty()) {
       return fmt::format("the new file would have the new error {}", found.error);

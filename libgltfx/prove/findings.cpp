@@ -31,14 +31,17 @@ std::string text_of(const MoreFindings& more, const FileReport& after, const Pla
   return text;
 }
 
-NewFindings compare(const FileReport& known, const FileReport& found) {
+NewFindings compare(const FileReport& known, const FileReport& found, Louder louder) {
   Places places;
   for (const Diagnostic& one : known.diagnostics) {
     if (is_serious(one)) places.emplace(one.code, one.pointer);
   }
   NewFindings result;
-  for (const MoreFindings& more : more_findings(CodeCounts(known), found, Severity::warning)) {
-    if (more.severity != Severity::error) {
+  const CodeCounts before(known), after(found);
+  for (const MoreFindings& more : more_findings(before, found, Severity::warning)) {
+    const bool is_known = louder == Louder::is_known && after.of(more.code, Severity::warning) <=
+                                                            before.of(more.code, Severity::warning);
+    if (more.severity != Severity::error || is_known) {
       result.warnings.push_back(text_of(more, found, places));
     } else if (result.error.empty()) {
       result.error = more.code;
@@ -69,12 +72,12 @@ NewFindings with_report(const validate::ValidatedAsset& asset,
 
 template <class Before>
 NewFindings find_new(const Before& before, const validate::ValidatedAsset& after,
-                     const std::shared_ptr<const schema::Set>& schemas) {
+                     const std::shared_ptr<const schema::Set>& schemas, Louder louder) {
   return with_report(after, schemas, [&](const FileReport& found) {
     const auto& all = found.diagnostics;
     if (std::none_of(all.begin(), all.end(), is_serious)) return NewFindings();
     return with_report(before, schemas,
-                       [&](const FileReport& known) { return compare(known, found); });
+                       [&](const FileReport& known) { return compare(known, found, louder); });
   });
 }
 
@@ -87,6 +90,11 @@ CodeCounts::CodeCounts(const FileReport& report) {
       counts[i] += one.count;
     }
   }
+}
+
+std::uint64_t CodeCounts::of(std::string_view code, Severity least) const {
+  const auto found = codes_.find(code);
+  return found == codes_.end() ? 0 : found->second[static_cast<std::size_t>(least)];
 }
 
 std::vector<MoreFindings> more_findings(const CodeCounts& before, const FileReport& after,
@@ -107,12 +115,12 @@ std::vector<MoreFindings> more_findings(const CodeCounts& before, const FileRepo
 NewFindings new_findings(const validate::ValidatedAsset& before,
                          const validate::ValidatedAsset& after,
                          const std::shared_ptr<const schema::Set>& schemas) {
-  return find_new(before, after, schemas);
+  return find_new(before, after, schemas, Louder::is_new);
 }
 
 NewFindings new_findings(const model::OpenedAsset& before, const validate::ValidatedAsset& after,
-                         const std::shared_ptr<const schema::Set>& schemas) {
-  return find_new(before, after, schemas);
+                         const std::shared_ptr<const schema::Set>& schemas, Louder louder) {
+  return find_new(before, after, schemas, louder);
 }
 
 }  // namespace gltfx::prove

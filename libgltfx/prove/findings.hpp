@@ -23,6 +23,9 @@ class CodeCounts {
  public:
   explicit CodeCounts(const FileReport& report);
 
+  /// Number of findings of a code with this severity or above.
+  std::uint64_t of(std::string_view code, Severity least) const;
+
  private:
   friend std::vector<struct MoreFindings> more_findings(const CodeCounts& before,
                                                         const FileReport& after, Severity least);
@@ -49,6 +52,14 @@ struct NewFindings {
   std::vector<std::string> warnings;  ///< one per code: "CODE at /pointer: message"
 };
 
+/// Whether a finding that becomes an error is a new error.
+enum class Louder : std::uint8_t {
+  is_new,
+  /// No. For drafts with decoded elements: a value is an error that is only a warning in a lossy
+  /// stream, because there the encoder may have caused it.
+  is_known,
+};
+
 /// Findings of `after` that `before` does not have, with default options. If `before` was validated
 /// with other options, it is validated again, but only if `after` has findings. Both assets were
 /// validated with `schemas`.
@@ -58,6 +69,7 @@ NewFindings new_findings(const validate::ValidatedAsset& before,
 
 /// The same for an asset that is not validated yet. It is validated if `after` has findings.
 NewFindings new_findings(const model::OpenedAsset& before, const validate::ValidatedAsset& after,
-                         const std::shared_ptr<const schema::Set>& schemas);
+                         const std::shared_ptr<const schema::Set>& schemas,
+                         Louder louder = Louder::is_new);
 
 }  // namespace gltfx::prove

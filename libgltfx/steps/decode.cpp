@@ -147,6 +147,7 @@ Result<StepOutcome> decode(const StepInput& step) {
   drop_names(decoding);
   StepOutcome& outcome = decoding.outcome;
   decoding.buffer.add_to(outcome.change);
+  outcome.freedom.plain_elements = true;
   outcome.change.edits = decoding.editor.take();
   if (decoding.views > 0) outcome.row.what = report::counted(decoding.views, "buffer view");
   if (decoding.primitives > 0) {

@@ -31,6 +31,9 @@ struct Freedom {
   bool unused = false;        ///< objects without a use may be gone
   bool texels = false;        ///< of images
   bool image_names = false;   ///< images may have those of others
+  /// Elements of streams may be plain: doubtful values, which may come from the encoder, are errors
+  /// then.
+  bool plain_elements = false;
 
   Freedom& operator|=(const Freedom& other) {
     vertex_order |= other.vertex_order;
@@ -38,6 +41,7 @@ struct Freedom {
     unused |= other.unused;
     texels |= other.texels;
     image_names |= other.image_names;
+    plain_elements |= other.plain_elements;
     return *this;
   }
 };

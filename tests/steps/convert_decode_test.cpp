@@ -137,5 +137,33 @@ TEST_F(Decode, RefusesAStreamOutsideItsBuffer) {
   EXPECT_THAT(decode(json).error, HasSubstr("/bufferViews/1: it has no bytes for its stream"));
 }
 
+// The validator warns about doubtful values in a stream, which an encoder may have caused. Decoded
+// they are errors, but the asset is not worse.
+TEST(DecodedFindings, AreNotNewErrors) {
+  container::test::TempFolder folder;
+  test::AssetText asset;
+  OrderedJson primitive = asset.grid();
+  std::vector<std::int16_t> normals;
+  for (int i = 0; i < 256; ++i) normals.insert(normals.end(), {16383, 0, 0, 0});
+  const std::size_t view =
+      asset.view(test::bytes_of(normals), {{"byteStride", 8}, {"target", 34962}});
+  primitive["attributes"]["NORMAL"] =
+      asset.accessor_at(view, 256, 5122, "VEC3", {{"normalized", true}});
+  for (const char* list : {"extensionsUsed", "extensionsRequired"})
+    asset.json[list].push_back("KHR_mesh_quantization");
+  asset.mesh(primitive);
+  const std::filesystem::path packed = folder.path() / "packed" / "a.gltf";
+  ConvertOptions options = test::options_to(packed);
+  options.compress = Compression::meshopt;
+  ConvertReport report = convert_file(asset.write(folder).native(), options);
+  ASSERT_TRUE(report.written) << report.error;
+  options = test::options_to(folder.path() / "plain" / "a.gltf");
+  options.compress = Compression::none;
+  report = convert_file(packed.native(), options);
+  EXPECT_TRUE(report.written) << report.error;
+  ASSERT_THAT(report.new_warnings, testing::SizeIs(1));
+  EXPECT_THAT(report.new_warnings[0], testing::HasSubstr("ACCESSOR_VECTOR3_NON_UNIT"));
+}
+
 }  // namespace
 }  // namespace gltfx
