@@ -134,7 +134,7 @@ class PruneRun {
   explicit PruneRun(const StepInput& input) : input_(input), stages_(input.asset) {}
 
   Result<StepOutcome> run() {
-    if (auto error = remove_objects()) return *error;
+    if (auto error = remove_objects(outcome_.row)) return *error;
     if (is_safe_) {
       if (auto error = remove_vertices()) return *error;
     }
@@ -155,9 +155,10 @@ class PruneRun {
     return stages_.apply();
   }
 
-  std::optional<Error> remove_objects() {
+  // Adds notes about objects that stay to `notes`.
+  std::optional<Error> remove_objects(ConvertStep& notes) {
     const graph::Graph graph(stages_.asset().document(), input_.schemas);
-    const std::vector<NodeId> unused = Unreached(graph).find(outcome_.row);
+    const std::vector<NodeId> unused = Unreached(graph).find(notes);
     if (unused.empty()) return std::nullopt;
     const std::unordered_set<NodeId> gone(unused.begin(), unused.end());
     const auto unknown =
@@ -166,7 +167,7 @@ class PruneRun {
     const std::size_t count = remove(graph, unused);
     if (count == 0 || !plan_) return std::nullopt;
     // Before the document of the graph is replaced.
-    if (auto note = find_indices_in_extras(graph)) outcome_.row.left.push_back(*std::move(note));
+    if (auto note = find_indices_in_extras(graph)) notes.left.push_back(*std::move(note));
     if (auto error = change(*std::move(plan_))) return error;
     objects_ += count;
     return std::nullopt;
@@ -206,7 +207,8 @@ class PruneRun {
     if (auto error = change(std::move(pruned->change))) return error;
     // Accessors may have moved to new views, so old views may be unused now.
     const std::uint64_t objects = objects_;
-    auto error = remove_objects();
+    ConvertStep known_notes;
+    auto error = remove_objects(known_notes);
     objects_ = objects;
     return error;
   }
