@@ -143,8 +143,9 @@ bool DedupContent::same_views(NodeId one, NodeId other) {
 
 bool DedupContent::has_elements(std::uint32_t index) const {
   const model::Accessor& accessor = views_.accessors[index];
-  return accessor.buffer_view && accessor.count && accessor.format.known() &&
-         model::is_core_component(accessor.format.component) &&
+  const model::BufferView* view = views_.view_of(accessor);
+  return view && !resources_.unread_views.contains(view->node) && accessor.count &&
+         accessor.format.known() && model::is_core_component(accessor.format.component) &&
          document_.find(accessor.node, "extensions") == json::kNoNode;
 }
 

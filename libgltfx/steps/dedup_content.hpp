@@ -44,7 +44,7 @@ class DedupContent {
   std::optional<std::string> hash_of_accessor(std::uint32_t index);
   bool same_accessors(std::uint32_t one, std::uint32_t other);
   /// Whether an accessor consists only of elements in a view, in a known format, and optional
-  /// sparse replacements.
+  /// sparse replacements. Not if the view has a stream and a plain copy with different bytes.
   bool has_elements(std::uint32_t accessor) const;
 
   /// Whether content was skipped because too many bytes are shared.
