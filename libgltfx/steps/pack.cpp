@@ -56,7 +56,8 @@ class Packer {
     }
     outcome_.change.format = container::Format::glb;
     if (size_ > 0) {
-      if (input_.asset.container().bin && bytes_.buffer_storage(0) != Storage::bin_chunk) {
+      const auto& bin = input_.asset.container().bin;
+      if (bin && bin->length > 0 && bytes_.buffer_storage(0) != Storage::bin_chunk) {
         return Error{kUnusedChunk};
       }
       outcome_.change.bin.whole = std::move(data_);
