@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -24,6 +26,9 @@ std::vector<double> bounds_of(Bound bound, std::string_view bytes, unsigned comp
     for (std::size_t at = 0; at + stride <= bytes.size(); at += stride) {
       T value{};
       std::memcpy(&value, bytes.data() + at + sizeof(T) * component, sizeof(T));
+      if constexpr (std::is_floating_point_v<T>) {
+        if (!std::isfinite(value)) return {};
+      }
       const bool better = bound == Bound::least ? value < best : value > best;
       if (at == 0 || better) best = value;
     }
@@ -46,10 +51,12 @@ double nearest_float(double value) {
 }  // namespace
 
 std::string bound_text(Bound bound, const model::Format& format, std::string_view bytes) {
+  const std::vector<double> bounds = bounds_of(bound, format, bytes);
   std::string text;
+  if (bounds.empty()) return text;
   json::Writer writer(text);
   writer.begin_array();
-  for (const double each : bounds_of(bound, format, bytes)) writer.number(each);
+  for (const double each : bounds) writer.number(each);
   writer.end_array();
   return text;
 }
@@ -73,7 +80,8 @@ void mend_bounds(const json::Document& document, json::Editor& editor,
   const auto mend = [&](json::NodeId array, Bound bound) {
     if (array == json::kNoNode) return;
     if (is_bound(document, array, bound, accessor.format, bytes)) return;
-    editor.replace(accessor.node, array, bound_text(bound, accessor.format, bytes));
+    std::string text = bound_text(bound, accessor.format, bytes);
+    if (!text.empty()) editor.replace(accessor.node, array, std::move(text));
   };
   mend(accessor.min, Bound::least);
   mend(accessor.max, Bound::greatest);
@@ -84,6 +92,10 @@ std::string accessor_like(const json::Document& document, const model::Accessor&
   model::Format format = accessor.format;
   const bool is_other = members.component != model::ComponentType::none;
   if (is_other) format.component = members.component;
+  const auto bounds = [&](Bound bound, json::NodeId declared) {
+    std::string text = bound_text(bound, format, bytes);
+    return text.empty() ? std::string(document.raw(declared)) : text;
+  };
   std::string json = fmt::format(R"({{"count":{})", members.count);
   if (members.buffer_view) json += fmt::format(R"(,"bufferView":{})", *members.buffer_view);
   for (const auto member : document.members(accessor.node)) {
@@ -91,9 +103,9 @@ std::string accessor_like(const json::Document& document, const model::Accessor&
     if (name == "count" || name == "bufferView" || name == "byteOffset") continue;
     json += fmt::format(",{}:", document.raw(member.key));
     if (member.value == accessor.min) {
-      json += bound_text(Bound::least, format, bytes);
+      json += bounds(Bound::least, member.value);
     } else if (member.value == accessor.max) {
-      json += bound_text(Bound::greatest, format, bytes);
+      json += bounds(Bound::greatest, member.value);
     } else if (is_other && name == "componentType") {
       json += std::to_string(static_cast<unsigned>(format.component));
     } else {

@@ -14,15 +14,16 @@ namespace gltfx::steps {
 
 enum class Bound : std::uint8_t { least, greatest };
 
-/// The bound of each component, as a JSON array. `bytes`: packed elements without padding, with a
-/// component type of core glTF 2.0.
+/// The bound of each component, as a JSON array; empty if an element is not finite. `bytes`: packed
+/// elements without padding, with a component type of core glTF 2.0.
 std::string bound_text(Bound bound, const model::Format& format, std::string_view bytes);
 
 /// Whether `array` already contains that bound.
 bool is_bound(const json::Document& document, json::NodeId array, Bound bound,
               const model::Format& format, std::string_view bytes);
 
-/// Replaces the declared bounds of an accessor that do not match `bytes`.
+/// Replaces the declared bounds of an accessor that do not match `bytes`, unless an element is not
+/// finite: JSON has no such numbers.
 void mend_bounds(const json::Document& document, json::Editor& editor,
                  const model::Accessor& accessor, std::string_view bytes);
 
@@ -34,7 +35,7 @@ struct AccessorMembers {
 };
 
 /// The JSON of a new accessor: a copy of `accessor` with these members, without `byteOffset`, and
-/// with bounds computed from `bytes` if `accessor` declares bounds.
+/// with bounds computed from `bytes` if `accessor` declares bounds and all elements are finite.
 std::string accessor_like(const json::Document& document, const model::Accessor& accessor,
                           const AccessorMembers& members, std::string_view bytes);
 
