@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <numeric>
 #include <string_view>
 
+#include "base/equal_records.hpp"
 #include "codec/protocol.hpp"
 
 namespace gltfx::codec {
@@ -45,8 +45,7 @@ class Points {
   void add(const DracoMesh& mesh, const std::vector<std::size_t>& order) {
     row_ = 0;
     for (const DracoAttribute& attribute : mesh.attributes) row_ += value_size(attribute);
-    count_ += mesh.points;
-    rows_.reserve(row_ * count_);
+    rows_.reserve(rows_.size() + row_ * mesh.points);
     for (std::uint32_t i = 0; i < mesh.points; ++i) {
       for (const std::size_t each : order) {
         const std::size_t size = value_size(mesh.attributes[each]);
@@ -56,28 +55,13 @@ class Points {
     }
   }
 
-  /// Of each point, in the order of add(). By sorting: a hash would let a file choose values that
-  /// collide.
+  /// Of each point, in the order of add().
   std::vector<std::uint32_t> number() const {
-    std::vector<std::size_t> order(count_);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [this](std::size_t a, std::size_t b) { return row(a) < row(b); });
-    std::vector<std::uint32_t> numbers(count_);
-    for (std::size_t i = 1; i < count_; ++i) {
-      const bool same = row(order[i]) == row(order[i - 1]);
-      numbers[order[i]] = numbers[order[i - 1]] + (same ? 0 : 1);
-    }
-    return numbers;
+    return first_equal_records({reinterpret_cast<const char*>(rows_.data()), rows_.size()}, row_);
   }
 
  private:
-  std::string_view row(std::size_t index) const {
-    return {reinterpret_cast<const char*>(rows_.data()) + index * row_, row_};
-  }
-
   std::size_t row_ = 0;  ///< bytes of all values of a point
-  std::size_t count_ = 0;
   std::vector<std::byte> rows_;
 };
 

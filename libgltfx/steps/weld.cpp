@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/hash.hpp"
+#include "base/equal_records.hpp"
 #include "graph/unknown_indices.hpp"
 #include "report/wording.hpp"
 #include "steps/json_edits.hpp"
@@ -24,64 +24,33 @@ struct Merging {
   std::vector<std::uint32_t> kept;     ///< old numbers, sorted
 };
 
-// The bytes of all vertices, one record each.
-struct Records {
-  std::size_t size = 0;  ///< of one
-  std::string bytes;
-
-  std::string_view of(std::uint32_t vertex) const {
-    return std::string_view(bytes).substr(vertex * size, size);
-  }
-};
-
-Records records_of(const OpenedVertices& vertices) {
-  Records records;
+// The bytes of a vertex in all columns.
+std::size_t record_size(const OpenedVertices& vertices) {
+  std::size_t size = 0;
   for (const VertexColumn& column : vertices.columns)
-    records.size += model::packed_stride(column.data.format());
-  records.bytes.resize(records.size * vertices.count);
+    size += model::packed_stride(column.data.format());
+  return size;
+}
+
+// All vertices, one record each.
+std::string records_of(const OpenedVertices& vertices) {
+  const std::size_t record = record_size(vertices);
+  std::string records(record * vertices.count, '\0');
   std::size_t offset = 0;
   for (const VertexColumn& column : vertices.columns) {
     const std::size_t size = model::packed_stride(column.data.format());
     const std::string bytes = packed_bytes(column.data);
     for (std::size_t i = 0; i < vertices.count; ++i)
-      std::memcpy(records.bytes.data() + i * records.size + offset, bytes.data() + i * size, size);
+      std::memcpy(records.data() + i * record + offset, bytes.data() + i * size, size);
     offset += size;
   }
   return records;
 }
 
-using Hashed = std::pair<std::uint64_t, std::uint32_t>;  // hash, vertex
-
-// Sorts records of one hash so that equal ones are adjacent, in the order of their vertices.
-void order_by_bytes(const Records& records, Hashed* begin, Hashed* end) {
-  const bool same = std::all_of(begin, end, [&](const Hashed& each) {
-    return records.of(each.second) == records.of(begin->second);
-  });
-  if (same) return;
-  std::stable_sort(begin, end, [&](const Hashed& a, const Hashed& b) {
-    return records.of(a.second) < records.of(b.second);
-  });
-}
-
-// Takes n log n steps for any hashes.
-Merging merge(const Records& records, std::uint32_t count) {
-  std::vector<Hashed> sorted;
-  sorted.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) sorted.emplace_back(hash_bytes(records.of(i)).low, i);
-  std::sort(sorted.begin(), sorted.end());
-  std::vector<std::uint32_t> first(count);
-  for (std::size_t begin = 0, end = 0; begin < count; begin = end) {
-    while (end < count && sorted[end].first == sorted[begin].first) ++end;
-    order_by_bytes(records, sorted.data() + begin, sorted.data() + end);
-    for (std::size_t i = begin; i < end; ++i) {
-      const bool again =
-          i > begin && records.of(sorted[i - 1].second) == records.of(sorted[i].second);
-      first[sorted[i].second] = again ? first[sorted[i - 1].second] : sorted[i].second;
-    }
-  }
+Merging merge(const std::vector<std::uint32_t>& first) {
   Merging merging;
-  merging.numbers.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
+  merging.numbers.resize(first.size());
+  for (std::uint32_t i = 0; i < first.size(); ++i) {
     if (first[i] == i) {
       merging.numbers[i] = static_cast<std::uint32_t>(merging.kept.size());
       merging.kept.push_back(i);
@@ -121,12 +90,11 @@ class Welder {
   std::string weld(const VertexSet& set) {
     OpenedVertices vertices;
     if (std::string why = open_vertices(data_, set, vertices); !why.empty()) return why;
-    const auto count = static_cast<std::uint32_t>(vertices.count);
-    const Records records = records_of(vertices);
-    const Merging merging = merge(records, count);
-    const std::uint64_t merged = count - merging.kept.size();
+    const std::size_t record = record_size(vertices);
+    const Merging merging = merge(first_equal_records(records_of(vertices), record));
+    const std::uint64_t merged = vertices.count - merging.kept.size();
     if (merged == 0) return {};
-    if (std::string why = find_loss(set, merging, records.size); !why.empty()) return why;
+    if (std::string why = find_loss(set, merging, record); !why.empty()) return why;
     std::vector<std::vector<std::uint32_t>> lists;
     for (const IndexList& list : vertices.indices) {
       auto numbers = renumbered(list, merging);

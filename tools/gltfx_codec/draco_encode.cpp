@@ -3,11 +3,11 @@
 
 #include <array>
 #include <string_view>
-#include <unordered_map>
 #include <vector>
 
 #include <draco/compression/expert_encode.h>
 
+#include "base/equal_records.hpp"
 #include "codec/draco_source.hpp"
 
 namespace gltfx::codec {
@@ -38,34 +38,38 @@ struct Values {
   std::vector<std::uint32_t> firsts;  ///< the first point with each value
 };
 
-// Draco's own search compares floats as numbers: -0 would become 0. Points that are `alone` get a
-// separate value.
-Values distinct_values(const DracoAttribute& attribute, std::uint32_t points,
-                       const std::vector<bool>& alone) {
-  const std::size_t size = value_size(attribute);
-  const auto* bytes = reinterpret_cast<const char*>(attribute.values.data());
+// Draco's own search compares floats as numbers: -0 would become 0. `equal`: the first point with
+// the same value, by point. Points that are `alone` get a separate value.
+Values distinct_values(const std::vector<std::uint32_t>& equal, const std::vector<bool>& alone) {
   Values values;
-  values.of_points.resize(points);
-  std::unordered_map<std::string_view, std::uint32_t> known;
-  known.reserve(points);
-  for (std::uint32_t i = 0; i < points; ++i) {
+  values.of_points.resize(equal.size());
+  constexpr std::uint32_t kNone = UINT32_MAX;
+  std::vector<std::uint32_t> shared(alone.empty() ? 0 : equal.size(), kNone);
+  for (std::uint32_t i = 0; i < equal.size(); ++i) {
     const auto next = static_cast<std::uint32_t>(values.firsts.size());
-    const std::string_view value(bytes + i * size, size);
-    const bool apart = !alone.empty() && alone[i];
-    values.of_points[i] = apart ? next : known.emplace(value, next).first->second;
+    if (alone.empty()) {
+      values.of_points[i] = equal[i] == i ? next : values.of_points[equal[i]];
+    } else if (alone[i]) {
+      values.of_points[i] = next;
+    } else {
+      std::uint32_t& known = shared[equal[i]];
+      if (known == kNone) known = next;
+      values.of_points[i] = known;
+    }
     if (values.of_points[i] == next) values.firsts.push_back(i);
   }
   return values;
 }
 
-// Points of triangles with two corners at the same position. Draco distinguishes corners by
-// position, and omits such triangles.
-std::vector<bool> find_collapsed(const DracoMesh& mesh, const Values& positions) {
-  std::vector<bool> collapsed(mesh.points);
+// Points of triangles with two corners at the same position; empty: there are none. Draco
+// distinguishes corners by position, and omits such triangles.
+std::vector<bool> find_collapsed(const DracoMesh& mesh, const std::vector<std::uint32_t>& equal) {
+  std::vector<bool> collapsed;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
     const auto corners = mesh.indices.subspan(i, 3);
-    const auto at = [&](std::size_t k) { return positions.of_points[corners[k]]; };
+    const auto at = [&](std::size_t k) { return equal[corners[k]]; };
     if (at(0) != at(1) && at(1) != at(2) && at(2) != at(0)) continue;
+    collapsed.resize(mesh.points);
     for (const std::uint32_t corner : corners) collapsed[corner] = true;
   }
   return collapsed;
@@ -99,10 +103,12 @@ void fill(draco::Mesh& to, const DracoMesh& mesh) {
                               PointIndex(mesh.indices[i * std::size_t{3} + 2])});
   }
   for (const DracoAttribute& attribute : mesh.attributes) {
-    Values values = distinct_values(attribute, mesh.points, {});
-    if (attribute.use == DracoUse::position) {
-      values = distinct_values(attribute, mesh.points, find_collapsed(mesh, values));
-    }
+    const std::string_view bytes(reinterpret_cast<const char*>(attribute.values.data()),
+                                 attribute.values.size());
+    const std::vector<std::uint32_t> equal = first_equal_records(bytes, value_size(attribute));
+    const bool is_position = attribute.use == DracoUse::position;
+    const Values values =
+        distinct_values(equal, is_position ? find_collapsed(mesh, equal) : std::vector<bool>());
     add(to, attribute, values);
   }
 }
