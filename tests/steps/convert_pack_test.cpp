@@ -60,6 +60,17 @@ TEST_F(Pack, RemovesOnlyTheUriOfASingleBuffer) {
   EXPECT_THAT(report_.steps[0].losses, IsEmpty());
 }
 
+TEST_F(Pack, FillsAnEmptyChunk) {
+  folder_.write("a.png", picture("leaf"));
+  const fs::path path =
+      folder_.write("empty.glb", glb_of("{" + kAsset + R"(, "images": [{"uri": "a.png"}]})", ""));
+  ConvertOptions options = options_to(output());
+  options.to = StoredAs::glb;
+  const ConvertReport report = convert_file(path.native(), options);
+  ASSERT_TRUE(report.written) << report.error;
+  EXPECT_TRUE(StoredAsset::at(output()).bin.starts_with(picture("leaf")));
+}
+
 TEST_F(Pack, MergesBuffersAtMultiplesOfEight) {
   folder_.write("b.bin", "abcdef");
   const StoredAsset now = packed("{" + kAsset + R"(,

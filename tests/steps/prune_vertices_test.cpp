@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Vertices that no index uses are removed.
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "made_asset.hpp"
@@ -177,6 +179,34 @@ TEST_F(PruneVertices, RemovesVerticesOfPrimitivesThatShareSomeAccessors) {
   EXPECT_LT(now.json()["accessors"][shared.positions]["count"], 5);
   EXPECT_EQ(now.json()["accessors"][normals]["count"],
             now.json()["accessors"][shared.positions]["count"]);
+}
+
+TEST_F(PruneVertices, ListsWhatStaysOnce) {
+  Unread asset;
+  asset.made.json.erase("scenes");
+  asset.made.json["materials"] = {{{"name", "a"}}};
+  converted_twice(asset.made.glb());
+  EXPECT_EQ(row_.what, "2 vertices");
+  ASSERT_THAT(row_.left, SizeIs(1));
+  EXPECT_EQ(row_.left[0].pointer, "/materials");
+}
+
+// JSON has no such numbers.
+TEST_F(PruneVertices, KeepsBoundsOfVerticesThatAreNotFinite) {
+  Unread asset;
+  std::vector<float> positions(15, 1);
+  positions[3] = NAN;
+  const std::size_t broken = asset.made.accessor(positions, "VEC3");
+  asset.made.json["accessors"][broken]["min"] = {1, 1, 1};
+  asset.made.json["accessors"][broken]["max"] = {7, 7, 7};
+  asset.primitive()["attributes"]["POSITION"] = broken;
+  const StoredAsset now = converted_twice(asset.made.glb());
+  const OrderedJson json = now.json();
+  const OrderedJson& position =
+      json["accessors"]
+          [json["meshes"][0]["primitives"][0]["attributes"]["POSITION"].get<std::size_t>()];
+  EXPECT_EQ(position["count"], 3);
+  EXPECT_EQ(position["max"].dump(), "[7,7,7]");
 }
 
 TEST_F(PruneVertices, LeavesCompressedPrimitives) {
