@@ -200,6 +200,12 @@ std::string lower_case(std::string_view text) {
   return lower;
 }
 
+std::string_view without_stop(std::string_view sentence) {
+  return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
+}
+
+std::string half_sentence(std::string_view sentence) { return printable(without_stop(sentence)); }
+
 std::string capitalized(std::string text) {
   if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
     text.front() = static_cast<char>(text.front() - 'a' + 'A');

@@ -54,6 +54,13 @@ constexpr char ascii_lower(char c) {
 }
 std::string lower_case(std::string_view text);
 
+/// The sentence without its full stop, if it has one.
+std::string_view without_stop(std::string_view sentence);
+
+/// A sentence of a decoder or the system as a part of another sentence: printable, without its full
+/// stop.
+std::string half_sentence(std::string_view sentence);
+
 /// The text with its first ASCII letter, if it is the first character, as a capital.
 std::string capitalized(std::string text);
 

@@ -266,7 +266,9 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   AssetFacts facts;
   const bool glb = opened.container().format == container::Format::glb;
   facts.mime_type = glb ? "model/gltf-binary" : "model/gltf+json";
-  facts.problems = source.loaded.notes;
+  for (const model::MissingData& missing : source.loaded.missing) {
+    facts.problems.push_back(missing.sentence());
+  }
   facts.files = source.bytes.files;
   facts.bytes = source.bytes.shares;
   read_header(source, facts);

@@ -7,6 +7,7 @@
 
 #include <tiny_gltf.h>
 
+#include "base/text.hpp"
 #include "container/container.hpp"
 #include "container/memory_asset.hpp"
 #include "interop/decoded_data.hpp"
@@ -65,10 +66,8 @@ class Conversion {
     container::OpenedFiles files(opened.resolver());
     const auto loaded =
         model::load_resources(opened.container(), files, asset, views, options_.jobs);
-    if (!loaded.notes.empty()) {
-      std::string why = loaded.notes.front();
-      if (why.ends_with('.')) why.pop_back();
-      notes_.fail(std::move(why));
+    if (!loaded.missing.empty()) {
+      notes_.fail(std::string(without_stop(loaded.missing.front().sentence())));
       return;
     }
     copy_buffers(asset, loaded.data, model);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
+#include "base/text.hpp"
 #include "model/fields.hpp"
 #include "model/meshopt_view.hpp"
 
@@ -16,9 +17,11 @@ namespace {
 
 using container::Bytes;
 
-// Some errors end in a full stop.
-std::string_view without_stop(std::string_view sentence) {
-  return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
+using Kind = MissingData::Kind;
+
+std::string_view name_of(Kind kind) {
+  if (kind == Kind::image) return "Image";
+  return kind == Kind::buffer ? "Buffer" : "Buffer view";
 }
 
 class Loader {
@@ -45,8 +48,8 @@ class Loader {
  private:
   const json::Document& document() const { return asset_.document(); }
 
-  void note(std::string_view what, std::size_t index, std::string_view why) {
-    loaded_.notes.push_back(fmt::format("{} {} {}.", what, index, why));
+  void note(Kind kind, std::size_t index, std::string why) {
+    loaded_.missing.push_back({kind, index, std::move(why)});
   }
 
   std::optional<Bytes> load_buffer(json::NodeId object, std::size_t index) {
@@ -57,27 +60,26 @@ class Loader {
     auto bytes =
         glb ? std::optional(container_.bytes.part(static_cast<std::size_t>(container_.bin->offset),
                                                   static_cast<std::size_t>(container_.bin->length)))
-            : fetch("Buffer", object, index);
+            : fetch(Kind::buffer, object, index);
     if (!bytes || !length || bytes->size() >= *length) return bytes;
-    note("Buffer", index, "is shorter than its byteLength");
+    note(Kind::buffer, index, "is shorter than its byteLength");
     return std::nullopt;
   }
 
   // The bytes that `uri` names. Without a URI there is nothing to fetch or report.
-  std::optional<Bytes> fetch(std::string_view what, json::NodeId object, std::size_t index) {
+  std::optional<Bytes> fetch(Kind kind, json::NodeId object, std::size_t index) {
     const json::NodeId member = document().find(object, "uri");
     if (member == json::kNoNode || !document().is_string(member)) return std::nullopt;
     std::string buffer;
     auto bytes = container::fetch(files_, document().string(member, buffer));
     if (bytes) return *std::move(bytes);
-    loaded_.notes.push_back(fmt::format("{} {} cannot be loaded: {}.", what, index,
-                                        without_stop(bytes.error().message)));
+    note(kind, index, fmt::format("cannot be loaded: {}", without_stop(bytes.error().message)));
     return std::nullopt;
   }
 
   void decode_views(unsigned jobs) {
     for (DecodedStream& stream : decode_streams(asset_, views_, loaded_.data, jobs)) {
-      if (!stream.problem().empty()) note("Buffer view", stream.index, stream.problem());
+      if (!stream.problem().empty()) note(Kind::buffer_view, stream.index, stream.problem());
       if (stream.elements.empty()) continue;
       const bool rounded = stream.view.layout.filter != meshopt::Filter::none;
       auto& views = stream.plain ? loaded_.data.unread_views : loaded_.data.decoded_views;
@@ -89,7 +91,7 @@ class Loader {
   ImageData load_image(json::NodeId object, std::size_t index) {
     ImageData image;
     if (object == json::kNoNode) return image;
-    image.bytes = fetch("Image", object, index);
+    image.bytes = fetch(Kind::image, object, index);
     const auto view = asset_.index(object, "bufferView", RootArray::buffer_views);
     if (!image.bytes && view) {
       const BufferView& source = views_.buffer_views[*view];
@@ -119,6 +121,10 @@ class Loader {
 };
 
 }  // namespace
+
+std::string MissingData::sentence() const {
+  return fmt::format("{} {} {}.", name_of(kind), index, why);
+}
 
 std::optional<std::uint64_t> start_of(const json::Document& document, json::NodeId object,
                                       const std::optional<std::uint64_t>& byte_offset) {

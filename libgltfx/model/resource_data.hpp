@@ -63,9 +63,20 @@ struct ResourceData {
 std::optional<std::uint64_t> start_of(const json::Document& document, json::NodeId object,
                                       const std::optional<std::uint64_t>& byte_offset);
 
+/// Data that could not be loaded.
+struct MissingData {
+  enum class Kind : std::uint8_t { buffer, buffer_view, image };
+  Kind kind = Kind::buffer;
+  std::size_t index = 0;
+  std::string why;  ///< follows the name of the object: "is shorter than its byteLength"
+
+  /// "Buffer 0 is shorter than its byteLength."
+  std::string sentence() const;
+};
+
 struct LoadedResources {
   ResourceData data;
-  std::vector<std::string> notes;  ///< missing data and the reason, a sentence each
+  std::vector<MissingData> missing;
 };
 
 /// Opens or decodes all buffers and images, maps files, reads headers of images, and decodes

@@ -2,6 +2,7 @@
 #include <gltfx/pipeline.hpp>
 
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <string>
@@ -133,13 +134,15 @@ class ConvertRun {
     const std::uint64_t bytes =
         first ? steps::stored_size(before_) : report_.steps[report_.steps.size() - 2].bytes_after;
     row.bytes_before = row.bytes_after = bytes;
-    auto outcome = step.run(input());
+    std::vector<ConvertNote> unread;
+    auto outcome = step.run(input(unread));
     if (!outcome) {
       row.refused.push_back({{}, outcome.error().message});
       return outcome.error().message;
     }
     row = std::move(outcome->row);
     row.step = step.name;
+    std::move(unread.begin(), unread.end(), std::back_inserter(row.refused));
     row.changes = !outcome->change.empty();
     row.bytes_before = row.bytes_after = bytes;
     if (!row.refused.empty() && !options_.partial) {
@@ -173,7 +176,8 @@ class ConvertRun {
   Reason lay_out() {
     if (stages_.all().empty()) return std::nullopt;
     if (auto why = apply()) return why;
-    auto change = steps::lay_out(used_before(), input());
+    std::vector<ConvertNote> unread;  // by the steps before, which refused it
+    auto change = steps::lay_out(used_before(), input(unread));
     if (!change) return change.error().message;
     laid_out_ = true;
     if (!change->empty()) {
@@ -193,7 +197,9 @@ class ConvertRun {
     }
   }
 
-  steps::StepInput input() const { return {stages_.asset(), *schemas_, options_, file_name()}; }
+  steps::StepInput input(std::vector<ConvertNote>& unread) const {
+    return {stages_.asset(), *schemas_, options_, file_name(), unread};
+  }
   const steps::UsedBytes& used_before() {
     if (!used_before_) used_before_.emplace(before_, *schemas_);
     return *used_before_;
@@ -237,6 +243,10 @@ class ConvertRun {
         std::error_code error;
         if (fs::equivalent(asset, before_.name(), error)) continue;
         return fmt::format("{} refers to {}, whose bytes would move; use -o", quoted(asset, 200),
+                           quoted(file.path, 200));
+      }
+      if (std::string gap = folders_.find_gap(folder); !gap.empty()) {
+        return fmt::format("{}; another asset may refer to {}, whose bytes would move; use -o", gap,
                            quoted(file.path, 200));
       }
     }

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/directory.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
@@ -43,7 +45,8 @@ NamedFiles named_by(const std::string& path, const AssetBounds& bounds, std::siz
   NamedFiles named;
   named.path = path;
   const auto file = open_asset_file(path, bounds);
-  if (!file || file->error != container::ResolveError::none) return named;
+  named.unread = !file || file->error != container::ResolveError::none;
+  if (named.unread) return named;
   named.own = identity_of(file->state, path);
   const auto container = container::open_file(*file, path);
   if (!container || !container->json) return named;
@@ -61,25 +64,6 @@ NamedFiles named_by(const std::string& path, const AssetBounds& bounds, std::siz
     if (buffers.contains(value)) named.buffers.insert(referred);
   }
   return named;
-}
-
-std::vector<NamedFiles> assets_in(const fs::path& folder) {
-  std::vector<std::string> names;
-  DirectoryReader directory(folder.native());
-  while (const char* entry = directory.next()) {
-    const std::string ending = ending_of(entry);
-    const bool is_asset = ending == ".gltf" || ending == ".glb" || ending == ".vrm";
-    if (is_asset && directory.is_file()) names.emplace_back(entry);
-    if (names.size() == kMostAssets) break;
-  }
-  std::sort(names.begin(), names.end());
-  std::vector<NamedFiles> assets;
-  std::size_t cost = 0;
-  for (const std::string& name : names) {
-    if (cost > kMostText) break;
-    assets.push_back(named_by((folder / name).native(), {folder.native(), nullptr}, cost));
-  }
-  return assets;
 }
 
 /// Groups that grow together.
@@ -146,13 +130,50 @@ std::vector<InputGroup> groups_of(const std::vector<std::string>& paths, const A
   return all;
 }
 
+FolderIndex::Folder FolderIndex::assets_in(const fs::path& folder) {
+  Folder found;
+  std::vector<std::string> names;
+  DirectoryReader directory(folder.native());
+  while (const char* entry = directory.next()) {
+    const std::string ending = ending_of(entry);
+    const bool is_asset = ending == ".gltf" || ending == ".glb" || ending == ".vrm";
+    if (is_asset && directory.is_file()) names.emplace_back(entry);
+    if (names.size() == kMostAssets) break;
+  }
+  if (directory.error()) {
+    found.gap = fmt::format("the folder {} cannot be listed: {}", quoted(folder.native(), 200),
+                            directory.error().message());
+  }
+  std::sort(names.begin(), names.end());
+  std::size_t cost = 0;
+  for (const std::string& name : names) {
+    if (cost > kMostText) break;
+    const std::string path = (folder / name).native();
+    found.assets.push_back(named_by(path, {folder.native(), nullptr}, cost));
+    if (found.assets.back().unread && found.gap.empty()) {
+      found.gap = fmt::format("{} cannot be read", quoted(path, 200));
+    }
+  }
+  return found;
+}
+
+// Precondition: the mutex is locked.
+const FolderIndex::Folder& FolderIndex::read(const fs::path& folder) {
+  auto known = folders_.find(folder);
+  if (known == folders_.end()) known = folders_.emplace(folder, assets_in(folder)).first;
+  return known->second;
+}
+
+std::string FolderIndex::find_gap(const fs::path& folder) {
+  const std::lock_guard lock(mutex_);
+  return read(folder).gap;
+}
+
 std::vector<std::string> FolderIndex::naming(const fs::path& folder,
                                              const std::set<FileIdentity>& files) {
   const std::lock_guard lock(mutex_);
-  auto known = folders_.find(folder);
-  if (known == folders_.end()) known = folders_.emplace(folder, assets_in(folder)).first;
   std::vector<std::string> paths;
-  for (const NamedFiles& asset : known->second) {
+  for (const NamedFiles& asset : read(folder).assets) {
     if (asset.names(files)) paths.push_back(asset.path);
   }
   return paths;

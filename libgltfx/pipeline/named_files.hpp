@@ -21,6 +21,7 @@ struct NamedFiles {
   FileIdentity own;                ///< of the asset
   std::set<FileIdentity> buffers;  ///< what a buffer is
   std::set<FileIdentity> files;    ///< all
+  bool unread = false;             ///< the asset cannot be read, so that the sets are empty
   bool names(const std::set<FileIdentity>& wanted) const;
 };
 
@@ -38,13 +39,23 @@ class FolderIndex {
   /// Assets in `folder` that refer to one of the files, as far as a bounded search tells.
   std::vector<std::string> naming(const std::filesystem::path& folder,
                                   const std::set<FileIdentity>& files);
+  /// Why some of the assets in `folder` may be missing from the results of naming(), half a
+  /// sentence; empty: none is.
+  std::string find_gap(const std::filesystem::path& folder);
   /// One that refers to the asset at `path` as to a buffer or an image, from the same folder;
   /// empty: there is none.
   std::string reader_of(const std::string& path);
 
  private:
+  struct Folder {
+    std::vector<NamedFiles> assets;
+    std::string gap;  ///< as find_gap()
+  };
+  const Folder& read(const std::filesystem::path& folder);
+  static Folder assets_in(const std::filesystem::path& folder);
+
   std::mutex mutex_;
-  std::map<std::filesystem::path, std::vector<NamedFiles>> folders_;
+  std::map<std::filesystem::path, Folder> folders_;
 };
 
 }  // namespace gltfx

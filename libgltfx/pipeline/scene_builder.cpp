@@ -356,7 +356,7 @@ BuiltScene build_scene(const validate::ValidatedAsset& validated, const schema::
   const std::vector<bool> images = images_in_use(asset, roots.scene);
   model::LoadedResources loaded =
       model::load_resources(opened.container(), files, asset, views, options.jobs, &images);
-  for (std::string& note : loaded.notes) notes.add(std::move(note));
+  for (const model::MissingData& missing : loaded.missing) notes.add(missing.sentence());
   BuiltScene built = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run(roots);
   built.complete = notes.complete();
   built.scene.notes = notes.take();

@@ -125,7 +125,7 @@ class DracoDecoder {
     const auto* decoded = meshes_.find(view);
     if (decoded == nullptr) return "the bytes of its bitstream are missing";
     if (const auto* error = std::get_if<codec::DecodeError>(decoded)) {
-      return "its bitstream cannot be decoded: " + error->message;
+      return "its bitstream cannot be decoded: " + half_sentence(error->message);
     }
     const auto* mesh = std::get_if<codec::DracoMesh>(decoded);
     if (mesh == nullptr) return "its bitstream exceeds the limits for one asset";

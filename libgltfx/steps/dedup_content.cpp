@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 
 #include "base/hash.hpp"
-#include "container/opened_files.hpp"
+#include "base/text.hpp"
 #include "model/fields.hpp"
+#include "steps/geometry_input.hpp"
 #include "steps/layout.hpp"
 
 namespace gltfx::steps {
@@ -25,14 +26,6 @@ std::uint64_t stored_element(const model::AccessorData& data) {
 
 std::string text_of(const Hash128& hash) { return fmt::format("{:x}.{:x}", hash.high, hash.low); }
 
-model::ResourceData load_bytes(const StepInput& input, const model::Asset& elements) {
-  container::OpenedFiles files(input.asset.resolver());
-  const std::vector<bool> images(elements.count(RootArray::images), false);
-  return model::load_resources(input.asset.container(), files, elements, input.asset.views(),
-                               input.options.jobs, &images)
-      .data;
-}
-
 // A multiple of all bytes, and a minimum for small assets that share many bytes.
 std::uint64_t readable(const StepInput& input, const model::ResourceData& resources) {
   constexpr std::uint64_t kTimes = 8, kLeast = std::uint64_t{256} << 20U;
@@ -45,11 +38,11 @@ std::uint64_t readable(const StepInput& input, const model::ResourceData& resour
 
 DedupContent::DedupContent(const StepInput& input, const graph::Graph& graph,
                            const model::Asset& elements)
-    : elements_(elements),
+    : input_(input),
+      elements_(elements),
       document_(input.asset.document()),
-      views_(input.asset.views()),
       bytes_(elements, input.asset.container(), input.asset.resolver()),
-      resources_(load_bytes(input, elements)),
+      resources_(load_plain_buffers(input, elements)),
       budget_(readable(input, resources_)) {
   const auto users = change::buffer_users(graph);
   if (!users) return;
@@ -79,7 +72,11 @@ std::optional<std::string> DedupContent::hash_of(const Bytes& bytes, std::string
 
 std::optional<std::string> DedupContent::hash_of_image(std::uint64_t index) {
   const auto bytes = bytes_.image(index);
-  if (!bytes) return std::nullopt;
+  if (!bytes) {
+    input_.unread.push_back(
+        {fmt::format("/images/{}", index), half_sentence(bytes.error().message)});
+    return std::nullopt;
+  }
   const NodeId image = elements_.elements(RootArray::images)[index];
   const NodeId uri = document_.find(image, "uri");
   if (uri != json::kNoNode) return hash_of(*bytes, std::string(document_.raw(uri)));
@@ -142,15 +139,17 @@ bool DedupContent::same_views(NodeId one, NodeId other) {
 }
 
 bool DedupContent::has_elements(std::uint32_t index) const {
-  const model::Accessor& accessor = views_.accessors[index];
-  const model::BufferView* view = views_.view_of(accessor);
+  const model::Views& views = input_.asset.views();
+  const model::Accessor& accessor = views.accessors[index];
+  const model::BufferView* view = views.view_of(accessor);
   return view && !resources_.unread_views.contains(view->node) && accessor.count &&
          accessor.format.known() && model::is_core_component(accessor.format.component) &&
          document_.find(accessor.node, "extensions") == json::kNoNode;
 }
 
 std::optional<model::AccessorData> DedupContent::open(std::uint32_t accessor) const {
-  return model::AccessorData::open(elements_, views_, resources_, views_.accessors[accessor],
+  return model::AccessorData::open(elements_, input_.asset.views(), resources_,
+                                   input_.asset.views().accessors[accessor],
                                    model::Malformed::unusable);
 }
 
@@ -158,7 +157,7 @@ std::optional<std::string> DedupContent::hash_of_accessor(std::uint32_t index) {
   if (!has_elements(index)) return std::nullopt;
   const auto data = open(index);
   if (!data) return std::nullopt;
-  const model::Accessor& accessor = views_.accessors[index];
+  const model::Accessor& accessor = input_.asset.views().accessors[index];
   const auto [known, is_new] = accessor_hashes_.try_emplace(
       {*accessor.buffer_view, accessor.sparse, accessor.byte_offset.value_or(0), data->count(),
        static_cast<unsigned>(accessor.format.type),

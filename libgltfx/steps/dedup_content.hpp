@@ -27,7 +27,8 @@ class DedupContent {
  public:
   DedupContent(const StepInput& input, const graph::Graph& graph, const model::Asset& elements);
 
-  /// The hash of the image with this index; nothing if its bytes cannot be read.
+  /// The hash of the image with this index; nothing if its bytes cannot be read, which is added to
+  /// StepInput::unread.
   std::optional<std::string> hash_of_image(std::uint64_t index);
   bool same_images(std::uint64_t one, std::uint64_t other);
 
@@ -57,9 +58,9 @@ class DedupContent {
   bool has_place_of_its_own(json::NodeId view, const change::BufferUser& user) const;
   std::optional<model::AccessorData> open(std::uint32_t accessor) const;
 
+  const StepInput& input_;
   const model::Asset& elements_;
   const json::Document& document_;
-  const model::Views& views_;
   model::AssetBytes bytes_;
   const model::ResourceData resources_;
   model::MemoryBudget budget_;

@@ -115,7 +115,7 @@ class DracoStep {
     auto result = codec::Client::shared().encode_draco(source->mesh, input_.resources.origin);
     if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
       group.is_failure = error->kind != codec::ErrorKind::malformed;
-      group.trouble = "Draco: " + error->message;
+      group.trouble = "Draco: " + half_sentence(error->message);
       return;
     }
     group.encoded = std::get<codec::EncodedDraco>(std::move(result));

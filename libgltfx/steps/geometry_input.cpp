@@ -3,25 +3,30 @@
 
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/checked.hpp"
 #include "container/opened_files.hpp"
 #include "model/accessor_data.hpp"
 
 namespace gltfx::steps {
-namespace {
-
-model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements) {
+model::ResourceData load_plain_buffers(const StepInput& input, const model::Asset& elements) {
   container::OpenedFiles files(input.asset.resolver());
   const std::vector<bool> images(elements.count(model::RootArray::images), false);
-  model::ResourceData data = model::load_resources(input.asset.container(), files, elements,
-                                                   input.asset.views(), input.options.jobs, &images)
-                                 .data;
-  // Readers that support the extension use the stream, not the plain copy.
+  model::LoadedResources loaded = model::load_resources(
+      input.asset.container(), files, elements, input.asset.views(), input.options.jobs, &images);
+  for (model::MissingData& missing : loaded.missing) {
+    if (missing.kind != model::MissingData::Kind::buffer) continue;
+    input.unread.push_back({fmt::format("/buffers/{}", missing.index), std::move(missing.why)});
+  }
+  return std::move(loaded.data);
+}
+
+model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements) {
+  model::ResourceData data = load_plain_buffers(input, elements);
   data.decoded_views.merge(data.unread_views);
   return data;
 }
-
-}  // namespace
 
 GeometryInput::GeometryInput(const StepInput& input)
     : document(input.asset.document()),

@@ -14,6 +14,12 @@
 
 namespace gltfx::steps {
 
+/// Loads the buffers of the asset, without images. Buffers that cannot be read are added to
+/// StepInput::unread. Of views with a stream and a plain copy, the copy is read.
+model::ResourceData load_plain_buffers(const StepInput& input, const model::Asset& elements);
+/// The same, but streams are read in place of plain copies, as readers of the extension do.
+model::ResourceData load_buffers(const StepInput& input, const model::Asset& elements);
+
 /// The objects and buffers of an asset, without its images. Keeps references to the asset and the
 /// schemas of the input.
 struct GeometryInput {

@@ -48,7 +48,11 @@ void read_known(ImageFile& file) {
   file.name = format_name(*file.format);
   if (file.format == Format::ktx2) {
     const image::Ktx2 ktx2 = image::read_ktx2(file.bytes.view());
-    if (ktx2.is_sound()) file.header = image::header_of(ktx2);
+    if (ktx2.is_sound()) {
+      file.header = image::header_of(ktx2);
+    } else {
+      file.broken = true;
+    }
     if (!file.header || !ktx2.is_2d() || !image::has_known_texels(ktx2)) {
       file.problem = "gltfx does not decode KTX 2 images of this kind";
     }
@@ -59,11 +63,13 @@ void read_known(ImageFile& file) {
     file.header = std::move(*found);
     if (!file.header->doubt.empty()) {
       file.problem = fmt::format("it is broken: {}", file.header->doubt);
+      file.broken = true;
     } else if (file.header->animated) {
       file.problem = "it is animated";
     }
   } else {
     file.problem = "it is broken";
+    file.broken = true;
   }
 }
 
@@ -76,6 +82,7 @@ void read_other(ImageFile& file) {
     return;
   }
   file.name = content.name;
+  file.broken = file.bytes.size() == 0;
   file.floats = content.media_type == "image/vnd.radiance" || content.media_type == "image/x-exr";
   file.problem = content.name.empty() ? "it is in an unknown format"
                                       : fmt::format("it is {}", printable(content.name));
@@ -95,13 +102,15 @@ class Planner {
     choose_target();
     const bool too_large = is_too_large();
     const bool again = options_.shrink && file_.format == Format::png;
-    if (!target_ && !too_large && !again) return std::move(plan_);
+    const bool unknown_size = file_.broken && options_.texture_size;
+    plan_.requested = target_ || too_large || unknown_size;
+    if (!plan_.requested && !again) return std::move(plan_);
     if (file_.floats && target_) {
       plan_.refused = fmt::format(
           "{}: its bright colors need tone mapping, which gltfx does not do", file_.problem);
       return std::move(plan_);
     }
-    if (!file_.problem.empty()) return leave(file_.problem);
+    if (!file_.problem.empty()) return give_up();
     if (too_large && !use_.kind && file_.header) {
       plan_.left.push_back(fmt::format("not resized: {}", use_.doubt));
     }
@@ -116,10 +125,17 @@ class Planner {
   struct Choice {
     Format format;
     bool may_grow;
+    bool legal = false;  ///< the old format is not allowed
   };
 
-  ImagePlan leave(std::string why) {
-    plan_.left.push_back(std::move(why));
+  // A format that gltfx does not convert is left, unless the asset is invalid with it.
+  ImagePlan give_up() {
+    const bool refuse = (plan_.requested && file_.broken) || (target_ && target_->legal);
+    if (refuse) {
+      plan_.refused = file_.problem;
+    } else {
+      plan_.left.push_back(file_.problem);
+    }
     return std::move(plan_);
   }
 
@@ -133,8 +149,9 @@ class Planner {
       if (file_.format == format) return;
       // A core format may be larger than a file that is not allowed or needs an extension.
       const bool stays_core = file_.format && is_core_type(file_.media_type);
-      target_ = {format, legal || !file_.format ||
-                             (!stays_core && is_core_type(image::media_type(format)))};
+      target_ = {format,
+                 legal || !file_.format || (!stays_core && is_core_type(image::media_type(format))),
+                 legal};
       return;
     }
   }
@@ -229,6 +246,14 @@ class Planner {
 };
 
 }  // namespace
+
+bool is_requested(const ConvertOptions& options, const ImageUse& use) {
+  return options.texture_size || options.shrink ||
+         std::any_of(options.images.begin(), options.images.end(),
+                     [&](const ImageConversion& conversion) {
+                       return !conversion.only || conversion.only == use.kind;
+                     });
+}
 
 std::string wide_reason(std::uint32_t bits) {
   return fmt::format("it has {} bits per channel (--quality reduces them to 8)", bits);

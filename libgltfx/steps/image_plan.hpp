@@ -28,6 +28,7 @@ struct ImageFile {
   std::string media_type;               ///< empty: it has no name
   std::string name;                     ///< "PNG", "BMP"
   std::string problem;  ///< why it cannot be decoded, half a sentence; empty: it can
+  bool broken = false;  ///< the problem is a defect of the file, not its format
   bool floats = false;  ///< its colors are unlimited
 };
 
@@ -50,6 +51,9 @@ struct ImagePlan {
   std::vector<ImageAttempt> attempts;  ///< the first that succeeds is used
   std::vector<std::string> left;       ///< half sentences
   std::string refused;                 ///< half a sentence, or empty
+  /// A format or a size is requested, not only a better compression where it is possible: a file
+  /// that cannot be read or decoded is refused, not left.
+  bool requested = false;
 };
 
 /// Properties of the asset that affect the plan.
@@ -59,6 +63,9 @@ struct ImageContext {
   bool allowed = true;  ///< glTF, or an extension in use, allows the format
   Origin origin = {};
 };
+
+/// Whether the options request anything of images with this use.
+bool is_requested(const ConvertOptions& options, const ImageUse& use);
 
 /// `find_obstacle` takes a media type and returns why the image cannot change to it, or an empty
 /// string. The file must outlive the plan.

@@ -48,19 +48,20 @@ double bound_of(const ImageAttempt& attempt, const codec::Raster& source) {
   return kNearlyLossless + (source.bits > 8 ? kRounding : 0);
 }
 
-// A message of a decoder, printable and without its full stop.
-std::string half_sentence(std::string_view sentence) {
-  std::string text = printable(sentence);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
+// A defect of the image refuses a request, but not a better compression.
+void take_defect(Job& job, std::string why) {
+  if (job.plan.requested) {
+    job.plan.refused = std::move(why);
+  } else {
+    job.plan.left.push_back(std::move(why));
+  }
 }
 
-// An image that is malformed, or that a format does not support, is left if it can stay; other
-// errors refuse the image.
-void take_error(Job& job, const codec::DecodeError& error, std::string_view what, bool can_stay) {
+// An error other than that of malformed bytes says nothing about the image.
+void take_error(Job& job, const codec::DecodeError& error) {
   const std::string why = half_sentence(error.message);
-  if (error.kind == codec::ErrorKind::malformed && can_stay) {
-    job.plan.left.push_back(fmt::format("{}: {}", what, why));
+  if (error.kind == codec::ErrorKind::malformed) {
+    take_defect(job, fmt::format("it cannot be decoded: {}", why));
   } else {
     job.plan.refused = why;
   }
@@ -72,12 +73,12 @@ bool is_whole(Job& job) {
   request.resize = {};
   const codec::ImageResult result = codec::Client::shared().decode_image(request);
   if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
-    take_error(job, *error, "it cannot be decoded", job.file.format.has_value());
+    take_error(job, *error);
     return false;
   }
   const auto& image = *std::get_if<codec::Image>(&result);
   if (!image.doubt.empty()) {
-    job.plan.left.push_back(fmt::format("it is damaged: {}", half_sentence(image.doubt)));
+    take_defect(job, fmt::format("it is damaged: {}", half_sentence(image.doubt)));
     return false;
   }
   for (ImageAttempt& attempt : job.plan.attempts) attempt.request.image.max_pixels = image.texels();
@@ -110,8 +111,9 @@ void encode(Job& job) {
   for (const ImageAttempt& attempt : job.plan.attempts) {
     const codec::EncodeResult result = codec::Client::shared().transcode_image(attempt.request);
     if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
-      take_error(job, *error, fmt::format("not {}", format_name(attempt.format)), true);
-      if (!job.plan.refused.empty()) return;
+      if (error->kind != codec::ErrorKind::malformed) return take_error(job, *error);
+      job.plan.left.push_back(
+          fmt::format("not {}: {}", format_name(attempt.format), half_sentence(error->message)));
       continue;
     }
     const auto& image = *std::get_if<codec::EncodedImage>(&result);
@@ -176,9 +178,13 @@ class ImageStep {
 
   void plan(Job& job, const ImageUse& use) {
     if (job.group.storage == model::Storage::nowhere) return;
+    if (!is_requested(input_.options, use)) return;
     auto bytes = bytes_.image(job.group.images.front());
     if (!bytes) {
-      job.plan.left.push_back(half_sentence(bytes.error().message));
+      for (const std::uint32_t image : job.group.images) {
+        input_.unread.push_back(
+            {fmt::format("/images/{}", image), half_sentence(bytes.error().message)});
+      }
       return;
     }
     job.file = read_image_file(*std::move(bytes));

@@ -95,7 +95,7 @@ class Packer {
     if (bytes_.buffer_storage(index) == Storage::nowhere) return std::nullopt;
     auto bytes = bytes_.buffer(index);
     if (!bytes) {
-      refuse("buffers", index, bytes.error().message);
+      refuse("buffers", index, half_sentence(bytes.error().message));
       return std::nullopt;
     }
     const auto declared = model::unsigned_member(document_, buffer(index), "byteLength");
@@ -229,7 +229,8 @@ class Packer {
       const Storage storage = bytes_.image_storage(i);
       if (storage != Storage::file && storage != Storage::data_uri) continue;
       auto bytes = bytes_.image(i);
-      const std::string why = bytes ? find_image_obstacle(image) : bytes.error().message;
+      const std::string why =
+          bytes ? find_image_obstacle(image) : half_sentence(bytes.error().message);
       if (!why.empty()) {
         refuse("images", i, why);
         continue;

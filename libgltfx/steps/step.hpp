@@ -22,6 +22,9 @@ struct StepInput {
   const schema::Set& schemas;
   const ConvertOptions& options;  ///< `to`: the storage of the result; nothing: unchanged
   std::string file_name;          ///< of the new asset
+  /// Gets the buffers and images that the step cannot read, half sentences. They count as refused:
+  /// nothing that was asked for is skipped because a file is missing or the system has an error.
+  std::vector<ConvertNote>& unread;
 };
 
 /// Differences in meaning that a step may make; everything else is proven to be equal.

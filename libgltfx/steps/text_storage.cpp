@@ -168,7 +168,8 @@ class TextStorage {
       if (bytes) {
         found.emplace(i, *std::move(bytes));
       } else {
-        outcome_.row.left.push_back({fmt::format("/images/{}", i), bytes.error().message});
+        outcome_.row.left.push_back(
+            {fmt::format("/images/{}", i), half_sentence(bytes.error().message)});
       }
     }
     return found;
@@ -221,12 +222,16 @@ class TextStorage {
     for (json::Edit& edit : edits) editor_.replace_text(edit.span, std::move(edit.text));
   }
 
+  void refuse(std::string_view array, std::uint64_t index, std::string_view why) {
+    outcome_.row.refused.push_back({fmt::format("/{}/{}", array, index), half_sentence(why)});
+  }
+
   void store_buffer(std::uint64_t index) {
     const Storage storage = bytes_.buffer_storage(index);
     if (storage != (embeds_ ? Storage::file : Storage::data_uri)) return;
     auto bytes = bytes_.buffer(index);
     if (bytes) return name_buffer(index, {*std::move(bytes)});
-    outcome_.row.refused.push_back({fmt::format("/buffers/{}", index), bytes.error().message});
+    refuse("buffers", index, bytes.error().message);
   }
 
   void name_buffer(std::uint64_t index, Pieces pieces) {
@@ -244,7 +249,7 @@ class TextStorage {
     const json::NodeId image = element(RootArray::images, index);
     const auto bytes = bytes_.image(index);
     if (!bytes) {
-      outcome_.row.refused.push_back({fmt::format("/images/{}", index), bytes.error().message});
+      refuse("images", index, bytes.error().message);
       return;
     }
     const std::string declared = model::string_member(document_, image, "mimeType");

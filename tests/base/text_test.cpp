@@ -18,6 +18,13 @@ TEST(Printable, LeavesOrdinaryTextAlone) {
   EXPECT_EQ(printable("\u00a0"), "\u00a0");
 }
 
+TEST(HalfSentence, IsPrintableAndLacksItsStop) {
+  EXPECT_EQ(half_sentence("It ends early."), "It ends early");
+  EXPECT_EQ(half_sentence("an \x1b in it"), "an \\u001b in it");
+  EXPECT_EQ(half_sentence(""), "");
+  EXPECT_EQ(without_stop("v1.2"), "v1.2");
+}
+
 TEST(Printable, ShowsControlCharactersAsEscapes) {
   EXPECT_EQ(printable("\x1b[31m"), "\\u001b[31m");
   EXPECT_EQ(printable("a\nb\r"), "a\\u000ab\\u000d");

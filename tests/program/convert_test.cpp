@@ -93,6 +93,35 @@ TEST_F(ConvertTest, WhatIsRefusedIsNamedAndTheExitCodeIsOne) {
   EXPECT_EQ(here({"none.gltf", "-o", "a.glb"}).code, 3);
 }
 
+TEST_F(ConvertTest, AnImageThatCannotBeReadIsNotSkipped) {
+  folder_.write("i.gltf", R"({"asset":{"version":"2.0"},"images":[{"uri":"none.png"}],)"
+                          R"("textures":[{"source":0}]})");
+  const Outcome outcome = here({"i.gltf", "--images", "png", "-o", "out/i.gltf"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("/images/0: 'none.png' does not exist (--partial"));
+  EXPECT_FALSE(has("out"));
+  EXPECT_EQ(here({"i.gltf", "--images", "png", "-o", "out/i.gltf", "--partial"}).code, 1);
+  EXPECT_TRUE(has("out/i.gltf"));
+}
+
+// Another asset that cannot be read may refer to the file that would change.
+TEST_F(ConvertTest, InPlaceAFileStaysIfItsOtherUsersAreUnknown) {
+  folder_.write("own/b.bin", "abcdefghijklmnop");
+  folder_.write("own/a.gltf",
+                R"({"asset":{"version":"2.0"},"buffers":[{"uri":"b.bin","byteLength":16}],)"
+                R"("bufferViews":[{"buffer":0,"byteLength":8},)"
+                R"({"buffer":0,"byteOffset":8,"byteLength":8}],)"
+                R"("accessors":[{"bufferView":0,"componentType":5121,"count":4,"type":"SCALAR"}],)"
+                R"("images":[{"bufferView":1,"mimeType":"image/png"}]})");
+  fs::create_symlink("../a.gltf", folder_.path() / "own/away.gltf");
+  const Outcome refused = here({"own/a.gltf", "--prune", "--in-place"});
+  EXPECT_EQ(refused.code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("away.gltf' cannot be read; another asset may refer to"));
+  fs::remove(folder_.path() / "own/away.gltf");
+  EXPECT_EQ(here({"own/a.gltf", "--prune", "--in-place"}).code, 0);
+  EXPECT_EQ(fs::file_size(folder_.path() / "own/b.bin"), 8U);
+}
+
 TEST_F(ConvertTest, JsonHasARowForEachStep) {
   const Outcome outcome = here({"a.gltf", "--to", "glb", "--format", "json"});
   EXPECT_EQ(outcome.code, 0);

@@ -323,27 +323,6 @@ TEST(ImagesOfUnknownExtensions, AreNotConvertedWithLoss) {
   EXPECT_THAT(conversion.left(), HasSubstr("it would lose data, and /extensions/ACME_logo/image"));
 }
 
-TEST(BrokenImages, AreLeft) {
-  const std::string png = png_file(kRgb);
-  std::string damaged = png;
-  damaged.replace(60, 8, "xxxxxxxx");
-  const std::map<std::string, std::string> cases{{damaged, "it cannot be decoded"},
-                                                 {jpeg_file(kRgb).substr(0, 700), "it is damaged"},
-                                                 {png.substr(0, 40), "it is broken"},
-                                                 {"hello", "it is in an unknown format"},
-                                                 {"", "it is an empty file"}};
-  for (const auto& [file, why] : cases) {
-    ImageConversionCase conversion = color_file(ImageTarget::webp, file);
-    conversion.run();
-    EXPECT_THAT(conversion.left(), HasSubstr(why));
-    EXPECT_FALSE(conversion.step().changes);
-  }
-  ImageConversionCase missing = color_file(ImageTarget::webp, png);
-  missing.asset.files.clear();
-  missing.run();
-  EXPECT_THAT(missing.step().left, SizeIs(1));
-}
-
 TEST(BrokenTextures, KeepTheirImages) {
   for (const char* texture :
        {R"({"source": 0, "extensions": [1]})", R"({"source": 0, "extensions": "no"})"}) {
