@@ -74,8 +74,7 @@ void add_encoding(Job& job, std::uint64_t texels) {
 std::atomic<std::uint64_t> chances = 0;
 
 DecodeError noted(const DecodeError& error) {
-  const bool certain = error.kind == ErrorKind::malformed || error.kind == ErrorKind::too_large;
-  if (!certain) ++chances;
+  if (!depends_on_bytes_alone(error)) ++chances;
   return error;
 }
 
@@ -229,7 +228,7 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
   job.quality = request.quality;
   job.options = request.options;
   if (!is_consistent(job)) {
-    return DecodeError{ErrorKind::malformed, "The format does not support such images."};
+    return DecodeError{ErrorKind::unsupported, "The format does not support such images."};
   }
   return result_of<EncodedImage>(state_->images, job, request.pixels, request.origin, true);
 }
@@ -262,7 +261,7 @@ EncodeResult Client::transcode_image(const TranscodeRequest& request) {
   job.options = request.options;
   add_encoding(job, texels);
   if (!is_consistent(job)) {
-    return DecodeError{ErrorKind::malformed, "The format does not support this quality."};
+    return DecodeError{ErrorKind::unsupported, "The format does not support this quality."};
   }
   return result_of<EncodedImage>(state_->images, job, payload, image.origin, true);
 }

@@ -8,12 +8,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "base/origin.hpp"
+#include "codec/image_distance.hpp"
 #include "codec/image_options.hpp"
 
 namespace gltfx::codec {
@@ -21,6 +23,7 @@ namespace gltfx::codec {
 enum class ErrorKind : std::uint8_t {
   unavailable,    ///< no worker could be started; independent of the bytes
   malformed,      ///< the decoder refuses the bytes
+  unsupported,    ///< the requested format does not support the image
   too_large,      ///< more pixels than requested, found in the header before decoding
   out_of_memory,  ///< decoding takes more memory than the size of the payload allows
   timed_out,      ///< decoding takes more processor time than the size of the payload allows
@@ -33,6 +36,11 @@ struct DecodeError {
   ErrorKind kind = ErrorKind::malformed;
   std::string message;  ///< one sentence; a decoder's text in it is not escaped
 };
+/// Whether every machine has this error for these bytes.
+inline bool depends_on_bytes_alone(const DecodeError& error) {
+  return error.kind == ErrorKind::malformed || error.kind == ErrorKind::unsupported ||
+         error.kind == ErrorKind::too_large;
+}
 /// Whether the error cost a time or memory limit, or a process: callers with many payloads should
 /// not repeat it many times.
 inline bool is_costly(const DecodeError& error) {
@@ -216,6 +224,8 @@ struct EncodedImage {
   std::shared_ptr<const void> owner;
   Raster source = {};  ///< after decoding, or as given
   Raster raster = {};  ///< in the file
+  /// Of the file from the resized source, if they were compared and may differ.
+  std::optional<ImageDistance> distance = {};
 };
 using EncodeResult = std::variant<EncodedImage, DecodeError>;
 
@@ -258,12 +268,13 @@ class Client {
   /// size, repeated ids, or not exactly one position.
   DracoEncodeResult encode_draco(const DracoMesh& mesh, const Origin& origin = {});
   ImageResult decode_image(const ImageRequest& request);
-  /// A DecodeError of kind `malformed` if the format does not support such an image.
+  /// A DecodeError of kind `unsupported` if the format does not support such an image.
   EncodeResult encode_image(const EncodeRequest& request);
-  /// Gives the same bytes for the same request. What PNG, EXR and lossless WebP hold is decoded
-  /// once more and compared. `malformed` when the image has a `doubt`, or when the format cannot
-  /// hold it: JPEG an alpha other than 1, WebP without loss 16 bits, and others floats. With
-  /// `quality` or less than lossless, 16 bits become 8.
+  /// Gives the same bytes for the same request. The file is decoded and compared with the resized
+  /// source; PNG, EXR and lossless WebP must have the same texels. `malformed` if the source has a
+  /// `doubt`. `unsupported` if the format does not support the image: JPEG an alpha other than 1,
+  /// WebP without loss 16 bits, and others floats. With `quality` or less than lossless, 16 bits
+  /// become 8.
   EncodeResult transcode_image(const TranscodeRequest& request);
   /// Starts to load the decoders of images without waiting, because that takes longer than decoding
   /// most images.

@@ -204,8 +204,7 @@ bool attach_memory(Reply& reply, const Job& job, int memory) {
 // Whether a worker can be used again after an answer.
 bool is_fresh(const Answer& answer) {
   const auto* error = std::get_if<DecodeError>(&answer);
-  return error == nullptr || error->kind == ErrorKind::malformed ||
-         error->kind == ErrorKind::too_large;
+  return error == nullptr || depends_on_bytes_alone(*error);
 }
 
 }  // namespace

@@ -163,6 +163,10 @@ Frame write_encoded(const EncodedImage& image) {
   out.number(image.size);
   write(out, image.source);
   write(out, image.raster);
+  const ImageDistance distance = image.distance.value_or(ImageDistance());
+  out.number(static_cast<std::uint8_t>(image.distance.has_value()));
+  out.number(distance.greatest);
+  out.number(distance.mean_square);
   return out.take();
 }
 
@@ -172,6 +176,13 @@ EncodedImage read_encoded(FieldReader& in) {
   in.require(image.size > 0);
   image.source = read_raster(in);
   image.raster = read_raster(in);
+  const bool compared = in.flag();
+  ImageDistance distance;
+  distance.greatest = in.number<double>();
+  distance.mean_square = in.number<double>();
+  in.require(std::isfinite(distance.greatest) && std::isfinite(distance.mean_square) &&
+             distance.greatest >= 0 && distance.mean_square >= 0);
+  if (compared) image.distance = distance;
   return image;
 }
 

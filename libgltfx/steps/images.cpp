@@ -15,7 +15,6 @@
 #include "codec/client.hpp"
 #include "report/wording.hpp"
 #include "steps/codec_steps.hpp"
-#include "steps/image_loss.hpp"
 #include "steps/image_plan.hpp"
 #include "steps/image_sources.hpp"
 #include "steps/image_store.hpp"
@@ -29,7 +28,7 @@ struct Encoded {
   const ImageAttempt* attempt = nullptr;  ///< that succeeded; null: none
   std::string bytes;
   codec::Raster source, raster;
-  std::optional<ImageDistance> distance;  ///< for lossy formats
+  std::optional<codec::ImageDistance> distance;  ///< for lossy formats
 };
 
 /// One group of images with its plan.
@@ -57,32 +56,20 @@ void take_defect(Job& job, std::string why) {
   }
 }
 
-// An error other than that of malformed bytes says nothing about the image.
-void take_error(Job& job, const codec::DecodeError& error) {
-  const std::string why = half_sentence(error.message);
-  if (error.kind == codec::ErrorKind::malformed) {
-    take_defect(job, fmt::format("it cannot be decoded: {}", why));
-  } else {
-    job.plan.refused = why;
+// Returns whether another format may be tried.
+bool take_error(Job& job, const ImageAttempt& attempt, const codec::DecodeError& error) {
+  std::string why = half_sentence(error.message);
+  switch (error.kind) {
+    case codec::ErrorKind::unsupported:
+      job.plan.left.push_back(fmt::format("not {}: {}", format_name(attempt.format), why));
+      return true;
+    case codec::ErrorKind::malformed:
+      take_defect(job, fmt::format("it cannot be decoded: {}", why));
+      return false;
+    default:  // says nothing about the image
+      job.plan.refused = std::move(why);
+      return false;
   }
-}
-
-// Whether an image can be decoded completely. Also sets the size in all attempts.
-bool is_whole(Job& job) {
-  codec::ImageRequest request = job.plan.attempts.front().request.image;
-  request.resize = {};
-  const codec::ImageResult result = codec::Client::shared().decode_image(request);
-  if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
-    take_error(job, *error);
-    return false;
-  }
-  const auto& image = *std::get_if<codec::Image>(&result);
-  if (!image.doubt.empty()) {
-    take_defect(job, fmt::format("it is damaged: {}", half_sentence(image.doubt)));
-    return false;
-  }
-  for (ImageAttempt& attempt : job.plan.attempts) attempt.request.image.max_pixels = image.texels();
-  return true;
 }
 
 // Whether a new file can replace the old one.
@@ -98,22 +85,18 @@ bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& i
     return false;
   }
   if (!attempt.lossy) return true;
-  job.encoded.distance = distance(attempt.request, image);
   const double bound = bound_of(attempt, image.source);
-  if (job.encoded.distance && (bound == 0 || job.encoded.distance->greatest <= bound)) return true;
+  if (image.distance && (bound == 0 || image.distance->greatest <= bound)) return true;
   job.plan.left.push_back(fmt::format("as {} it would differ too much from the original", name));
   return false;
 }
 
 // Tries the attempts in order. Thread-safe for different jobs.
 void encode(Job& job) {
-  if (job.plan.attempts.empty() || !is_whole(job)) return;
   for (const ImageAttempt& attempt : job.plan.attempts) {
     const codec::EncodeResult result = codec::Client::shared().transcode_image(attempt.request);
     if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
-      if (error->kind != codec::ErrorKind::malformed) return take_error(job, *error);
-      job.plan.left.push_back(
-          fmt::format("not {}: {}", format_name(attempt.format), half_sentence(error->message)));
+      if (!take_error(job, attempt, *error)) return;
       continue;
     }
     const auto& image = *std::get_if<codec::EncodedImage>(&result);
@@ -122,6 +105,7 @@ void encode(Job& job) {
     job.encoded.bytes.assign(reinterpret_cast<const char*>(image.bytes.data()), image.size);
     job.encoded.source = image.source;
     job.encoded.raster = image.raster;
+    job.encoded.distance = image.distance;
     return;
   }
 }

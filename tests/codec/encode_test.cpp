@@ -119,7 +119,7 @@ TEST(Encode, WhatAFormatDoesNotHoldIsRefused) {
   const auto refused = [](EncodedFormat format, const Raster& raster, std::size_t size) {
     const EncodeResult result = encode(format, raster, std::vector<std::byte>(size));
     const auto* error = std::get_if<DecodeError>(&result);
-    return error != nullptr && error->kind == ErrorKind::malformed;
+    return error != nullptr && error->kind == ErrorKind::unsupported;
   };
   EXPECT_TRUE(refused(EncodedFormat::png, {1, 1, 4, 32}, 16));
   EXPECT_TRUE(refused(EncodedFormat::png, {1, 1, 4, 8}, 5));

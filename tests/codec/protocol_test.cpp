@@ -2,6 +2,7 @@
 #include "codec/protocol.hpp"
 
 #include <limits>
+#include <optional>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -94,6 +95,25 @@ TEST(Protocol, AnImageArrivesAsItWas) {
   EXPECT_FALSE(image.grey);
   EXPECT_EQ(image.doubt, "ends early");
   EXPECT_EQ(image.normals.steepest, 1);
+}
+
+TEST(Protocol, AnEncodedImageArrivesAsItWas) {
+  EncodedImage image;
+  image.size = 7;
+  image.source = {4, 2, 3, 16};
+  image.raster = {2, 1, 3, 8};
+  for (const auto& distance : {std::optional<ImageDistance>(), {ImageDistance{2.5, 0.25}}}) {
+    image.distance = distance;
+    const auto answer = read_answer(write_answer(image));
+    ASSERT_TRUE(answer && std::holds_alternative<EncodedImage>(*answer));
+    const auto& read = std::get<EncodedImage>(*answer);
+    EXPECT_EQ(read.size, 7U);
+    EXPECT_EQ(read.source, image.source);
+    EXPECT_EQ(read.raster, image.raster);
+    EXPECT_EQ(read.distance, distance);
+  }
+  image.distance = ImageDistance{-1, 0};
+  EXPECT_FALSE(read_answer(write_answer(image)));
 }
 
 TEST(Protocol, AErrorArrivesAsItWasButForItsLength) {

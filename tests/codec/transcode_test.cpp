@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Image files that the worker decodes and encodes again without sending pixels to the caller.
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <string>
 #include <vector>
@@ -50,8 +52,9 @@ EncodedImage transcoded(const TranscodeRequest& request) {
   return test::value_of(Client::shared().transcode_image(request));
 }
 
-std::string transcode_error(const TranscodeRequest& request) {
-  return test::refusal_of(Client::shared().transcode_image(request));
+std::string transcode_error(const TranscodeRequest& request,
+                            ErrorKind kind = ErrorKind::unsupported) {
+  return test::refusal_of(Client::shared().transcode_image(request), kind);
 }
 
 Image image_in(const EncodedImage& file, ImageFormat format) {
@@ -158,11 +161,40 @@ TEST(Transcode, NearlyLosslessWebpIsSmallerAndNear) {
   const int difference = greatest_difference(a.pixels, b.pixels);
   EXPECT_GT(difference, 0);
   EXPECT_LE(difference, 2);
+  EXPECT_FALSE(exact.distance) << "it has the same texels";
+  ASSERT_TRUE(near.distance);
+  EXPECT_EQ(near.distance->greatest, difference);
+  EXPECT_GT(near.distance->decibels(), 40);
   const std::vector<std::byte> clear = smooth_texels(raster);
   const std::vector<std::byte> file = png_file(raster, clear);
   request.image.bytes = file;
   EXPECT_LE(greatest_difference(image_in(transcoded(request), ImageFormat::webp).pixels, clear), 2)
       << "below alpha 0, too";
+}
+
+TEST(Transcode, MeasuresTheLossAgainstTheResizedSource) {
+  const std::vector<std::byte> png = png_file({64, 64, 3, 16}, smooth_texels({64, 64, 3, 16}));
+  TranscodeRequest request = to_format(png, EncodedFormat::jpeg, 90);
+  request.image.resize.max_side = 32;
+  const EncodedImage small = transcoded(request);
+  ASSERT_TRUE(small.distance);
+  ImageRequest source = request.image;
+  source.pixels = true;
+  const Image wide = test::value_of(Client::shared().decode_image(source));
+  const Image narrow = image_in(small, ImageFormat::jpeg);
+  ASSERT_EQ(wide.bits, 16U);
+  ASSERT_EQ(wide.channels, narrow.channels);
+  double squares = 0, greatest = 0;
+  for (std::size_t i = 0; i < narrow.pixels.size(); ++i) {
+    std::uint16_t value = 0;
+    std::memcpy(&value, wide.pixels.data() + i * 2, 2);
+    const double off = std::abs(value / 257.0 - static_cast<double>(narrow.pixels[i]));
+    greatest = std::max(greatest, off);
+    squares += off * off;
+  }
+  EXPECT_EQ(small.distance->greatest, greatest);
+  EXPECT_NEAR(small.distance->mean_square, squares / static_cast<double>(narrow.pixels.size()),
+              1e-9);
 }
 
 TEST(Transcode, JpegHalvesColoursOnlyWhereAsked) {
@@ -231,9 +263,9 @@ TEST(Transcode, AJpegThatIsCutIsRefused) {
   EXPECT_GT(transcoded(request_for(*jpeg)).size, 0U);
   const std::string cut = jpeg->substr(0, jpeg->size() - 6);
   TranscodeRequest request = request_for(cut);
-  EXPECT_THAT(transcode_error(request), HasSubstr("Premature end"));
+  EXPECT_THAT(transcode_error(request, ErrorKind::malformed), HasSubstr("Premature end"));
   request.image.resize.max_side = 4;
-  EXPECT_THAT(transcode_error(request), HasSubstr("Premature end"));
+  EXPECT_THAT(transcode_error(request, ErrorKind::malformed), HasSubstr("Premature end"));
 }
 
 TEST(Transcode, ACutoffIsANumber) {
@@ -243,7 +275,7 @@ TEST(Transcode, ACutoffIsANumber) {
   request.image.resize.alpha_cutoff = std::numeric_limits<float>::quiet_NaN();
   for (const ImageFormat format : {ImageFormat::png, ImageFormat::avif, ImageFormat::tga}) {
     request.image.format = format;
-    EXPECT_EQ(transcode_error(request), "The alpha cutoff is not a number.");
+    EXPECT_EQ(transcode_error(request, ErrorKind::malformed), "The alpha cutoff is not a number.");
   }
 }
 
@@ -258,7 +290,7 @@ TEST(Transcode, BrokenImagesAndOddRequestsAreErrors) {
   ASSERT_TRUE(std::holds_alternative<DecodeError>(result));
   EXPECT_EQ(std::get<DecodeError>(result).kind, ErrorKind::too_large);
   png.resize(png.size() / 2);
-  EXPECT_NE(transcode_error(to_format(png, EncodedFormat::webp)), "a result");
+  EXPECT_NE(transcode_error(to_format(png, EncodedFormat::webp), ErrorKind::malformed), "a result");
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ std::map<std::string, std::string> broken_files() {
   std::string damaged = png;
   damaged.replace(60, 8, "xxxxxxxx");
   return {{damaged, "it cannot be decoded"},
-          {test::jpeg_file(kPlain).substr(0, 700), "it is damaged"},
+          {test::jpeg_file(kPlain).substr(0, 700), "it cannot be decoded"},
           {png.substr(0, 40), "it is broken"},
           {"", "it is an empty file"}};
 }

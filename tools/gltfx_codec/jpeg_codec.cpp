@@ -207,7 +207,7 @@ Answer decode_jpeg(const Job& job, std::span<const std::byte> bytes, const Outpu
 
 Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, const Output& output) {
   if (job.raster.width > JPEG_MAX_DIMENSION || job.raster.height > JPEG_MAX_DIMENSION) {
-    return DecodeError{ErrorKind::malformed, "JPEG is limited to 65500 texels per side."};
+    return DecodeError{ErrorKind::unsupported, "JPEG is limited to 65500 texels per side."};
   }
   JpegEncoder encoder;
   if (!encoder.encode(job, texels)) throw std::bad_alloc();

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "distance.hpp"
 #include "image_decode.hpp"
 #include "image_encode.hpp"
 #include "resize.hpp"
@@ -46,7 +47,7 @@ Answer encode(const Job& job, std::span<const std::byte> texels, const Output& o
   }
 }
 
-DecodeError refused(const char* message) { return {ErrorKind::malformed, message}; }
+DecodeError refused(const char* message) { return {ErrorKind::unsupported, message}; }
 
 /// A decoded image and its texels.
 struct Decoded {
@@ -178,16 +179,55 @@ bool same_texels(const Texels& a, const Texels& b) {
   return true;
 }
 
-bool comes_back(const Job& job, std::span<const std::byte> file, const Texels& wanted) {
+ImageFormat format_of(EncodedFormat format) {
+  switch (format) {
+    case EncodedFormat::png:
+      return ImageFormat::png;
+    case EncodedFormat::jpeg:
+      return ImageFormat::jpeg;
+    case EncodedFormat::webp:
+      return ImageFormat::webp;
+    case EncodedFormat::exr:
+      break;
+  }
+  return ImageFormat::openexr;
+}
+
+// The texels of a file that was encoded from texels of the size of `raster`; nothing if it cannot
+// be decoded.
+std::optional<Texels> decode_again(const Job& job, std::span<const std::byte> file,
+                                   const Raster& raster) {
   Job inner = job;
   inner.raster = {};
-  inner.max_pixels = std::uint64_t{wanted.raster.width} * wanted.raster.height;
-  inner.format = job.encoded == EncodedFormat::png    ? ImageFormat::png
-                 : job.encoded == EncodedFormat::webp ? ImageFormat::webp
-                                                      : ImageFormat::openexr;
-  const DecodedResult again = texels_of(inner, file);
-  const auto* decoded = std::get_if<Decoded>(&again);
-  return decoded != nullptr && same_texels(wanted, decoded->texels);
+  inner.max_pixels = std::uint64_t{raster.width} * raster.height;
+  inner.format = format_of(job.encoded);
+  DecodedResult again = texels_of(inner, file);
+  auto* decoded = std::get_if<Decoded>(&again);
+  const bool same_size = decoded != nullptr && decoded->texels.raster.width == raster.width &&
+                         decoded->texels.raster.height == raster.height;
+  return same_size ? std::optional(std::move(decoded->texels)) : std::nullopt;
+}
+
+// Encodes texels and compares the result with `wanted`, the same texels before fit().
+Answer encode_compared(const Job& job, const Texels& texels, const Texels& wanted,
+                       const Output& output) {
+  Job inner = job;
+  inner.raster = texels.raster;
+  std::span<const std::byte> file;
+  Answer answer = encode(inner, texels.bytes, [&](std::uint64_t size) {
+    const std::span<std::byte> to = output(size);
+    file = to;
+    return to;
+  });
+  auto* encoded = std::get_if<EncodedImage>(&answer);
+  if (encoded == nullptr) return answer;
+  const auto again = decode_again(job, file, texels.raster);
+  if (!again || (keeps_all(job) && !same_texels(texels, *again))) {
+    return refused("The encoder does not keep all texels of this image.");
+  }
+  encoded->raster = raster_in_file(job, texels.raster);
+  if (!keeps_all(job)) encoded->distance = distance(wanted, *again);
+  return answer;
 }
 
 Answer transcode(const Job& job, std::span<const std::byte> bytes, const Output& output) {
@@ -199,22 +239,11 @@ Answer transcode(const Job& job, std::span<const std::byte> bytes, const Output&
   Texels& texels = decoded->texels;
   const Raster source = texels.raster;
   shrink(texels, job.resize);
+  std::optional<Texels> wide;
+  if (texels.raster.bits == 16 && !keeps_all(job)) wide = texels;
   if (auto error = fit(texels, job)) return *std::move(error);
-  Job inner = job;
-  inner.raster = texels.raster;
-  std::span<const std::byte> file;
-  Answer answer = encode(inner, texels.bytes, [&](std::uint64_t size) {
-    const std::span<std::byte> to = output(size);
-    file = to;
-    return to;
-  });
-  auto* encoded = std::get_if<EncodedImage>(&answer);
-  if (encoded == nullptr) return answer;
-  if (keeps_all(job) && !comes_back(job, file, texels)) {
-    return refused("The encoder does not keep all texels of this image.");
-  }
-  encoded->source = source;
-  encoded->raster = raster_in_file(job, texels.raster);
+  Answer answer = encode_compared(job, texels, wide ? *wide : texels, output);
+  if (auto* encoded = std::get_if<EncodedImage>(&answer)) encoded->source = source;
   return answer;
 }
 

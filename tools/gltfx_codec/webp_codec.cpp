@@ -163,7 +163,7 @@ Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Outp
   if (!configure(config, job, has_transparent(raster, texels)) || WebPPictureInit(&picture) == 0)
     throw std::bad_alloc();
   if (raster.width > WEBP_MAX_DIMENSION || raster.height > WEBP_MAX_DIMENSION) {
-    return DecodeError{ErrorKind::malformed, "WebP is limited to 16383 texels per side."};
+    return DecodeError{ErrorKind::unsupported, "WebP is limited to 16383 texels per side."};
   }
   picture.use_argb = job.quality == 0 ? 1 : 0;
   picture.width = static_cast<int>(raster.width);

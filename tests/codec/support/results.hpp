@@ -33,12 +33,13 @@ codec::DecodeError error_of(const std::variant<T, codec::DecodeError>& result) {
   return {};
 }
 
-/// The message of an error of kind `malformed`, or "a result".
+/// The message of an error of this kind, or "a result".
 template <typename T>
-std::string refusal_of(const std::variant<T, codec::DecodeError>& result) {
+std::string refusal_of(const std::variant<T, codec::DecodeError>& result,
+                       codec::ErrorKind kind = codec::ErrorKind::malformed) {
   const auto* error = std::get_if<codec::DecodeError>(&result);
   if (error == nullptr) return "a result";
-  EXPECT_EQ(error->kind, codec::ErrorKind::malformed);
+  EXPECT_EQ(error->kind, kind);
   return error->message;
 }
 
