@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "container/container.hpp"
+#include "container/content.hpp"
 #include "image/foreign.hpp"
 #include "image/header.hpp"
 #include "model/image_codec.hpp"
@@ -22,17 +23,19 @@ namespace {
 
 constexpr std::uint32_t kWidest = 4096;
 
-// By the ending where floats are common, else by the first bytes.
+// By the first bytes; by the ending if they are unknown, so that the decoder names the defect.
 std::optional<codec::ImageFormat> format_of(const std::string& path,
                                             const container::Bytes& bytes) {
-  const std::string ending = ending_of(path);
-  if (ending == ".hdr") return codec::ImageFormat::radiance;
-  if (ending == ".exr") return codec::ImageFormat::openexr;
   const image::Sniffed sniffed = image::sniff(bytes.view());
   if (sniffed.known) return model::codec_format(sniffed.format);
-  const auto foreign = image::sniff_foreign(bytes.view());
-  if (!foreign) return std::nullopt;
-  return model::codec_format(*foreign);
+  const std::string_view type = container::name_content(bytes.text()).media_type;
+  const std::string ending = ending_of(path);
+  if (type == "image/vnd.radiance") return codec::ImageFormat::radiance;
+  if (type == "image/x-exr") return codec::ImageFormat::openexr;
+  if (const auto foreign = image::sniff_foreign(bytes.view())) return model::codec_format(*foreign);
+  if (ending == ".hdr") return codec::ImageFormat::radiance;
+  if (ending == ".exr") return codec::ImageFormat::openexr;
+  return std::nullopt;
 }
 
 float sane(float value) { return std::isfinite(value) ? std::clamp(value, 0.0F, 1e8F) : 0.0F; }

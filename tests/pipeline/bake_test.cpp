@@ -320,6 +320,11 @@ TEST(EnvironmentFile, IntegersAreDecodedFromSrgb) {
   EXPECT_NEAR(image->radiance[0][1], 0.503, 0.001);
   EXPECT_EQ(image->radiance[0][0], 0);
   EXPECT_EQ(image->radiance[0][2], 1);
+  const std::string misnamed = (folder.path() / "sky.hdr").native();
+  std::filesystem::copy(path, misnamed);
+  const auto again = read_environment(misnamed);
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->radiance, image->radiance);
 }
 
 TEST(BakeNames, ByNameThenByIndex) {
