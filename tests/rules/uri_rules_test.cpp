@@ -187,6 +187,12 @@ TEST_F(Uris, OfMissingFilesNameTheNearOnes) {
   EXPECT_EQ(help("textures/100%25.bin"),
             "write '100%25.bin' if that file is meant, or add the missing one");
   EXPECT_THAT(help("other.bin"), HasSubstr("or add the file"));
+  folder_.link("away.bin", "/etc/hostname");
+  EXPECT_EQ(help("away.bin"),
+            "a symbolic link leads out of the folder: replace it by the file, or "
+            "set a common parent folder with --root");
+  folder_.link("gone.bin", "nothing.bin");
+  EXPECT_THAT(help("gone.bin"), HasSubstr("or add the file"));
 }
 
 }  // namespace

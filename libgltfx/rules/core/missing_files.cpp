@@ -27,7 +27,9 @@ using container::ResolveError;
 
 std::string near_help(const container::Resolver& resolver, std::string_view path) {
   constexpr std::size_t kMostNames = 3;
-  const std::vector<NearFile> near = container::find_near_files(resolver, path);
+  std::vector<NearFile> near = container::find_near_files(resolver, path);
+  // A link is listed under its own name, wherever it leads.
+  std::erase_if(near, [&](const NearFile& file) { return file.path == path; });
   std::vector<std::string> names;
   for (const NearFile& file : near) {
     if (file.nearness == near.front().nearness && names.size() < kMostNames) {
@@ -126,7 +128,14 @@ const RuleGroup& missing_files_rules() {
 std::string missing_file_help(const Context& context, ResolveError error, std::string_view path) {
   const bool elsewhere = error == ResolveError::not_found || error == ResolveError::outside_root;
   std::string help = elsewhere ? near_help(context.files.resolver(), path) : std::string();
-  return help.empty() ? std::string(container::help(error)) : help;
+  if (!help.empty()) return help;
+  const bool by_name = path.starts_with("..") || path.starts_with('/');
+  if (error == ResolveError::outside_root && !by_name) {
+    return "a symbolic link leads out of the folder: replace it by the file, or set a common "
+           "parent "
+           "folder with --root";
+  }
+  return std::string(container::help(error));
 }
 
 }  // namespace gltfx::validate
