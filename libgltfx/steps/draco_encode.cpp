@@ -156,9 +156,8 @@ class DracoStep {
       for (const std::size_t each : group.primitives) declare(group, each, pool);
       stored += group.primitives.size();
     }
-    if (!require_extension(document_, editor_, model::kDracoExtension)) {
-      return Error{"extensionsUsed or extensionsRequired is not a list of names"};
-    }
+    if (auto trouble = require_extension(document_, editor_, model::kDracoExtension))
+      return *std::move(trouble);
     buffer_.add_to(outcome_.change);
     outcome_.change.edits = editor_.take();
     outcome_.freedom.vertex_order = true;

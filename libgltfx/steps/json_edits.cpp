@@ -61,16 +61,18 @@ void remove_extension(const json::Document& document, json::Editor& editor, json
   }
 }
 
-bool require_extension(const json::Document& document, json::Editor& editor,
-                       std::string_view name) {
+std::optional<Error> require_extension(const json::Document& document, json::Editor& editor,
+                                       std::string_view name) {
   std::array lists{change::NameList(document, "extensionsUsed"),
                    change::NameList(document, "extensionsRequired")};
   for (change::NameList& list : lists) {
-    if (!list.can_change()) return false;
+    if (!list.can_change()) {
+      return Error{"extensionsUsed or extensionsRequired is not a list of names"};
+    }
     list.add(name);
   }
   for (const change::NameList& list : lists) list.apply(editor);
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace gltfx::steps

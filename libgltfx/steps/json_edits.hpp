@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/result.hpp"
 #include "json/edit.hpp"
 #include "model/accessor.hpp"
 
@@ -37,8 +39,9 @@ void add_extension(const json::Document& document, json::Editor& editor, json::N
 /// Removes the object of an extension, and `extensions` if it becomes empty.
 void remove_extension(const json::Document& document, json::Editor& editor, json::NodeId host,
                       std::string_view name);
-/// Adds a name to `extensionsUsed` and `extensionsRequired`. Returns false if one of them is not a
-/// list of names.
-bool require_extension(const json::Document& document, json::Editor& editor, std::string_view name);
+/// Adds a name to `extensionsUsed` and `extensionsRequired`. Returns an Error (half a sentence) if
+/// one of them is not a list of names.
+std::optional<Error> require_extension(const json::Document& document, json::Editor& editor,
+                                       std::string_view name);
 
 }  // namespace gltfx::steps

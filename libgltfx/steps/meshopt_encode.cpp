@@ -105,9 +105,7 @@ class MeshoptStep {
     outcome_.change.additions.add_element(
         "buffers", fmt::format(R"({{"byteLength":{},"extensions":{{"{}":{{"fallback":true}}}}}})",
                                fallback_size_, kName));
-    if (!require_extension(document_, editor_, kName)) {
-      return Error{"extensionsUsed or extensionsRequired is not a list of names"};
-    }
+    if (auto trouble = require_extension(document_, editor_, kName)) return *std::move(trouble);
     outcome_.change.edits = editor_.take();
     outcome_.row.what = fmt::format(
         "{} of {}", stored_, report::counted(input_.views.buffer_views.size(), "buffer view"));
