@@ -78,7 +78,7 @@ class ConvertRun {
       if (auto why = resolve()) return refuse(*std::move(why));
       if (auto why = take(step)) return refuse(*std::move(why));
     }
-    drop_unnamed_files();
+    change::NewText now = drop_unnamed_files();
     const change::Change& change = stages_.all();
     report_.changes = !change.empty();
     if (options_.diff) report_.diff = diff_of(before_, change.edits, !change.format);
@@ -91,7 +91,7 @@ class ConvertRun {
     for (const change::NewFile& file : change.files) report_.new_files.push_back(file.path);
     auto draft = carry_out(
         {before_, state_, options_, schemas_, folders_, options_.jobs}, std::move(stages_.all()),
-        [this](const ValidatedAsset& after) { return find_error(after); }, report_);
+        [this](const ValidatedAsset& after) { return find_error(after); }, report_, std::move(now));
     if (!draft) forget_changes();
     return draft;
   }
@@ -205,17 +205,20 @@ class ConvertRun {
     return *used_before_;
   }
 
-  // Files of steps that a later one moved elsewhere.
-  void drop_unnamed_files() {
-    if (!laid_out_) return;
+  // Files of steps that a later one moved elsewhere. Returns the text of the new asset if it was
+  // parsed.
+  change::NewText drop_unnamed_files() {
     change::Change& change = stages_.all();
-    const auto text = share_text(json::apply_edits(*before_.container().json, change.edits));
-    const json::Parsed parsed = json::parse(*text);
-    const std::set<std::string> named = change::referred_paths(parsed.document);
+    if (change.files.empty() && change.replaced.empty()) return {};
+    change::NewText now;
+    now.text = share_text(json::apply_edits(*before_.container().json, change.edits));
+    now.parsed = json::parse(now.text);
+    const std::set<std::string> named = change::referred_paths(now.parsed.document);
     std::erase_if(change.files,
                   [&](const change::NewFile& file) { return !named.contains(file.path); });
     std::erase_if(change.replaced,
                   [&](const change::ReplacedFile& file) { return !named.contains(file.path); });
+    return now;
   }
 
   // A new file does not take the place of another.

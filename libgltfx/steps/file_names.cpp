@@ -78,10 +78,12 @@ FileNames::FileNames(const std::set<std::string>& taken) {
   for (const std::string& path : taken) taken_.insert(lower_case(path));
 }
 
-std::string FileNames::take(const std::string& name, std::string_view ending) {
+std::string FileNames::take(const std::string& name, std::string_view ending,
+                            std::string_view mark) {
   std::string stem = name;
   const std::string own = ending_of(name);
   if (own == ending || (own == ".jpeg" && ending == ".jpg")) stem.resize(name.size() - own.size());
+  stem += mark;
   unsigned& number = numbers_[lower_case(stem).append(ending)];
   while (true) {
     std::string tried = ++number == 1 ? fmt::format("{}{}", stem, ending)

@@ -29,8 +29,9 @@ class FileNames {
   /// `taken`: paths of existing files.
   explicit FileNames(const std::set<std::string>& taken);
 
-  /// The name, with a number after it if it is taken. Precondition: `name` is clean.
-  std::string take(const std::string& name, std::string_view ending);
+  /// The name without `ending`, if it has that, then `mark`, a number if that is taken, and
+  /// `ending`. Precondition: `name` is clean.
+  std::string take(const std::string& name, std::string_view ending, std::string_view mark = {});
 
  private:
   std::set<std::string> taken_;  ///< in lower case

@@ -160,14 +160,12 @@ bool ImageStore::may_replace(const ImageGroup& group) const {
 // New files are never outside the folder of the asset.
 std::string ImageStore::new_path(const ImageGroup& group, const NewImage& image,
                                  const Bytes& bytes) {
-  std::string stem = stem_in_folder(group.path);
   const std::string own = ending_of(group.path);
   const std::string_view ending =
       image.same_format && !own.empty() ? std::string_view(own) : ending_for(image.media_type);
-  if (input_.options.shared_folder || ending_of(group.path) == ending) {
-    stem += content_mark({bytes});
-  }
-  return names_.take(stem, ending);
+  const bool marked = input_.options.shared_folder || own == ending;
+  return names_.take(stem_in_folder(group.path), ending,
+                     marked ? content_mark({bytes}) : std::string());
 }
 
 // Keeps the spelling of the old URI if it then refers to the new path.

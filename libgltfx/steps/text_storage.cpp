@@ -76,16 +76,18 @@ class TextStorage {
   // Whether the text can hold all data, checked before any is encoded: many may refer to one file.
   bool fits_in_text() {
     std::uint64_t text = document_.text().size();
-    const auto add = [&text](Storage storage, const Result<Bytes>& bytes) {
-      const bool moves = storage == Storage::file || storage == Storage::bin_chunk;
-      if (moves && bytes) text += (bytes->size() + 2) / 3 * 4;
+    const auto add = [&](RootArray array, std::uint64_t index) {
+      const bool buffer = array == RootArray::buffers;
+      const Storage storage = buffer ? bytes_.buffer_storage(index) : bytes_.image_storage(index);
+      if (storage != Storage::file && storage != Storage::bin_chunk) return true;  // does not move
+      const Result<Bytes> bytes = buffer ? bytes_.buffer(index) : bytes_.image(index);
+      if (bytes) text += (bytes->size() + 2) / 3 * 4;
       return text <= kMostText;
     };
-    for (std::uint64_t i = 0; i < count(RootArray::buffers); ++i) {
-      if (!add(bytes_.buffer_storage(i), bytes_.buffer(i))) return false;
-    }
-    for (std::uint64_t i = 0; i < count(RootArray::images); ++i) {
-      if (!add(bytes_.image_storage(i), bytes_.image(i))) return false;
+    for (const RootArray array : {RootArray::buffers, RootArray::images}) {
+      for (std::uint64_t i = 0; i < count(array); ++i) {
+        if (!add(array, i)) return false;
+      }
     }
     return true;
   }
@@ -128,8 +130,7 @@ class TextStorage {
       const json::NodeId view = view_of(image);
       const auto [uri, is_new] = uris.try_emplace(view);
       if (is_new) uri->second = image_file(index, bytes);
-      editor_.rename(member - 1, "uri");
-      editor_.replace_scalar(member, json::string_value(uri->second));
+      name_file(image, member, uri->second);
       moved.insert(member);
       gone.insert(view);
       ++images_;
@@ -146,6 +147,19 @@ class TextStorage {
     take_out(graph, gone, moved, empties);
     if (empties) return;
     name_buffer(0, change::without(chunk(), cut));
+  }
+
+  // Replaces the buffer view of an image by a URI. An image with a buffer view may have an empty
+  // one.
+  void name_file(json::NodeId image, json::NodeId member, const std::string& uri) {
+    const json::NodeId old = document_.find(image, "uri");
+    if (old == json::kNoNode) {
+      editor_.rename(member - 1, "uri");
+      editor_.replace_scalar(member, json::string_value(uri));
+    } else {
+      editor_.remove(image, member - 1);
+      editor_.replace(image, old, json::string_value(uri));
+    }
   }
 
   bool has_images_in_views() const {
@@ -267,13 +281,13 @@ class TextStorage {
     const std::string type = model::string_member(document_, image, "mimeType");
     std::string stem = clean_name(model::string_member(document_, image, "name"));
     if (stem.empty()) stem = fmt::format("{}_image{}", asset_stem(input_), index);
-    return new_file(std::move(stem), image_ending(bytes, type), {bytes});
+    return new_file(stem, image_ending(bytes, type), {bytes});
   }
 
   // Other assets of a shared folder may have files of the same name.
-  std::string new_file(std::string stem, std::string_view ending, Pieces pieces) {
-    if (input_.options.shared_folder) stem += content_mark(pieces);
-    std::string path = names_.take(stem, ending);
+  std::string new_file(const std::string& stem, std::string_view ending, Pieces pieces) {
+    const std::string mark = input_.options.shared_folder ? content_mark(pieces) : std::string();
+    std::string path = names_.take(stem, ending, mark);
     std::string uri = container::uri_of_path(path);
     outcome_.change.files.push_back({std::move(path), std::move(pieces)});
     return uri;

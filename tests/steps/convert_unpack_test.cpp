@@ -180,6 +180,17 @@ TEST_F(Unpack, AddsAHashToImageNamesInASharedFolder) {
   const ConvertReport report = convert_file(source(one.text, one.bin).native(), options);
   ASSERT_THAT(report.new_files, SizeIs(1));
   EXPECT_THAT(report.new_files[0], testing::MatchesRegex("one-[0-9a-f]{8}\\.png"));
+  const Pictures named({R"("name":"wood.png")"});
+  options.output = (out() / "b.gltf").native();
+  const ConvertReport again = convert_file(source(named.text, named.bin).native(), options);
+  ASSERT_THAT(again.new_files, SizeIs(1));
+  EXPECT_THAT(again.new_files[0], testing::MatchesRegex("wood-[0-9a-f]{8}\\.png"));
+}
+
+TEST_F(Unpack, FillsInAnEmptyUri) {
+  const Pictures one({R"("name":"one","uri":"")"});
+  const OrderedJson json = OrderedJson::parse(unpacked(one.text, one.bin));
+  EXPECT_EQ(json["images"][0].dump(), R"({"mimeType":"image/png","name":"one","uri":"one.png"})");
 }
 
 // A buffer of one asset and another asset may have similar names.
