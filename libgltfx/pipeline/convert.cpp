@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <iterator>
 #include <optional>
-#include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -13,8 +13,8 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "change/chain.hpp"
 #include "change/companions.hpp"
-#include "json/parse.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
@@ -23,6 +23,7 @@
 #include "prove/meaning.hpp"
 #include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
+#include "steps/image_encodings.hpp"
 #include "steps/layout.hpp"
 #include "steps/stages.hpp"
 #include "steps/step.hpp"
@@ -49,19 +50,25 @@ std::string with_place(const ConvertNote& note) {
   return note.pointer.empty() ? note.reason : fmt::format("{}: {}", note.pointer, note.reason);
 }
 
+/// Used by all assets of a run.
+struct Shared {
+  FolderIndex& folders;
+  steps::ImageEncodings& encodings;
+};
+
 /// One asset on its way through the steps.
 class ConvertRun {
  public:
   /// `pictures` may be null.
   ConvertRun(const OpenedAsset& before, const FileState& state, const ConvertOptions& options,
-             const SchemaSet& schemas, const PictureCheck* pictures, FolderIndex& folders,
+             const SchemaSet& schemas, const PictureCheck* pictures, const Shared& shared,
              ConvertReport& report)
       : before_(before),
         state_(state),
         options_(options),
         schemas_(schemas),
         pictures_(pictures),
-        folders_(folders),
+        shared_(shared),
         report_(report),
         stages_(before) {}
 
@@ -78,7 +85,7 @@ class ConvertRun {
       if (auto why = resolve()) return refuse(*std::move(why));
       if (auto why = take(step)) return refuse(*std::move(why));
     }
-    change::NewText now = drop_unnamed_files();
+    change::NewText now = change::drop_unnamed_files(stages_.all(), *before_.container().json);
     const change::Change& change = stages_.all();
     report_.changes = !change.empty();
     if (options_.diff) report_.diff = diff_of(before_, change.edits, !change.format);
@@ -90,8 +97,9 @@ class ConvertRun {
     if (auto why = find_other_reader()) return refuse(*std::move(why));
     for (const change::NewFile& file : change.files) report_.new_files.push_back(file.path);
     auto draft = carry_out(
-        {before_, state_, options_, schemas_, folders_, options_.jobs}, std::move(stages_.all()),
-        [this](const ValidatedAsset& after) { return find_error(after); }, report_, std::move(now));
+        {before_, state_, options_, schemas_, shared_.folders, options_.jobs},
+        std::move(stages_.all()), [this](const ValidatedAsset& after) { return find_error(after); },
+        report_, std::move(now));
     if (!draft) forget_changes();
     return draft;
   }
@@ -198,27 +206,11 @@ class ConvertRun {
   }
 
   steps::StepInput input(std::vector<ConvertNote>& unread) const {
-    return {stages_.asset(), *schemas_, options_, file_name(), unread};
+    return {stages_.asset(), *schemas_, options_, file_name(), unread, shared_.encodings};
   }
   const steps::UsedBytes& used_before() {
     if (!used_before_) used_before_.emplace(before_, *schemas_);
     return *used_before_;
-  }
-
-  // Files of steps that a later one moved elsewhere. Returns the text of the new asset if it was
-  // parsed.
-  change::NewText drop_unnamed_files() {
-    change::Change& change = stages_.all();
-    if (change.files.empty() && change.replaced.empty()) return {};
-    change::NewText now;
-    now.text = share_text(json::apply_edits(*before_.container().json, change.edits));
-    now.parsed = json::parse(now.text);
-    const std::set<std::string> named = change::referred_paths(now.parsed.document);
-    std::erase_if(change.files,
-                  [&](const change::NewFile& file) { return !named.contains(file.path); });
-    std::erase_if(change.replaced,
-                  [&](const change::ReplacedFile& file) { return !named.contains(file.path); });
-    return now;
   }
 
   // A new file does not take the place of another.
@@ -242,13 +234,13 @@ class ConvertRun {
     const fs::path folder = change::target_folder(before_.name(), {});
     for (const change::ReplacedFile& file : stages_.all().replaced) {
       const auto identity = identity_of(file.state, (folder / file.path).native());
-      for (const std::string& asset : folders_.naming(folder, {identity})) {
+      for (const std::string& asset : shared_.folders.naming(folder, {identity})) {
         std::error_code error;
         if (fs::equivalent(asset, before_.name(), error)) continue;
         return fmt::format("{} refers to {}, whose bytes would move; use -o", quoted(asset, 200),
                            quoted(file.path, 200));
       }
-      if (std::string gap = folders_.find_gap(folder); !gap.empty()) {
+      if (std::string gap = shared_.folders.find_gap(folder); !gap.empty()) {
         return fmt::format("{}; another asset may refer to {}, whose bytes would move; use -o", gap,
                            quoted(file.path, 200));
       }
@@ -298,7 +290,7 @@ class ConvertRun {
   const ConvertOptions& options_;
   const SchemaSet& schemas_;
   const PictureCheck* pictures_;  ///< of the old asset; null: none are compared
-  FolderIndex& folders_;
+  const Shared& shared_;
   ConvertReport& report_;
   steps::Stages stages_;
   std::optional<steps::UsedBytes> used_before_;
@@ -306,7 +298,7 @@ class ConvertRun {
   bool laid_out_ = false;   ///< steps before the last changed something
 };
 
-std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderIndex& folders,
+std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, const Shared& shared,
                              ConvertReport& report) {
   if (const auto obstacle = find_obstacle(opened.asset)) {
     note_failure(report, EditProblem::unreadable, obstacle->message);
@@ -315,19 +307,19 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, FolderI
   options.to = form_of(opened.asset, options);
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   if (!options.verify) {
-    return ConvertRun(opened.asset, opened.state, options, schemas, nullptr, folders, report).run();
+    return ConvertRun(opened.asset, opened.state, options, schemas, nullptr, shared, report).run();
   }
   const ValidatedAsset before(std::move(opened.asset), validate::default_validation(schemas));
   const PictureCheck pictures(before, options.root, schemas, options.jobs);
-  return ConvertRun(before.asset(), opened.state, options, schemas, &pictures, folders, report)
+  return ConvertRun(before.asset(), opened.state, options, schemas, &pictures, shared, report)
       .run();
 }
 
 ConvertReport convert_path(const std::string& path, const ConvertOptions& options,
-                           FolderIndex& folders) {
+                           const Shared& shared) {
   return edit_file<ConvertReport>(path, options, "convert",
                                   [&](EditedAsset opened, ConvertReport& report) {
-                                    convert(std::move(opened), options, folders, report);
+                                    convert(std::move(opened), options, shared, report);
                                   });
 }
 
@@ -341,20 +333,28 @@ std::uint64_t ConvertReport::refused() const {
 
 ConvertReport convert_file(const std::string& path, const ConvertOptions& options) {
   FolderIndex folders;
-  return convert_path(path, options, folders);
+  steps::ImageEncodings encodings;
+  return convert_path(path, options, {folders, encodings});
 }
 
 EditedBytes<ConvertReport> convert_bytes(MemoryAsset asset, const ConvertOptions& options) {
-  return edit_bytes<ConvertReport>(std::move(asset), options,
-                                   [&](EditedAsset opened, ConvertReport& report) {
-                                     FolderIndex folders;
-                                     return convert(std::move(opened), options, folders, report);
-                                   });
+  return edit_bytes<ConvertReport>(
+      std::move(asset), options, [&](EditedAsset opened, ConvertReport& report) {
+        FolderIndex folders;
+        steps::ImageEncodings encodings;
+        return convert(std::move(opened), options, {folders, encodings}, report);
+      });
 }
 
 void convert_files(const std::vector<EditInput>& inputs, const ConvertOptions& options,
                    unsigned jobs, const std::function<void(ConvertReport&&)>& consume) {
-  edit_files(inputs, options, jobs, convert_path, consume);
+  steps::ImageEncodings encodings;
+  edit_files(
+      inputs, options, jobs,
+      [&](const std::string& path, const ConvertOptions& each, FolderIndex& folders) {
+        return convert_path(path, each, {folders, encodings});
+      },
+      consume);
 }
 
 }  // namespace gltfx

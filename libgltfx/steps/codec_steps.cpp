@@ -12,7 +12,7 @@ StepDescription images_step() {
           [](const ConvertOptions& options) {
             return !options.images.empty() || options.texture_size || options.shrink;
           },
-          convert_images};
+          [](const StepInput& input) { return convert_images(input); }};
 }
 
 StepDescription draco_step();

@@ -3,12 +3,10 @@
 #pragma once
 
 #include "base/result.hpp"
+#include "steps/images.hpp"
 #include "steps/step.hpp"
 
 namespace gltfx::steps {
-
-/// Stores images in another format or size.
-Result<StepOutcome> convert_images(const StepInput& input);
 
 /// Stores triangles and their vertices as Draco bitstreams.
 Result<StepOutcome> encode_draco(const StepInput& input);

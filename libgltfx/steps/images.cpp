@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stores images in another format or size (glTF 2.0 section 3.8; EXT_texture_webp).
+#include "steps/images.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
@@ -14,7 +17,7 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "report/wording.hpp"
-#include "steps/codec_steps.hpp"
+#include "steps/image_encodings.hpp"
 #include "steps/image_plan.hpp"
 #include "steps/image_sources.hpp"
 #include "steps/image_store.hpp"
@@ -37,6 +40,7 @@ struct Job {
   ImageFile file;
   ImagePlan plan;
   Encoded encoded;
+  std::string trouble;  ///< as in StepOutcome
 };
 
 // The greatest error of a value in units of 1/255 that a lossy format guarantees; 0: no guarantee.
@@ -66,7 +70,8 @@ bool take_error(Job& job, const ImageAttempt& attempt, const codec::DecodeError&
     case codec::ErrorKind::malformed:
       take_defect(job, fmt::format("it cannot be decoded: {}", why));
       return false;
-    default:  // says nothing about the image
+    default:
+      if (!codec::depends_on_bytes_alone(error)) job.trouble = why;
       job.plan.refused = std::move(why);
       return false;
   }
@@ -92,9 +97,9 @@ bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& i
 }
 
 // Tries the attempts in order. Thread-safe for different jobs.
-void encode(Job& job) {
+void encode(Job& job, ImageEncodings& encodings) {
   for (const ImageAttempt& attempt : job.plan.attempts) {
-    const codec::EncodeResult result = codec::Client::shared().transcode_image(attempt.request);
+    const codec::EncodeResult result = encodings.transcode(attempt.request);
     if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
       if (!take_error(job, attempt, *error)) return;
       continue;
@@ -120,8 +125,10 @@ struct Loss {
 
 class ImageStep {
  public:
-  explicit ImageStep(const StepInput& input)
+  /// `only`: images, by index; null: all.
+  ImageStep(const StepInput& input, const std::set<std::uint32_t>* only)
       : input_(input),
+        only_(only),
         elements_(input.asset.document()),
         bytes_(elements_, input.asset.container(), input.asset.resolver()),
         graph_(input.asset.document(), input.schemas, true),
@@ -133,7 +140,7 @@ class ImageStep {
   Result<StepOutcome> run() {
     std::vector<Job> jobs = plan();
     parallel_ordered(
-        jobs.size(), input_.options.jobs, [&](std::size_t i) { encode(jobs[i]); },
+        jobs.size(), input_.options.jobs, [&](std::size_t i) { encode(jobs[i], input_.encodings); },
         [](std::size_t) {});
     for (Job& job : jobs) finish(job);
     sources_.edit(editor_);
@@ -160,9 +167,15 @@ class ImageStep {
     return jobs;
   }
 
+  bool is_chosen(const ImageGroup& group) const {
+    return only_ == nullptr ||
+           std::any_of(group.images.begin(), group.images.end(),
+                       [this](std::uint32_t image) { return only_->contains(image); });
+  }
+
   void plan(Job& job, const ImageUse& use) {
     if (job.group.storage == model::Storage::nowhere) return;
-    if (!is_requested(input_.options, use)) return;
+    if (!is_requested(input_.options, use) || !is_chosen(job.group)) return;
     auto bytes = bytes_.image(job.group.images.front());
     if (!bytes) {
       for (const std::uint32_t image : job.group.images) {
@@ -192,6 +205,7 @@ class ImageStep {
 
   void finish(Job& job) {
     std::string why = job.plan.refused;
+    if (outcome_.trouble.empty()) outcome_.trouble = job.trouble;
     if (job.encoded.attempt != nullptr) {
       if (auto trouble = take(job)) why = trouble->message;
     }
@@ -271,6 +285,7 @@ class ImageStep {
   }
 
   const StepInput& input_;
+  const std::set<std::uint32_t>* only_;
   const model::Asset elements_;
   model::AssetBytes bytes_;
   const graph::Graph graph_;
@@ -285,6 +300,8 @@ class ImageStep {
 
 }  // namespace
 
-Result<StepOutcome> convert_images(const StepInput& input) { return ImageStep(input).run(); }
+Result<StepOutcome> convert_images(const StepInput& input, const std::set<std::uint32_t>* only) {
+  return ImageStep(input, only).run();
+}
 
 }  // namespace gltfx::steps

@@ -5,7 +5,7 @@
 namespace gltfx::steps {
 
 // --shrink converts all that it can; other options ask for images.
-Result<StepOutcome> convert_images(const StepInput& input) {
+Result<StepOutcome> convert_images(const StepInput& input, const std::set<std::uint32_t>*) {
   if (!input.options.images.empty() || input.options.texture_size) {
     return Error{"this build does not encode images"};
   }

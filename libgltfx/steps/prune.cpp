@@ -200,7 +200,8 @@ class PruneRun {
 
   std::optional<Error> remove_vertices() {
     auto pruned = prune_vertices(
-        {stages_.asset(), input_.schemas, input_.options, {}, input_.unread}, outcome_.row);
+        {stages_.asset(), input_.schemas, input_.options, {}, input_.unread, input_.encodings},
+        outcome_.row);
     if (!pruned) return pruned.error();
     vertices_ = pruned->vertices;
     if (vertices_ == 0) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "change/apply.hpp"
+#include "change/chain.hpp"
 #include "change/place.hpp"
 
 namespace gltfx::steps {
@@ -19,18 +20,7 @@ void append(std::vector<T>& to, const std::vector<T>& more) {
 std::optional<Error> Stages::add(change::Change change) {
   auto placed = change::place(std::move(change), asset(), nullptr);
   if (!placed) return placed.error();
-  if (all_.empty()) {
-    all_ = *placed;
-  } else {
-    all_.edits = json::chain_edits(*before_.container().json, all_.edits, placed->edits);
-    append(all_.files, placed->files);
-    append(all_.replaced, placed->replaced);
-    if (placed->format) {  // its bytes include those of all changes before
-      all_.format = placed->format;
-      all_.bin = {};
-    }
-    if (!placed->bin.empty()) all_.bin = placed->bin;
-  }
+  change::append(all_, *placed, *before_.container().json);
   last_ = *std::move(placed);
   return std::nullopt;
 }

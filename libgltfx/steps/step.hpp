@@ -16,6 +16,8 @@
 
 namespace gltfx::steps {
 
+class ImageEncodings;
+
 /// Input of a step. Keeps references to everything but the file name.
 struct StepInput {
   const model::OpenedAsset& asset;  ///< after the previous steps
@@ -25,6 +27,7 @@ struct StepInput {
   /// Gets the buffers and images that the step cannot read, half sentences. They count as refused:
   /// nothing that was asked for is skipped because a file is missing or the system has an error.
   std::vector<ConvertNote>& unread;
+  ImageEncodings& encodings;  ///< of the run
 };
 
 /// Differences in meaning that a step may make; everything else is proven to be equal.
@@ -55,6 +58,9 @@ struct StepOutcome {
   change::Change change = {};
   ConvertStep row = {};
   Freedom freedom = {};
+  /// Why something was refused because of the system or the installation, not because of the asset,
+  /// half a sentence; empty: nothing was.
+  std::string trouble = {};
 };
 
 /// A step, described for the code that runs it and for readers. Texts have static storage.
