@@ -51,6 +51,7 @@ void FixMember::plan(const FileGuard& guard) {
   if (!is_sound()) return;
   fixed_.reset();
   fixed_.emplace(fix_in_rounds({take_opened(), validation()}, options_, schemas_, guard));
+  if (!fixed_->trouble.empty()) return fail(EditProblem::refused, fixed_->trouble);
   if (const auto obstacle = find_obstacle(fixed_->after.asset())) {
     return fail(EditProblem::unreadable, obstacle->message);
   }
@@ -113,6 +114,7 @@ std::optional<change::AssetWrite> FixMember::write(const NewContents& contents) 
   report_.actions = fixed_->actions;
   report_.changes = fixed_->changes;
   for (const auto& [path, file] : fixed_->files) report_.changed_files.push_back(path);
+  for (const change::NewFile& file : fixed_->new_files) report_.new_files.push_back(file.path);
   if (!writes(options_)) return std::nullopt;
   if (!fixed_->changes && contents.empty()) {
     if (!copy_unchanged(old_->asset, old_->state, options_, report_)) {
@@ -125,12 +127,15 @@ std::optional<change::AssetWrite> FixMember::write(const NewContents& contents) 
   if (fixed_->changes) asset.now = &fixed_->after.asset().container();
   asset.replaced = replaced_by(contents);
   asset.referred = referred_;
+  asset.files = fixed_->new_files;
+  // Without the files that new ones replace.
+  if (!asset.files.empty()) asset.companions = referred_;
   return asset;
 }
 
 std::optional<Draft> FixMember::take_draft(const NewContents& contents) {
   if (!is_sound() || !fixed_->changes) return std::nullopt;
-  return Draft{std::move(fixed_->after), {}, replaced_by(contents)};
+  return Draft{std::move(fixed_->after), std::move(fixed_->new_files), replaced_by(contents)};
 }
 
 void FixMember::note(const std::optional<change::WriteFailure>& failure) {
@@ -141,6 +146,7 @@ void FixMember::fail(EditProblem problem, std::string why) {
   note_failure(report_, problem, std::move(why));
   for (FixAction& action : report_.actions) action.done = false;
   report_.changed_files.clear();
+  report_.new_files.clear();
 }
 
 bool FixMember::is_worse_with(const NewContents& contents) const {

@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <utility>
+
+#include "pipeline/fix_images.hpp"
 
 namespace gltfx {
 namespace {
@@ -75,6 +78,23 @@ class Remains {
   std::map<Code, Places> places_;
 };
 
+// The change that converts the images of some sites.
+Result<change::Change> convert_marked(const OpenedAsset& asset, const schema::Set& schemas,
+                                      const std::map<std::size_t, std::uint32_t>& images,
+                                      PlannedFixes& planned) {
+  std::set<std::uint32_t> wanted;
+  for (const auto& [site, image] : images) wanted.insert(image);
+  LegalImages legal = make_images_legal(asset, schemas, wanted);
+  planned.trouble = std::move(legal.trouble);
+  for (const auto& [site, image] : images) {
+    const auto reason = legal.left.find(image);
+    if (reason == legal.left.end()) continue;
+    planned.fixed[site] = false;
+    planned.left.emplace(site, reason->second);
+  }
+  return std::move(legal.change);
+}
+
 }  // namespace
 
 ValidateOptions asked_of(const OpenedAsset& asset, const FixOptions& options) {
@@ -105,19 +125,22 @@ PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const sche
     planned.fixed.assign(sites.size(), false);
     planned.shared.assign(sites.size(), json::kNoNode);
     Fixing fixing(asset, schemas, content_bytes);
+    std::map<std::size_t, std::uint32_t> images;  // by site
     for (std::size_t i = 0; i < sites.size(); ++i) {
       if (!wanted[i]) continue;
       if (validate::find_fix(sites[i].code)->stage != *stage) continue;
       planned.fixed[i] = fixing.fix(sites[i], allows_unsafe(options, sites[i].code));
       planned.shared[i] = fixing.take_shared();
+      if (const auto image = fixing.take_image()) images.emplace(i, *image);
     }
-    auto change = fixing.take();
+    auto change = *stage == FixStage::images ? convert_marked(asset, schemas, images, planned)
+                                             : fixing.take();
     if (change) {
       planned.change = *std::move(change);
     } else {
       planned.obstacle = change.error().message;
     }
-    if (!change || !planned.change.empty()) return planned;
+    if (!change || !planned.change.empty() || !planned.trouble.empty()) return planned;
     stage = first_stage(sites, wanted, static_cast<FixStage>(static_cast<int>(*stage) + 1));
   }
   planned.fixed.assign(sites.size(), false);

@@ -4,7 +4,9 @@
 
 #include <gltfx/fix.hpp>
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,6 +34,11 @@ struct PlannedFixes {
   /// A value with which the fix is one with others that share it, or json::kNoNode.
   std::vector<json::NodeId> shared;
   std::string obstacle;  ///< why there are no changes; a sentence without stop, empty: none is due
+  std::map<std::size_t, std::string>
+      left;  ///< sites that cannot be fixed, with the reason, half a sentence
+  /// Why nothing must be written, half a sentence: the system or the installation lacks what a fix
+  /// needs; empty: no such reason.
+  std::string trouble;
 };
 
 /// `sites` are those of the asset as it is; those that are `wanted`, by position, are to be fixed.

@@ -10,11 +10,11 @@
 
 #include <fmt/format.h>
 
-#include "base/checked.hpp"
 #include "base/codes.hpp"
 #include "base/pages.hpp"
 #include "change/apply.hpp"
 #include "json/parse.hpp"
+#include "pipeline/fix_trials.hpp"
 #include "prove/findings.hpp"
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
@@ -26,7 +26,7 @@ using model::OpenedAsset;
 using validate::Site;
 using validate::Sites;
 using validate::ValidatedAsset;
-using Positions = std::vector<std::size_t>;  ///< of sites
+using Positions = SitePositions;
 
 constexpr unsigned kMostRounds = 32;
 constexpr std::size_t kMostPointers = 10;
@@ -67,39 +67,6 @@ class Tally {
   bool is_done_;
   const FixOptions& options_;
 };
-
-// A trial costs a validation, and there may be as many as findings: their cost is bounded.
-std::uint64_t affordable_trials(const OpenedAsset& asset) {
-  constexpr std::uint64_t kTrialBytes = 32U << 20U, kLeast = 8, kMost = 256;
-  std::uint64_t size = asset.container().bytes.size() + 1;
-  if (!asset.document().empty()) {
-    for (const model::BufferView& view : asset.views().buffer_views) {
-      size = saturating_add(size, view.byte_length.value_or(0));
-    }
-  }
-  return std::clamp(kTrialBytes / size, kLeast, kMost);
-}
-
-// Halves that share no value; where there are several codes, the sites of each.
-std::vector<Positions> parts_of(const Positions& group, const Sites& sites,
-                                const std::vector<json::NodeId>& shared) {
-  std::map<Code, Positions> by_code;
-  for (const std::size_t i : group) by_code[sites[i].code].push_back(i);
-  std::vector<Positions> parts;
-  if (by_code.size() > 1) {
-    for (auto& [code, part] : by_code) parts.push_back(std::move(part));
-  } else {
-    Positions begins;  // where a half may begin
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      const json::NodeId value = shared[group[i]];
-      if (i == 0 || value == json::kNoNode || value != shared[group[i - 1]]) begins.push_back(i);
-    }
-    const auto middle = group.begin() + static_cast<std::ptrdiff_t>(begins[begins.size() / 2]);
-    if (middle != group.begin()) parts.emplace_back(group.begin(), middle);
-    parts.emplace_back(middle, group.end());
-  }
-  return parts;
-}
 
 using Names = std::set<std::string, std::less<>>;
 
@@ -149,8 +116,13 @@ class Rounds {
       done().move_to(actions);
     }
     left_over().move_to(actions);
-    return {std::move(asset_), std::move(actions), std::move(changes_.edits),
-            std::move(changes_.files), changes_.any};
+    return {std::move(asset_),
+            std::move(actions),
+            std::move(changes_.edits),
+            std::move(changes_.files),
+            std::move(changes_.new_files),
+            changes_.any,
+            std::move(trouble_)};
   }
 
  private:
@@ -206,7 +178,13 @@ class Rounds {
       wanted.push_back(dropped_[i] == 0 && is_asked_for(asset_.sites()[i]));
     }
     PlannedFixes planned = plan(wanted);
+    if (!planned.trouble.empty()) {
+      trouble_ = std::move(planned.trouble);
+      return false;
+    }
+    for (const auto& [site, why] : planned.left) drop({site}, why);
     if (planned.change.empty() && planned.obstacle.empty()) {
+      if (!planned.left.empty()) return true;
       // What stood against a fix may be gone by another one.
       if (!std::exchange(retries_, false)) return false;
       dropped_.assign(dropped_.size(), 0);
@@ -261,10 +239,11 @@ class Rounds {
 
   // What is wrong with a file that could not be opened is no fault of the name that leads to it;
   // but a file with errors may not be the one that is meant, unless it has the name that was asked
-  // for.
+  // for. Likewise, what is found in a converted image is no fault of the conversion.
   Severity least_that_counts(const PlannedFixes& planned) const {
     const bool files = fixes_only(planned, [](Code code) {
-      return validate::find_fix(code)->stage == validate::FixStage::files;
+      const validate::FixStage stage = validate::find_fix(code)->stage;
+      return stage == validate::FixStage::files || stage == validate::FixStage::images;
     });
     return files ? Severity::error : Severity::info;
   }
@@ -341,6 +320,8 @@ class Rounds {
       const auto [known, is_new] = changes_.files.try_emplace(file.path, file);
       if (!is_new) known->second.after = file.after;
     }
+    std::move(trial.planned.change.files.begin(), trial.planned.change.files.end(),
+              std::back_inserter(changes_.new_files));
     asset_ = std::move(trial.after);
     changes_.any = true;
   }
@@ -380,8 +361,10 @@ class Rounds {
   struct {
     std::vector<json::Edit> edits;
     std::map<std::string, change::ReplacedFile> files;
+    std::vector<change::NewFile> new_files;
     bool any = false;
   } changes_;
+  std::string trouble_;  // as in FixedAsset
   // Sites, by position, that are left out: the number of the reason; 0 for others.
   std::vector<std::uint32_t> dropped_;
   std::vector<std::string> reasons_{""};

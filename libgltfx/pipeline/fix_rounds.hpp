@@ -25,7 +25,9 @@ struct FixedAsset {
   std::vector<FixAction> actions;                     ///< as in FixReport
   std::vector<json::Edit> edits;                      ///< of the old text
   std::map<std::string, change::ReplacedFile> files;  ///< by path
+  std::vector<change::NewFile> new_files;
   bool changes = false;
+  std::string trouble;  ///< as in PlannedFixes
 };
 
 /// Why a file may not be changed so, as half a sentence, or nothing. Its content `before` is that

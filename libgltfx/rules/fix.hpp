@@ -92,9 +92,9 @@ class Fixing {
   /// Whether claim() or is_claimed() found a changed value since the last call of this function.
   bool take_was_claimed() { return std::exchange(claimed_.was_met, false); }
   /// Declares that this fix is the same as all others with this `node`: making one makes all.
-  void share(json::NodeId node) { shared_ = node; }
+  void share(json::NodeId node) { requests_.shared = node; }
   /// The argument of share() since the last call of this function, or json::kNoNode.
-  json::NodeId take_shared() { return std::exchange(shared_, json::kNoNode); }
+  json::NodeId take_shared() { return std::exchange(requests_.shared, json::kNoNode); }
   /// The index of the object in a root array that `value` is or, as a number, refers to.
   std::optional<std::uint32_t> index(model::RootArray array, json::NodeId value);
 
@@ -114,6 +114,11 @@ class Fixing {
   std::string* content(std::uint32_t buffer);
   /// Deletes the value of a JSON pointer, in a stage without other changes.
   void delete_value(std::string pointer) { deleted_.insert(std::move(pointer)); }
+  /// Requests that an image, by index, is converted to a format that the asset allows. The caller
+  /// of the fixes does that: the code for it is in another module of this layer.
+  void convert_image(std::uint32_t image) { requests_.image = image; }
+  /// The argument of convert_image() since the last call of this function.
+  std::optional<std::uint32_t> take_image() { return std::exchange(requests_.image, std::nullopt); }
   /// Requests that the container is written anew, with correct lengths and padding.
   void rewrite_container() { rewrites_container_ = true; }
 
@@ -140,7 +145,10 @@ class Fixing {
     std::vector<bool> nodes;  ///< empty until a value is claimed
     bool was_met = false;
   } claimed_;
-  json::NodeId shared_ = json::kNoNode;
+  struct {
+    json::NodeId shared = json::kNoNode;
+    std::optional<std::uint32_t> image = std::nullopt;
+  } requests_;                     ///< of the last fix
   std::set<std::string> deleted_;  ///< JSON pointers
   template <class Table>
   static constexpr char kTableKey = 0;  ///< its address tells tables apart

@@ -28,6 +28,7 @@ enum class FixStage : std::uint8_t {
   syntax,     ///< of the text: there may be no document
   files,      ///< of references to files: their content is checked afterwards
   document,
+  images,    ///< conversions of images: made by the caller (Fixing::convert_image())
   deletion,  ///< of objects: references are counted again afterwards
 };
 

@@ -8,14 +8,6 @@
 #include "change/place.hpp"
 
 namespace gltfx::steps {
-namespace {
-
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& more) {
-  to.insert(to.end(), more.begin(), more.end());
-}
-
-}  // namespace
 
 std::optional<Error> Stages::add(change::Change change) {
   auto placed = change::place(std::move(change), asset(), nullptr);

@@ -32,6 +32,10 @@ struct FixVerb : EditVerb {
       complain(fmt::format("note: {}: the diff lacks the changes of {}, to which it refers",
                            printable(report.path), printable(file)));
     }
+    for (const std::string& file : report.new_files) {
+      complain(fmt::format("note: {}: the diff lacks the new file {}, to which it refers",
+                           printable(report.path), printable(file)));
+    }
   }
 
   static bool is_finding(const FixReport& report, const FixRequest& request, bool /*writing*/) {

@@ -69,6 +69,9 @@ std::string fix_text(const FixReport& report, const Style& style) {
   for (const std::string& file : report.changed_files) {
     text += fmt::format("  changes too: {}\n", printable(file));
   }
+  for (const std::string& file : report.new_files) {
+    text += fmt::format("  new file: {}\n", printable(file));
+  }
   return text;
 }
 
@@ -104,6 +107,7 @@ std::string fix_json(const FixReport& report, bool first) {
     for (const FixAction& action : report.actions) write_action(writer, action);
     writer.end_array();
     report::write_long_values(writer, "changedFiles", report.changed_files);
+    report::write_long_values(writer, "newFiles", report.new_files);
   });
 }
 

@@ -79,6 +79,7 @@ export interface FixOptions {
 export interface FixReport extends ChangeReport {
   actions: { code: string; fix: "safe" | "unsafe"; count: number; pointers: string[]; done: boolean; why?: string }[];
   changedFiles: string[];
+  newFiles: string[];
 }
 
 export interface UpgradeOptions {

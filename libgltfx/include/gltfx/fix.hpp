@@ -46,6 +46,7 @@ struct FixReport : EditOutcome {
   /// without a fix are not listed.
   std::vector<FixAction> actions;
   std::vector<std::string> changed_files;  ///< buffers that were rewritten, from its folder
+  std::vector<std::string> new_files;      ///< converted images, from its folder
 
   /// Findings that are fixed in the new file.
   std::uint64_t fixed() const;

@@ -11,12 +11,11 @@
 #include "base/text.hpp"
 #include "container/content.hpp"
 #include "container/uri.hpp"
-#include "json/writer.hpp"
 #include "model/fields.hpp"
 #include "rules/core/use.hpp"
 #include "rules/extension_walk.hpp"
 #include "rules/finding.hpp"
-#include "rules/fix.hpp"
+#include "rules/payload/image_fixes.hpp"
 #include "rules/payload/phases.hpp"
 #include "rules/payload/texture_slots.hpp"
 #include "rules/phases.hpp"
@@ -303,43 +302,10 @@ struct TextureCheck {
   }
 };
 
-// --- Fixes: the declared type of an image becomes its actual type ---
-
-std::string with_media_type(const std::string& uri, std::string_view type) {
-  const std::size_t end = uri.find_first_of(";,");
-  std::string text;
-  json::append_string(text, fmt::format("data:{}{}", type, std::string_view(uri).substr(end)));
-  return text;
-}
-
-bool say_type(Fixing& fixing, std::uint32_t index) {
-  const json::Document& document = fixing.document();
-  const json::NodeId image = fixing.elements().elements(model::RootArray::images)[index];
-  const auto& format = fixing.resources().images[index].format;
-  if (!format || !fixing.claim(image)) return false;
-  const std::string_view type = image::media_type(*format);
-  bool changed = false;
-  const json::NodeId declared = document.find(image, "mimeType");
-  if (declared != json::kNoNode && document.is_string(declared) &&
-      document.string(declared) != type) {
-    changed = fixing.replace_scalar(declared, fmt::format("\"{}\"", type));
-  }
-  const std::string uri = model::string_member(document, image, "uri");
-  const auto data = container::split_data_uri(uri);
-  if (container::classify_uri(uri).kind == container::UriKind::data && data &&
-      data->media_type != type) {
-    changed = fixing.replace_scalar(document.find(image, "uri"), with_media_type(uri, type));
-  }
-  return changed;
-}
-
-// `place` is a member of the image.
-bool correct_type(Fixing& fixing, const Subject& member) {
-  const auto image = fixing.index(model::RootArray::images, member.owner);
-  return image && say_type(fixing, *image);
-}
-
-constexpr FixEntry kImageFixes[] = {{Code::IMAGE_MIME_TYPE_INVALID, correct_type}};
+constexpr FixEntry kImageFixes[] = {
+    {Code::IMAGE_MIME_TYPE_INVALID, correct_image_type},
+    {Code::IMAGE_NON_ENABLED_MIME_TYPE, request_conversion, FixStage::images},
+    {Code::IMAGE_UNRECOGNIZED_FORMAT, request_conversion, FixStage::images}};
 
 }  // namespace
 
