@@ -58,7 +58,7 @@ class Baker {
     const auto format = picture_format(options_.output);
     if (!format) return fail(BakeProblem::refused, format.error().message);
     format_ = *format;
-    if (!options_.transparent || holds_alpha(format_)) return true;
+    if (!is_transparent(options_) || holds_alpha(format_)) return true;
     return fail(BakeProblem::refused,
                 "JPEG holds no transparent background; PNG, WebP and OpenEXR do");
   }
@@ -99,15 +99,13 @@ class Baker {
 
   bool take(const render::Framebuffer& drawn, const std::string& suffix) {
     if (report_.pixels.bytes.empty()) {
-      preview::Picture shown =
-          preview::tone_mapped_picture(drawn, options_.transparent, preview::PixelType::bytes);
+      preview::Picture shown = finish_picture(drawn, options_, preview::PixelType::bytes);
       report_.pixels = {shown.width, shown.height, shown.channels, std::move(shown.bytes)};
     }
     if (options_.output.empty() && kept_ == nullptr) return true;
     const auto numbers =
         holds_floats(format_) ? preview::PixelType::floats : preview::PixelType::bytes;
-    const preview::Picture picture =
-        preview::tone_mapped_picture(drawn, options_.transparent, numbers);
+    const preview::Picture picture = finish_picture(drawn, options_, numbers);
     if (!put(picture, suffix)) return false;
     for (const BakeLayer layer : options_.layers) {
       const preview::Picture seen =

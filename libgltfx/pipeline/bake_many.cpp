@@ -80,8 +80,7 @@ class Comparison {
   }
 
   preview::Picture to_picture(const render::Framebuffer& drawn, BakeReport& report) const {
-    preview::Picture picture =
-        preview::tone_mapped_picture(drawn, options_.transparent, preview::PixelType::bytes);
+    preview::Picture picture = finish_picture(drawn, options_, preview::PixelType::bytes);
     report.pixels = {picture.width, picture.height, picture.channels, picture.bytes};
     return picture;
   }

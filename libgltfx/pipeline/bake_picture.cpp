@@ -9,8 +9,9 @@
 #include <utility>
 
 #include "preview/lighting.hpp"
-#include "preview/picture.hpp"
 #include "render/render.hpp"
+#include "render/tone_curve.hpp"
+#include "render/tonemap.hpp"
 
 namespace gltfx {
 namespace {
@@ -29,6 +30,34 @@ const QualityLevel& level_of(BakeQuality quality) {
       {256, 12, 1024, 0, {1, 2, 4, false}},
   }};
   return kLevels[static_cast<std::size_t>(quality)];
+}
+
+using BackgroundKind = BakeBackground::Kind;
+
+render::ToneCurve curve_of(const BakeOptions& options) {
+  return static_cast<render::ToneCurve>(options.tone_map);
+}
+
+std::optional<render::Background> background_of(const BakeOptions& options) {
+  switch (options.background.kind) {
+    case BackgroundKind::automatic:
+      break;
+    case BackgroundKind::studio:
+      return render::Background::backdrop;
+    case BackgroundKind::environment:
+      return render::Background::environment;
+    case BackgroundKind::color:  // put behind the picture afterwards
+    case BackgroundKind::transparent:
+      return render::Background::transparent;
+  }
+  return std::nullopt;
+}
+
+// Whether the studio's backdrop is seen.
+bool has_backdrop(const render::Scene& scene, const BakeOptions& options) {
+  const BackgroundKind kind = options.background.kind;
+  return kind == BackgroundKind::studio ||
+         (kind == BackgroundKind::automatic && !scene.environment);
 }
 
 render::RenderOptions render_options(const BakeSize& size, const BakeOptions& options) {
@@ -70,7 +99,7 @@ BakeReport guarded(const std::string& path, const std::function<BakeReport()>& w
 void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOptions& options) {
   constexpr double kLeast = 12;
   constexpr std::uint32_t kSide = 48;
-  if (!loaded.subject->flat || options.transparent || loaded.scene->environment) return;
+  if (!loaded.subject->flat || !has_backdrop(*loaded.scene, options)) return;
   BakeOptions small = options;
   small.quality = BakeQuality::draft;
   small.samples.reset();
@@ -84,14 +113,19 @@ void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOpti
   };
   const render::Framebuffer drawn =
       draw_picture(loaded, view, {side(aspect), side(1 / aspect)}, small, {.alpha = true}, {});
-  loaded.dim_backdrop = preview::edge_contrast(drawn) < kLeast;
+  loaded.dim_backdrop = preview::edge_contrast(drawn, curve_of(options)) < kLeast;
+}
+
+bool is_transparent(const BakeOptions& options) {
+  return options.background.kind == BackgroundKind::transparent;
 }
 
 render::Layers layers_of(const BakeOptions& options) {
   const auto wants = [&options](BakeLayer layer) {
     return std::find(options.layers.begin(), options.layers.end(), layer) != options.layers.end();
   };
-  const bool alpha = options.transparent || !options.layers.empty();
+  const bool alpha =
+      background_of(options) == render::Background::transparent || !options.layers.empty();
   return {alpha, wants(BakeLayer::albedo), wants(BakeLayer::normal), wants(BakeLayer::depth),
           wants(BakeLayer::material)};
 }
@@ -102,7 +136,8 @@ render::Framebuffer draw_picture(const BakeScene& loaded, const render::View& vi
                                  std::function<void(double)> progress) {
   preview::LightingOptions lighting;
   lighting.lamps = static_cast<preview::Lamps>(options.lights);
-  lighting.transparent = options.transparent;
+  lighting.background = background_of(options);
+  lighting.rotation = options.environment_rotation;
   lighting.exposure = options.exposure;
   lighting.dim_backdrop = loaded.dim_backdrop;
   const std::optional<render::Eye> eye = preview::eye_of(view, *loaded.bvh);
@@ -122,6 +157,19 @@ render::Framebuffer draw_picture(const BakeScene& loaded, const render::View& vi
       options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
       level.effort};
   return render::render(paths, view, drawing);
+}
+
+preview::Picture finish_picture(const render::Framebuffer& drawn, const BakeOptions& options,
+                                preview::PixelType type) {
+  preview::Finish finish;
+  finish.curve = curve_of(options);
+  if (options.background.kind == BackgroundKind::color) {
+    Float3& color = finish.color.emplace();
+    for (std::size_t c = 0; c < 3; ++c) {
+      color[c] = render::srgb_decode_byte(options.background.color[c]);
+    }
+  }
+  return preview::tone_mapped_picture(drawn, is_transparent(options), type, finish);
 }
 
 }  // namespace gltfx

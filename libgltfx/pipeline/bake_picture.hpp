@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pipeline/bake_scene.hpp"
+#include "preview/picture.hpp"
 #include "render/framebuffer.hpp"
 #include "render/view.hpp"
 
@@ -23,6 +24,9 @@ BakeReport guarded(const std::string& path, const std::function<BakeReport()>& w
 /// (CIE L*) from it. Precondition: the scene is ready.
 void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOptions& options);
 
+/// Whether pictures have an alpha channel.
+bool is_transparent(const BakeOptions& options);
+
 /// What the options ask for beside the picture itself.
 render::Layers layers_of(const BakeOptions& options);
 
@@ -31,5 +35,9 @@ render::Framebuffer draw_picture(const BakeScene& loaded, const render::View& vi
                                  const BakeSize& size, const BakeOptions& options,
                                  const render::Layers& layers,
                                  std::function<void(double)> progress);
+
+/// The pixels of what was drawn with the same options.
+preview::Picture finish_picture(const render::Framebuffer& drawn, const BakeOptions& options,
+                                preview::PixelType type);
 
 }  // namespace gltfx

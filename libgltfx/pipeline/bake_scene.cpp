@@ -59,6 +59,7 @@ std::optional<std::string> find_refusal(const BakeOptions& options) {
   if (!(std::fabs(options.exposure) <= kMostStops)) {
     return fmt::format("exposure: not from -{0} to {0} stops", kMostStops);
   }
+  if (!std::isfinite(options.environment_rotation)) return "environment_rotation: not a number";
   return std::nullopt;
 }
 

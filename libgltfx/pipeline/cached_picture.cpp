@@ -88,9 +88,9 @@ bool can_be_kept(const BakeOptions& options) {
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 Hash128 picture_key(const BakeOptions& options, const ResultCache& cache) {
   const auto& [sizes, turntable, layers, quality, samples, bounces, seed, denoise, seconds, noise,
-               literal_shader, lights, environment, exposure, transparent, camera, projection,
-               frame, interior, scene, animation, time, variant, strict, output, embed, root,
-               searched, jobs, schemas, own_cache, progress] = options;
+               literal_shader, lights, environment, environment_rotation, exposure, background,
+               tone_map, camera, projection, frame, interior, scene, animation, time, variant,
+               strict, output, embed, root, searched, jobs, schemas, own_cache, progress] = options;
   // Where pictures lie is no part of them; the same come of any number of threads.
   static_cast<void>(output);
   static_cast<void>(jobs);
@@ -104,15 +104,17 @@ Hash128 picture_key(const BakeOptions& options, const ResultCache& cache) {
                                   frame, scene, animation, variant}) {
     parts.add(text);
   }
-  for (const double number : {noise, exposure, time}) add(parts, number);
+  for (const double number : {noise, exposure, time, environment_rotation}) add(parts, number);
   for (const std::uint64_t number :
        {std::uint64_t{turntable}, static_cast<std::uint64_t>(quality),
         std::uint64_t{samples.value_or(0)}, std::uint64_t{bounces ? *bounces + 1ULL : 0},
         std::uint64_t{seed}, std::uint64_t{denoise}, std::uint64_t{literal_shader},
         static_cast<std::uint64_t>(lights), static_cast<std::uint64_t>(projection),
-        static_cast<std::uint64_t>(interior), std::uint64_t{transparent}, std::uint64_t{strict}}) {
+        static_cast<std::uint64_t>(interior), static_cast<std::uint64_t>(background.kind),
+        static_cast<std::uint64_t>(tone_map), std::uint64_t{strict}}) {
     parts.add(number);
   }
+  for (const std::uint8_t part : background.color) parts.add(std::uint64_t{part});
   parts.add(std::uint64_t{sizes.size()});
   for (const BakeSize& size : sizes) parts.add(std::uint64_t{size.width} << 32U | size.height);
   parts.add(std::uint64_t{layers.size()});

@@ -116,6 +116,25 @@ std::vector<render::Light> brought_to_studio(const render::Scene& scene, const S
   return lights;
 }
 
+// Turned around y as azimuths count, with linear interpolation between columns.
+render::EnvironmentImage rotated(const render::EnvironmentImage& image, double degrees) {
+  const double turns = degrees / 360 - std::floor(degrees / 360);
+  const double columns = turns * image.width;
+  const auto whole = static_cast<std::uint32_t>(columns);
+  const auto part = static_cast<float>(columns - whole);
+  render::EnvironmentImage result = image;
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    const Float3* row = &image.radiance[std::size_t{y} * image.width];
+    for (std::uint32_t x = 0; x < image.width; ++x) {
+      const Float3& left = row[(std::uint64_t{x} + whole) % image.width];
+      const Float3& right = row[(std::uint64_t{x} + whole + 1) % image.width];
+      Float3& texel = result.radiance[std::size_t{y} * image.width + x];
+      for (std::size_t c = 0; c < 3; ++c) texel[c] = left[c] * (1 - part) + right[c] * part;
+    }
+  }
+  return result;
+}
+
 bool is_emissive(const render::Scene& scene) {
   if (!scene.lights.empty()) return true;
   return std::any_of(scene.materials.begin(), scene.materials.end(), [](const auto& material) {
@@ -185,11 +204,16 @@ render::World make_world(const render::Scene& scene, const Subject& subject,
   const double exposure = std::exp2(options.exposure);
   const bool own = scene.environment.has_value();
   const bool studio = !own && (options.lamps != Lamps::asset || !is_emissive(scene));
+  world.background = options.background.value_or(own ? render::Background::environment
+                                                     : render::Background::backdrop);
   if (own || studio) {
     render::EnvironmentImage image =
         own ? *scene.environment : studio_environment(view.backward, is_plain(scene));
     for (Float3& texel : image.radiance) scale(texel, exposure);
-    if (studio) world.shadow_catcher = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
+    if (options.rotation != 0) image = rotated(image, options.rotation);
+    if (world.background == render::Background::backdrop) {
+      world.shadow_catcher = {subject.least.y, luminance(irradiance(image, {0, 1, 0}))};
+    }
     world.environment.emplace(image);
   }
   world.emitters = render::Emitters(scene, studio && !options.enclosed ? kDim * exposure : 0);
@@ -197,8 +221,6 @@ render::World make_world(const render::Scene& scene, const Subject& subject,
   for (render::Light& light : world.lights) scale(light.intensity, exposure);
   if (view.inside) world.sky_occlusion = shadow_reach(subject);
   if (options.dim_backdrop) world.backdrop = kDimBackdrop;
-  if (own) world.background = render::Background::environment;
-  if (options.transparent) world.background = render::Background::transparent;
   return world;
 }
 

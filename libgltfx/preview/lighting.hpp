@@ -31,8 +31,10 @@ enum class Lamps : std::uint8_t { studio, asset, both };
 
 struct LightingOptions {
   Lamps lamps = Lamps::both;
-  bool transparent = false;
+  /// Nothing: the environment of the scene, else the studio's backdrop.
+  std::optional<render::Background> background;
   double exposure = 0;        ///< stops
+  double rotation = 0;        ///< of environment or studio around y; degrees, as Direction counts
   bool dim_backdrop = false;  ///< darker, so that objects as bright as the usual backdrop stand out
   /// The camera is in a closed room, where all emissive surfaces count as lamps.
   bool enclosed = false;

@@ -83,22 +83,30 @@ Float3 layer_color(const render::Framebuffer& buffer, std::size_t i, Layer layer
   return type == PixelType::floats ? grey(static_cast<float>(material)) : material_color(material);
 }
 
+Float3 over(Float3 front, float covered, const Float3& behind) {
+  for (std::size_t c = 0; c < 3; ++c) front[c] = front[c] * covered + behind[c] * (1 - covered);
+  return front;
+}
+
 // CIE L* of a pixel of the finished picture.
-double lightness(const Float3& radiance) {
-  const double y = std::clamp(luminance(to_vec(render::tone_map(radiance))), 0.0, 1.0);
+double lightness(const Float3& radiance, render::ToneCurve curve) {
+  const double y = std::clamp(luminance(to_vec(render::tone_map(radiance, curve))), 0.0, 1.0);
   return y > 216.0 / 24389 ? 116 * std::cbrt(y) - 16 : y * 24389.0 / 27;
 }
 
 }  // namespace
 
-Picture tone_mapped_picture(const render::Framebuffer& buffer, bool alpha, PixelType type) {
+Picture tone_mapped_picture(const render::Framebuffer& buffer, bool alpha, PixelType type,
+                            const Finish& finish) {
   Picture picture = blank(buffer, alpha ? 4 : 3, type);
   for (std::size_t i = 0; i < buffer.size(); ++i) {
-    const float covered = alpha ? buffer.alpha[i] : 1;
+    const float covered = alpha || finish.color ? buffer.alpha[i] : 1;
     const float scale = covered > 0 ? 1 / covered : 1;
     const Float3& from = buffer.radiance[i];
-    const Float3 light{from[0] * scale, from[1] * scale, from[2] * scale};
-    add_color(picture, type == PixelType::bytes ? render::tone_map(light) : light, false, type);
+    Float3 light{from[0] * scale, from[1] * scale, from[2] * scale};
+    if (type == PixelType::bytes) light = render::tone_map(light, finish.curve);
+    if (finish.color) light = over(light, covered, *finish.color);
+    add_color(picture, light, false, type);
     if (!alpha) continue;
     if (type == PixelType::bytes) {
       picture.bytes.push_back(render::to_byte(covered));
@@ -119,7 +127,7 @@ Picture layer_picture(const render::Framebuffer& buffer, Layer layer, PixelType 
   return picture;
 }
 
-double edge_contrast(const render::Framebuffer& buffer) {
+double edge_contrast(const render::Framebuffer& buffer, render::ToneCurve curve) {
   double sum = 0;
   std::size_t count = 0;
   // Pixels on the edge itself are mixed: their neighbours on either side are compared.
@@ -127,7 +135,8 @@ double edge_contrast(const render::Framebuffer& buffer) {
     const float before = buffer.alpha[i - step];
     const float after = buffer.alpha[i + step];
     if (std::min(before, after) > 0.01F || std::max(before, after) < 0.99F) return;
-    sum += std::fabs(lightness(buffer.radiance[i - step]) - lightness(buffer.radiance[i + step]));
+    sum += std::fabs(lightness(buffer.radiance[i - step], curve) -
+                     lightness(buffer.radiance[i + step], curve));
     ++count;
   };
   for (std::size_t y = 0; y < buffer.height; ++y) {

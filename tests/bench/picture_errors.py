@@ -78,7 +78,7 @@ def decibels(path, reference):
 
 def draw(program, asset, picture, options):
     own = ["--camera", "0", "--lights", "asset"] if "fixtures/figures" in asset else []
-    words = [program, "bake", asset, "-o", picture, "--transparent", "--quiet", *own]
+    words = [program, "bake", asset, "-o", picture, "--background", "transparent", "--quiet", *own]
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run([*words, *options], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)

@@ -16,7 +16,7 @@ using BakeLimits = Baking;
 // What is drawn fills a good part of the picture whatever its size.
 TEST_F(BakeLimits, EverySizeIsFramedAlike) {
   options.camera.clear();
-  options.transparent = true;
+  options.background = {BakeBackground::Kind::transparent};
   std::vector<std::uint8_t> usual;
   for (const float size : {1.0F, 1e-12F, 1e-3F, 1e4F, 1e12F}) {
     AssetText asset;

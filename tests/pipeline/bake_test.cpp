@@ -114,7 +114,7 @@ TEST(BakeFile, FloatsKeepWhatIsBrighterThanWhite) {
 
 TEST(BakeFile, TransparencyIsAlpha) {
   BakeOptions options = quick();
-  options.transparent = true;
+  options.background = {BakeBackground::Kind::transparent};
   const BakeReport report = bake_file(fixture("leaf.gltf"), options);
   ASSERT_EQ(report.pixels.channels, 4U);
   EXPECT_EQ(report.pixels.bytes[3], 0);

@@ -26,7 +26,7 @@ BakedPixels draw(const std::string& figure, std::uint32_t samples, bool denoise,
   options.samples = samples;
   options.seed = samples;  // no picture is part of another one
   options.denoise = denoise;
-  options.transparent = transparent;
+  if (transparent) options.background = {BakeBackground::Kind::transparent};
   const fs::path file = fs::path(GLTFX_SOURCE_DIR) / "fixtures/figures" / figure;
   BakeReport report = bake_file(file.native(), options);
   EXPECT_EQ(report.problem, BakeProblem::none) << report.error;

@@ -30,7 +30,7 @@ class FramingOptions : public Baking {
     options.camera = "front";
     options.sizes = {{64, 64}};
     options.samples = 4;
-    options.transparent = true;
+    options.background = {BakeBackground::Kind::transparent};
   }
 
   // `wanted` takes red, green and blue.

@@ -19,7 +19,7 @@ class Markers : public Baking {
     options.camera = "0,0";
     options.sizes = {{64, 64}};
     options.samples = 16;
-    options.transparent = true;
+    options.background = {BakeBackground::Kind::transparent};
     surround(1);
   }
 

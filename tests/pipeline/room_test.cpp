@@ -16,7 +16,7 @@ class Room : public Baking {
 
   // The mean of what is seen of the scene, as numbers of a picture for the screen.
   double brightness(AssetText asset) {
-    options.transparent = true;
+    options.background = {BakeBackground::Kind::transparent};
     const BakeReport done = report(asset);
     EXPECT_EQ(done.problem, BakeProblem::none) << done.error;
     double sum = 0;

@@ -87,7 +87,15 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
       {"--denoise", "off"},
       {"--noise", "0.9"},
       {"--seed", "7"},
-      {"--transparent"},
+      {"--background", "transparent"},
+      {"--background", "environment"},
+      {"--background", "#0080ff"},
+      {"--background", "white"},
+      {"--rotate-environment", "90"},
+      {"--environment", "sky.exr", "--background", "studio"},
+      {"--tone-map", "aces"},
+      {"--tone-map", "agx"},
+      {"--tone-map", "none"},
       {"--shader", "spec"},
   };
   for (const auto& words : changes) {
@@ -99,7 +107,15 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
   EXPECT_EQ(picture({"--scene", "1"}), picture({"--scene", "two"}));
   EXPECT_EQ(picture({"--variant", "1"}), picture({"--variant", "blue"}));
   EXPECT_EQ(picture({"--animation", "0"}), picture({"--animation", "slide", "--time", "0"}));
+  EXPECT_EQ(picture({"--background", "FFF"}), picture({"--background", "white"}));
+  EXPECT_EQ(picture({"--background", "#08f"}), picture({"--background", "0088ff"}));
+  EXPECT_EQ(picture({"--environment", "sky.exr", "--background", "environment"}),
+            picture({"--environment", "sky.exr"}));
   for (const auto& words : std::vector<std::vector<std::string>>{{"--lights", "both"},
+                                                                 {"--background", "studio"},
+                                                                 {"--rotate-environment", "0"},
+                                                                 {"--rotate-environment", "-360"},
+                                                                 {"--tone-map", "neutral"},
                                                                  {"--projection", "perspective"},
                                                                  {"--interior", "auto"},
                                                                  {"--interior", "off"},
@@ -159,7 +175,7 @@ TEST_F(BakeOptionsTest, WhatIsNotThereIsNamedWithWhatIs) {
   folder_.write("sky.tif", "hello");
   EXPECT_THAT(complaint({"-o", "a.png", "--environment", "sky.tif"}, 3),
               HasSubstr("'sky.tif' has no known image format"));
-  EXPECT_THAT(complaint({"-o", "a.jpg", "--transparent"}, 1),
+  EXPECT_THAT(complaint({"-o", "a.jpg", "--background", "transparent"}, 1),
               HasSubstr("PNG, WebP and OpenEXR do"));
   EXPECT_THAT(complaint({"-o", "a.png", "--turntable", "3", "--camera", "0"}, 1),
               HasSubstr("around the asset"));
@@ -187,6 +203,11 @@ TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn)
       {{"-o", "a.png", "--quality", "best"},
        "--quality: 'best' is not one of draft, standard, final"},
       {{"-o", "a.png", "--shader", "toon"}, "--shader: 'toon' is not one of spec, conserving"},
+      {{"-o", "a.png", "--tone-map", "filmic"},
+       "--tone-map: 'filmic' is not one of neutral, aces, agx, none"},
+      {{"-o", "a.png", "--background", "blue"}, "--background: 'blue' is neither studio"},
+      {{"-o", "a.png", "--background", "#12345"}, "nor a color, such as white, black or #ff8800"},
+      {{"-o", "a.png", "--background", "#12345g"}, "--background: '#12345g' is neither"},
       {{"-o", "a.png", "--root", "gone"}, "--root: 'gone' is not a folder"},
   };
   for (const auto& [words, expected] : cases) {
@@ -217,6 +238,9 @@ TEST_F(BakeOptionsTest, SchemasOfOnesOwnAndTheConfigurationHold) {
   EXPECT_EQ(drawn({"--config", "own.toml", "--frame", "0"}), 0);
   folder_.write("own.toml", "projection = \"flat\"\n");
   EXPECT_EQ(drawn({"--config", "own.toml"}), 2);
+  folder_.write("own.toml", "tone-map = \"agx\"\nbackground = \"#0080ff\"\n");
+  EXPECT_EQ(picture({"--config", "own.toml"}),
+            picture({"--tone-map", "agx", "--background", "0080ff"}));
 }
 
 }  // namespace

@@ -64,9 +64,9 @@ const std::vector<Verb>& verbs() {
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"hook", words("VERB")},
       {"bake",
-       words("PATH --output --format --sheet --size --turntable --layer --transparent --embed "
-             "--compare --camera --projection --interior --frame --lights --environment --exposure "
-             "--scene "
+       words("PATH --output --format --sheet --size --turntable --layer --embed "
+             "--compare --camera --projection --interior --frame --lights --environment "
+             "--rotate-environment --background --exposure --tone-map --scene "
              "--animation --time "
              "--variant --strict --quality --samples --bounces --seed --denoise --noise "
              "--time-budget "

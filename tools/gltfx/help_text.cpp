@@ -74,7 +74,7 @@ constexpr std::string_view kConvertExamples = R"(Examples:
 constexpr std::string_view kBakeExamples = R"(Examples:
   gltfx bake model.glb -o model.png
   gltfx bake assets/ -o thumbnails/ --size 256      previews and a contact sheet
-  gltfx bake model.glb -o model.webp --transparent --camera 30,20
+  gltfx bake model.glb -o model.webp --background transparent
   gltfx bake model.glb -o turn.png --turntable 24
   gltfx bake model.glb -o still.exr --samples 1024 --environment sky.hdr
   gltfx bake old.glb --compare new.glb -o difference.png

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // `gltfx bake`.
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -87,6 +89,50 @@ Binding layers(std::vector<BakeLayer>& member) {
   });
 }
 
+int hex_digit(char digit) {
+  if (digit >= '0' && digit <= '9') return digit - '0';
+  const char lower = static_cast<char>(digit | 0x20);
+  return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
+}
+
+// "#f80", "ff8800"; without '#', which begins a comment in a shell.
+std::optional<std::array<std::uint8_t, 3>> parse_color(std::string_view text) {
+  if (text == "black") return std::array<std::uint8_t, 3>{0, 0, 0};
+  if (text == "white") return std::array<std::uint8_t, 3>{255, 255, 255};
+  if (text.starts_with('#')) text.remove_prefix(1);
+  if (text.size() != 3 && text.size() != 6) return std::nullopt;
+  const std::size_t digits = text.size() / 3;
+  std::array<std::uint8_t, 3> color{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const int first = hex_digit(text[c * digits]);
+    const int last = hex_digit(text[c * digits + digits - 1]);
+    if (first < 0 || last < 0) return std::nullopt;
+    color[c] = static_cast<std::uint8_t>(first * 16 + last);
+  }
+  return color;
+}
+
+Binding background(BakeBackground& member) {
+  using Kind = BakeBackground::Kind;
+  const Choices<Kind> names{{"studio", Kind::studio},
+                            {"environment", Kind::environment},
+                            {"transparent", Kind::transparent}};
+  const auto parse = [names](std::string_view option,
+                             std::string_view word) -> Result<BakeBackground> {
+    if (const auto color = parse_color(word)) return BakeBackground{Kind::color, *color};
+    for (const auto& [name, kind] : names) {
+      if (name == word) return BakeBackground{kind};
+    }
+    return Error{
+        fmt::format("{}: {} is neither studio, environment or transparent nor a color, "
+                    "such as white, black or #ff8800.",
+                    option, quoted(word))};
+  };
+  return parsed(member, parse, [] {
+    return values::choice({"studio", "environment", "transparent", "white", "black"});
+  });
+}
+
 void declare_outputs(Options& options, BakeRequest& request) {
   BakeOptions& bake = request.bake;
   options.add("-o,--output", "FILE|DIR", "Output .png, .webp, .jpg or .exr file, or a folder",
@@ -102,7 +148,6 @@ void declare_outputs(Options& options, BakeRequest& request) {
               number(bake.turntable, 0, 3600));
   options.add("--layer", "NAME", "Extra layer: albedo, normal, depth, material",
               layers(bake.layers));
-  options.add("--transparent", "", "Transparent background", flag(bake.transparent));
   options.add("--embed", "", "Embed the picture as the thumbnail of the asset", flag(bake.embed));
   options.add("--compare", "PATH", "Compare with PATH; write the difference to -o",
               text(request.compare, [] {
@@ -135,8 +180,19 @@ void declare_scene(Options& options, BakeOptions& bake) {
              return values::files({"hdr", "exr"});
            }),
       {.name = "environment", .form = ConfigForm::path, .place = 150, .otherwise = "a studio"});
+  options.add("--rotate-environment", "DEGREES", "Rotate the light around the asset (default: 0)",
+              decimal(bake.environment_rotation, -3600, 3600));
+  options.add("--background", "WHAT", "studio, environment, transparent or color (#ff8800)",
+              background(bake.background),
+              {.name = "background", .place = 152, .otherwise = "environment, else studio"});
   options.add("--exposure", "STOPS", "Exposure in stops (default: 0)",
               decimal(bake.exposure, -64, 64));
+  options.add("--tone-map", "NAME", "Tone mapping: neutral (default), aces, agx or none",
+              one_of(bake.tone_map, {{"neutral", BakeToneMap::neutral},
+                                     {"aces", BakeToneMap::aces},
+                                     {"agx", BakeToneMap::agx},
+                                     {"none", BakeToneMap::none}}),
+              {.name = "tone-map", .place = 153, .otherwise = "neutral"});
   options.add("--scene", "NAME|N", "Scene (default: that of the asset)", text(bake.scene));
   options.add("--animation", "NAME|N", "Animation to pose the asset with", text(bake.animation));
   options.add("--time", "SECONDS", "Time in the animation (default: 0)",

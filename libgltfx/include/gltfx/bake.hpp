@@ -7,6 +7,7 @@
 #include <gltfx/report.hpp>
 #include <gltfx/searched_folders.hpp>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -50,6 +51,27 @@ enum class BakeInterior : std::uint8_t {
   automatic,  ///< in a closed room that shows only walls to a camera around it
   on,         ///< a camera of the asset stays in its place
   off,
+};
+
+/// What is seen beside the asset.
+struct BakeBackground {
+  enum class Kind : std::uint8_t {
+    automatic,    ///< the environment where there is one, else the studio
+    studio,       ///< a grey backdrop with the shadow of the asset
+    environment,  ///< what lights the asset: the soft boxes of the studio where there is no other
+    color,        ///< as it is, without shadow and tone mapping
+    transparent,  ///< nothing; an alpha channel where the format has one
+  };
+  Kind kind = Kind::automatic;
+  std::array<std::uint8_t, 3> color{255, 255, 255};  ///< sRGB
+};
+
+/// From light to the range of a display, in pictures of 8 bits.
+enum class BakeToneMap : std::uint8_t {
+  neutral,  ///< Khronos PBR Neutral: base colors in white light do not change
+  aces,     ///< fit of ACES by Stephen Hill, as bright as that of three.js
+  agx,      ///< AgX, base look
+  none,     ///< light above 1 is clipped
 };
 
 /// Pictures of something other than light, each in a file of its own.
@@ -99,9 +121,12 @@ struct BakeOptions {
   bool literal_shader = false;
 
   BakeLights lights = BakeLights::both;  ///< light sources
-  std::string environment;   ///< a Radiance or OpenEXR file that lights the scene; empty: none
-  double exposure = 0;       ///< stops, from -64 to 64; 1 doubles all light
-  bool transparent = false;  ///< no backdrop, and an alpha channel where the format has one
+  std::string environment;  ///< a Radiance or OpenEXR file that lights the scene; empty: none
+  /// Turns the environment or studio around y: degrees, in the direction of AZIMUTH below.
+  double environment_rotation = 0;
+  double exposure = 0;  ///< stops, from -64 to 64; 1 doubles all light
+  BakeBackground background;
+  BakeToneMap tone_map = BakeToneMap::neutral;
 
   /// A camera of the asset by name or index; for any asset "front", "back", "left", "right", "top",
   /// "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" in front of it; empty:
