@@ -197,7 +197,7 @@ struct Raster {
 };
 
 /// An image to encode. PNG supports 8 and 16 bits; JPEG 8 bits with 1 or 3 channels; WebP 8 bits,
-/// with grey as RGB; EXR floats.
+/// with grey as RGB, and animations; EXR floats.
 struct EncodeRequest {
   EncodedFormat format = EncodedFormat::png;
   Raster raster;

@@ -45,6 +45,10 @@ struct EncodeOptions {
   bool subsampled = true;
   /// PNG: the greatest effort, with several filters. JPEG: optimized tables.
   bool smallest = false;
+  /// WebP: the raster is that many frames of an animation without end, one below the other, each
+  /// shown for so many microseconds.
+  std::uint32_t frames = 1;
+  std::uint32_t frame_microseconds = 0;
   bool operator==(const EncodeOptions&) const = default;
 };
 

@@ -210,6 +210,8 @@ void write(FieldWriter& out, const EncodeOptions& options) {
   out.number(options.near_lossless);
   out.number(static_cast<std::uint8_t>(options.subsampled));
   out.number(static_cast<std::uint8_t>(options.smallest));
+  out.number(options.frames);
+  out.number(options.frame_microseconds);
 }
 
 EncodeOptions read_options(FieldReader& in) {
@@ -217,6 +219,8 @@ EncodeOptions read_options(FieldReader& in) {
   options.near_lossless = in.check_at_most(in.number<std::uint32_t>(), 100U);
   options.subsampled = in.flag();
   options.smallest = in.flag();
+  options.frames = in.number<std::uint32_t>();
+  options.frame_microseconds = in.number<std::uint32_t>();
   return options;
 }
 
@@ -335,8 +339,20 @@ bool format_holds(const Job& job, const Raster& raster) {
   return false;
 }
 
+namespace {
+
+// Whether the raster is as many frames as the options say.
+bool has_frames(const Job& job) {
+  const std::uint32_t frames = job.options.frames;
+  if (frames == 1) return true;
+  return frames > 0 && job.task == Task::encode && job.encoded == EncodedFormat::webp &&
+         job.raster.height % frames == 0;
+}
+
+}  // namespace
+
 bool is_consistent(const Job& job) {
-  if (job.quality > 100 || job.options.near_lossless > 100) return false;
+  if (job.quality > 100 || job.options.near_lossless > 100 || !has_frames(job)) return false;
   if (!std::isfinite(job.resize.alpha_cutoff)) return false;
   const Raster& raster = job.raster;
   const bool texels = raster.width != 0 || raster.height != 0;

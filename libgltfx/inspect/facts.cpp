@@ -15,6 +15,7 @@
 #include "model/fields.hpp"
 #include "model/format_set.hpp"
 #include "model/info.hpp"
+#include "model/keyframes.hpp"
 #include "model/light.hpp"
 #include "model/resource_data.hpp"
 #include "model/scene_extent.hpp"
@@ -193,13 +194,6 @@ void count_slots(const Source& source, std::vector<MaterialFacts>& materials) {
   }
 }
 
-double last_time(const Source& source, const model::AnimationSampler& sampler) {
-  if (!sampler.input) return 0;
-  const auto end =
-      model::float_array<1>(source.document(), source.views.accessors[*sampler.input].max);
-  return end ? static_cast<double>((*end)[0]) : 0;
-}
-
 std::vector<AnimationFacts> animations_of(const Source& source) {
   std::vector<AnimationFacts> list;
   for (std::size_t i = 0; i < source.views.animations.size(); ++i) {
@@ -209,8 +203,8 @@ std::vector<AnimationFacts> animations_of(const Source& source) {
     facts.channels = animation.channels.size();
     facts.samplers = animation.samplers.size();
     facts.bytes = source.bytes.animations[i];
+    facts.duration = model::duration_of(source.asset, source.views, animation);
     for (const model::AnimationSampler& sampler : animation.samplers) {
-      facts.duration = std::max(facts.duration, last_time(source, sampler));
       if (!sampler.input) continue;
       const auto count = source.views.accessors[*sampler.input].count;
       facts.keyframes = saturating_add(facts.keyframes, count.value_or(0));

@@ -254,6 +254,16 @@ std::vector<float> value_at(const Curve& curve, double time, std::uint64_t width
   return rotation ? values_of(unit(quaternion(values))) : values;
 }
 
+double duration_of(const Asset& asset, const Views& views, const Animation& animation) {
+  double last = 0;
+  for (const AnimationSampler& sampler : animation.samplers) {
+    if (!sampler.input) continue;
+    const auto end = float_array<1>(asset.document(), views.accessors[*sampler.input].max);
+    if (end) last = std::max(last, static_cast<double>((*end)[0]));
+  }
+  return last;
+}
+
 AnimationSample sample_animation(const Asset& asset, const Views& views,
                                  const ResourceData& resources, const schema::Set& schemas,
                                  std::uint32_t index, double time) {

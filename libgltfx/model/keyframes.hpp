@@ -26,6 +26,10 @@ struct Curve {
 /// follow the shorter arc and have length 1. Empty when there are too few elements.
 std::vector<float> value_at(const Curve& curve, double time, std::uint64_t width, bool rotation);
 
+/// The greatest time of the keyframes of an animation, as `max` of their accessors states it;
+/// seconds.
+double duration_of(const Asset& asset, const Views& views, const Animation& animation);
+
 /// The values of an animation at one moment.
 struct AnimationSample {
   AnimatedValues values;

@@ -47,7 +47,8 @@ class Comparison {
   void compare() {
     const BakeSize size = options_.sizes.front();
     const double aspect = static_cast<double>(size.width) / size.height;
-    const auto views = choose_views(first_, options_, aspect);
+    const std::string camera = options_.cameras.empty() ? std::string() : options_.cameras.front();
+    const auto views = choose_views(first_, options_, aspect, camera);
     if (!views) {
       first_.report.problem = BakeProblem::refused;
       first_.report.error = views.error().message;

@@ -107,6 +107,19 @@ std::optional<std::pair<double, double>> find_preset(std::string_view word) {
   return std::nullopt;
 }
 
+std::vector<std::string> camera_file_parts(const std::vector<std::string>& cameras) {
+  std::vector<std::string> parts;
+  for (std::string part : cameras) {
+    for (char& c : part) {
+      const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+      if (!letter && !(c >= '0' && c <= '9') && c != '-' && c != ',') c = '_';
+    }
+    while (std::find(parts.begin(), parts.end(), part) != parts.end()) part += '_';
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
 std::string_view bake_layer_name(BakeLayer layer) {
   switch (layer) {
     case BakeLayer::albedo:

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "preview/lighting.hpp"
+#include "preview/overlay.hpp"
 #include "render/render.hpp"
 #include "render/tone_curve.hpp"
 #include "render/tonemap.hpp"
@@ -34,7 +35,25 @@ const QualityLevel& level_of(BakeQuality quality) {
 
 using BackgroundKind = BakeBackground::Kind;
 
+std::optional<preview::Diagram> diagram_of(const BakeOptions& options) {
+  switch (options.overlay) {
+    case BakeOverlay::none:
+    case BakeOverlay::clay:
+    case BakeOverlay::wireframe:
+      break;
+    case BakeOverlay::uv:
+      return preview::Diagram::uv;
+    case BakeOverlay::density:
+      return preview::Diagram::density;
+    case BakeOverlay::facing:
+      return preview::Diagram::facing;
+  }
+  return std::nullopt;
+}
+
+// Colors of a diagram are those to be shown.
 render::ToneCurve curve_of(const BakeOptions& options) {
+  if (diagram_of(options)) return render::ToneCurve::none;
   return static_cast<render::ToneCurve>(options.tone_map);
 }
 
@@ -156,7 +175,14 @@ render::Framebuffer draw_picture(const BakeScene& loaded, const render::View& vi
       loaded.subject->size(),
       options.literal_shader ? ShaderMode::spec : ShaderMode::conserving,
       level.effort};
-  return render::render(paths, view, drawing);
+  if (const auto diagram = diagram_of(options)) {
+    return preview::draw_diagram(paths, view, *diagram, drawing);
+  }
+  render::Framebuffer picture = render::render(paths, view, drawing);
+  if (options.overlay == BakeOverlay::wireframe) {
+    preview::draw_wireframe(paths, view, options.jobs, picture);
+  }
+  return picture;
 }
 
 preview::Picture finish_picture(const render::Framebuffer& drawn, const BakeOptions& options,

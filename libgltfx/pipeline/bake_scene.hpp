@@ -17,6 +17,8 @@
 
 namespace gltfx {
 
+class Clip;
+
 /// What is to be drawn of one file, or a report that says why nothing is. The scene stays where it
 /// is when this is moved.
 struct BakeScene {
@@ -27,6 +29,7 @@ struct BakeScene {
   std::optional<preview::Subject> framed;   ///< what the picture is of; nothing: the subject
   Vec3d origin;                             ///< see BuiltScene
   bool dim_backdrop = false;                ///< see choose_backdrop()
+  std::shared_ptr<const Clip> clip;         ///< of a scene that is its first frame; else null
 
   /// What framing needs of the subjects, after it.
   void forget_faces() {
@@ -52,9 +55,19 @@ render::View moved(render::View view, const Vec3d& from_origin, const Vec3d& to_
 /// Validates as baking does.
 validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options);
 
-/// The views that the options ask for: one, or all of a turntable. An Error when there is no such
-/// camera, or it cannot do what is asked for. Precondition: the scene is ready.
+/// The two steps of it: all but the hierarchy, and that. Where `subject` is set in between, it and
+/// `framed` stay. `origin`: that of the scene, see BuiltScene; nothing: one that suits it.
+BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
+                           const BakeOptions& options, const std::optional<Vec3d>& origin = {});
+BakeScene prepare_bake_scene(BakeScene built, const BakeOptions& options);
+
+/// Why there is no such camera; nothing where there is. Precondition: the scene is ready.
+std::optional<Error> find_camera_error(const BakeScene& loaded, const std::string& camera);
+
+/// The views of one of the cameras that the options may name, "" for the usual one: one, or all of
+/// a turntable. An Error when there is no such camera, or it cannot do what is asked for.
+/// Precondition: the scene is ready.
 Result<std::vector<render::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
-                                               double aspect);
+                                               double aspect, const std::string& camera = {});
 
 }  // namespace gltfx

@@ -30,8 +30,12 @@ namespace {
 namespace fs = std::filesystem;
 using codec::EncodedFormat;
 
-bool holds_exactly(EncodedFormat format) {
-  return format == EncodedFormat::png || format == EncodedFormat::webp;
+// Whether the file of the first picture holds what the report has of it.
+bool holds_exactly(EncodedFormat format, const BakeOptions& options) {
+  const bool alone = options.layout == BakeLayout::files ||
+                     (options.clip.empty() && options.turntable == 0) ||
+                     (options.layout == BakeLayout::automatic && format == EncodedFormat::png);
+  return alone && (format == EncodedFormat::png || format == EncodedFormat::webp);
 }
 
 void add(HashParts& parts, double number) { parts.add(std::bit_cast<std::uint64_t>(number)); }
@@ -87,10 +91,11 @@ bool can_be_kept(const BakeOptions& options) {
 
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 Hash128 picture_key(const BakeOptions& options, const ResultCache& cache) {
-  const auto& [sizes, turntable, layers, quality, samples, bounces, seed, denoise, seconds, noise,
-               literal_shader, lights, environment, environment_rotation, exposure, background,
-               tone_map, camera, projection, frame, interior, scene, animation, time, variant,
-               strict, output, embed, root, searched, jobs, schemas, own_cache, progress] = options;
+  const auto& [sizes, turntable, clip, fps, layout, layers, quality, samples, bounces, seed,
+               denoise, seconds, noise, literal_shader, lights, environment, environment_rotation,
+               exposure, background, tone_map, overlay, cameras, projection, frame, interior, scene,
+               animation, time, variant, if_present, strict, output, format, embed, root, searched,
+               jobs, schemas, own_cache, progress] = options;
   // Where pictures lie is no part of them; the same come of any number of threads.
   static_cast<void>(output);
   static_cast<void>(jobs);
@@ -100,21 +105,25 @@ Hash128 picture_key(const BakeOptions& options, const ResultCache& cache) {
   static_cast<void>(embed);
   static_cast<void>(seconds);
   HashParts parts;
-  for (const std::string& text : {std::string("bake"), std::string(version()), build_id(), camera,
-                                  frame, scene, animation, variant}) {
+  for (const std::string& text : {std::string("bake"), std::string(version()), build_id(), frame,
+                                  scene, animation, variant, clip}) {
     parts.add(text);
   }
-  for (const double number : {noise, exposure, time, environment_rotation}) add(parts, number);
+  for (const double number : {noise, exposure, time, environment_rotation, fps}) add(parts, number);
   for (const std::uint64_t number :
-       {std::uint64_t{turntable}, static_cast<std::uint64_t>(quality),
-        std::uint64_t{samples.value_or(0)}, std::uint64_t{bounces ? *bounces + 1ULL : 0},
-        std::uint64_t{seed}, std::uint64_t{denoise}, std::uint64_t{literal_shader},
-        static_cast<std::uint64_t>(lights), static_cast<std::uint64_t>(projection),
-        static_cast<std::uint64_t>(interior), static_cast<std::uint64_t>(background.kind),
-        static_cast<std::uint64_t>(tone_map), std::uint64_t{strict}}) {
+       {std::uint64_t{turntable}, static_cast<std::uint64_t>(layout),
+        std::uint64_t{format ? static_cast<std::uint64_t>(*format) + 1 : 0},
+        static_cast<std::uint64_t>(quality), std::uint64_t{samples.value_or(0)},
+        std::uint64_t{bounces ? *bounces + 1ULL : 0}, std::uint64_t{seed}, std::uint64_t{denoise},
+        std::uint64_t{literal_shader}, static_cast<std::uint64_t>(lights),
+        static_cast<std::uint64_t>(projection), static_cast<std::uint64_t>(interior),
+        static_cast<std::uint64_t>(background.kind), static_cast<std::uint64_t>(tone_map),
+        static_cast<std::uint64_t>(overlay), std::uint64_t{strict}, std::uint64_t{if_present}}) {
     parts.add(number);
   }
   for (const std::uint8_t part : background.color) parts.add(std::uint64_t{part});
+  parts.add(std::uint64_t{cameras.size()});
+  for (const std::string& camera : cameras) parts.add(camera);
   parts.add(std::uint64_t{sizes.size()});
   for (const BakeSize& size : sizes) parts.add(std::uint64_t{size.width} << 32U | size.height);
   parts.add(std::uint64_t{layers.size()});
@@ -135,14 +144,14 @@ std::optional<Hash128> PictureKey::of(const BakeOptions& options) {
 }
 
 std::optional<std::string> pack_pictures(const BakeReport& report, const BakeOptions& options) {
-  const auto format = picture_format(options.output);
+  const auto format = output_format(options);
   if (report.problem != BakeProblem::none || !format) return std::nullopt;
   std::string kept;
   append_text(kept, report::pack(report.validation));
   append_value(kept, std::uint64_t{report.notes.size()});
   for (const std::string& note : report.notes) append_text(kept, note);
   std::string png;
-  if (!holds_exactly(*format)) {
+  if (!holds_exactly(*format, options)) {
     const BakedPixels& pixels = report.pixels;
     const auto encoded = encode_picture(
         {pixels.width, pixels.height, pixels.channels, pixels.bytes, {}}, EncodedFormat::png);
@@ -161,7 +170,7 @@ std::optional<std::string> pack_pictures(const BakeReport& report, const BakeOpt
 
 std::optional<BakeReport> recall_pictures(std::string_view kept, const std::string& path,
                                           const BakeOptions& options) {
-  const auto format = picture_format(options.output);
+  const auto format = output_format(options);
   ByteCursor cursor(kept);
   auto begun = report_without_pictures(cursor, path);
   std::string_view png;

@@ -2,8 +2,10 @@
 #include "pipeline/picture_file.hpp"
 
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -26,6 +28,16 @@ constexpr std::array<std::pair<std::string_view, EncodedFormat>, 5> kEndings{
      {".jpeg", EncodedFormat::jpeg},
      {".exr", EncodedFormat::exr}}};
 constexpr std::uint32_t kQuality = 92;  // JPEG; WebP loses nothing
+// Of animations, which without loss are ten times as large.
+constexpr std::uint32_t kAnimationQuality = 90;
+
+Result<codec::EncodedImage> encoded(const codec::EncodeRequest& request) {
+  auto result = codec::Client::shared().encode_image(request);
+  if (auto* error = std::get_if<codec::DecodeError>(&result)) {
+    return Error{"the picture cannot be encoded: " + error->message};
+  }
+  return std::get<codec::EncodedImage>(std::move(result));
+}
 
 }  // namespace
 
@@ -36,6 +48,21 @@ Result<EncodedFormat> picture_format(const std::string& path) {
   }
   return Error{
       fmt::format("{} does not end in .png, .webp, .jpg, .jpeg or .exr", quoted(path, 200))};
+}
+
+Result<EncodedFormat> output_format(const BakeOptions& options) {
+  if (!options.format) return picture_format(options.output);
+  switch (*options.format) {
+    case BakeFormat::png:
+      break;
+    case BakeFormat::webp:
+      return EncodedFormat::webp;
+    case BakeFormat::jpeg:
+      return EncodedFormat::jpeg;
+    case BakeFormat::exr:
+      return EncodedFormat::exr;
+  }
+  return EncodedFormat::png;
 }
 
 bool holds_floats(EncodedFormat format) { return format == EncodedFormat::exr; }
@@ -50,30 +77,42 @@ Result<codec::EncodedImage> encode_picture(const preview::Picture& picture, Enco
   request.quality = format == EncodedFormat::webp ? 0 : kQuality;
   request.pixels = holds_floats(format) ? std::as_bytes(std::span(picture.floats))
                                         : std::as_bytes(std::span(picture.bytes));
-  auto result = codec::Client::shared().encode_image(request);
-  if (auto* error = std::get_if<codec::DecodeError>(&result)) {
-    return Error{"the picture cannot be encoded: " + error->message};
-  }
-  return std::get<codec::EncodedImage>(std::move(result));
+  return encoded(request);
+}
+
+Result<codec::EncodedImage> encode_animation(const preview::Picture& picture, std::uint32_t frames,
+                                             double fps) {
+  codec::EncodeRequest request;
+  request.format = EncodedFormat::webp;
+  request.raster = {picture.width, picture.height, picture.channels, 8};
+  request.quality = kAnimationQuality;
+  request.options.frames = frames;
+  request.options.frame_microseconds = static_cast<std::uint32_t>(std::lround(1e6 / fps));
+  request.pixels = std::as_bytes(std::span(picture.bytes));
+  return encoded(request);
 }
 
 Result<std::string> encode_png(const preview::Picture& picture) {
-  const auto encoded = encode_picture(picture, EncodedFormat::png);
-  if (!encoded) return encoded.error();
-  return std::string(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size());
+  const auto image = encode_picture(picture, EncodedFormat::png);
+  if (!image) return image.error();
+  return std::string(reinterpret_cast<const char*>(image->bytes.data()), image->bytes.size());
 }
 
 std::optional<Error> write_picture(const preview::Picture& picture, const std::string& path) {
   const auto format = picture_format(path);
   if (!format) return format.error();
-  const auto encoded = encode_picture(picture, *format);
-  if (!encoded) return encoded.error();
+  const auto image = encode_picture(picture, *format);
+  if (!image) return image.error();
+  return write_image(*image, path);
+}
+
+std::optional<Error> write_image(const codec::EncodedImage& image, const std::string& path) {
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty()) {
     if (auto trouble = change::make_folder(folder)) return trouble;
   }
-  const auto* text = reinterpret_cast<const char*>(encoded->bytes.data());
-  return write_file(path, {text, encoded->bytes.size()});
+  const auto* text = reinterpret_cast<const char*>(image.bytes.data());
+  return write_file(path, {text, image.bytes.size()});
 }
 
 std::string with_suffix(const std::string& path, std::string_view suffix) {

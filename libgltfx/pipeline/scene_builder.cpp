@@ -165,11 +165,12 @@ class SceneBuilder {
     draco.decode(codec::Client::shared(), options_.jobs);
     const model::GeometrySource source{asset_, views_, resources_, draco};
     const std::vector<std::uint8_t> framed = framed_nodes();
-    origin_ = find_origin(asset_, views_, resources_, pose, framed);
+    origin_ = options_.origin ? Vector3{options_.origin->x, options_.origin->y, options_.origin->z}
+                              : find_origin(asset_, views_, resources_, pose, framed);
     SceneTextures textures(asset_, resources_, notes_, scene_);
     // A scene's material is large: the vector is not to be copied while it grows.
     scene_.materials.reserve(most_materials());
-    SceneMaterials materials(asset_, animated_, textures, notes_, scene_);
+    SceneMaterials materials(asset_, animated_, textures, notes_, scene_, options_.uvs);
     SceneMeshes meshes(source, {pose, animated_, origin_}, options_.variant, materials,
                        geometry_budget_, notes_, scene_);
     place_all(pose, framed, meshes);

@@ -21,7 +21,10 @@ struct SceneOptions {
   double time = 0;                         ///< of the animation, in seconds
   std::optional<std::uint32_t> variant;    ///< of materials
   std::optional<std::uint32_t> frame;      ///< node whose subtree the picture is of; else all
-  unsigned jobs = 0;                       ///< threads; 0: as many as are worth it
+  bool uvs = false;                        ///< texture coordinates also where no texture is
+  /// BuiltScene::origin; nothing: one that suits the scene.
+  std::optional<Vec3d> origin;
+  unsigned jobs = 0;  ///< threads; 0: as many as are worth it
   /// Pixels along the longer side of pictures of the whole scene: images are decoded with the
   /// detail that these show. 0: with all there is.
   std::uint32_t picture_side = 0;

@@ -308,6 +308,7 @@ const MaterialNeeds& SceneMaterials::use(const std::optional<std::uint32_t>& mat
                "outlines and rim light are not drawn");
   }
   MaterialNeeds needs = translate(read);
+  if (uvs_ && needs.tex_coords.empty()) needs.tex_coords = {0};
   return known_.emplace(*material, std::move(needs)).first->second;
 }
 

@@ -100,9 +100,17 @@ struct MaterialNeeds {
 /// it.
 class SceneMaterials {
  public:
+  /// `uvs`: a material without textures needs the first set of texture coordinates.
   SceneMaterials(const model::Asset& asset, const model::AnimatedValues& animated,
-                 SceneTextures& textures, SceneNotes& notes, render::Scene& scene)
-      : asset_(asset), animated_(animated), textures_(textures), notes_(notes), scene_(scene) {}
+                 SceneTextures& textures, SceneNotes& notes, render::Scene& scene, bool uvs = false)
+      : asset_(asset),
+        animated_(animated),
+        textures_(textures),
+        notes_(notes),
+        scene_(scene),
+        uvs_(uvs) {
+    if (uvs) default_.tex_coords = {0};
+  }
 
   /// Of a material of the asset; nothing: the default material.
   const MaterialNeeds& use(const std::optional<std::uint32_t>& material);
@@ -115,6 +123,7 @@ class SceneMaterials {
   SceneTextures& textures_;
   SceneNotes& notes_;
   render::Scene& scene_;
+  const bool uvs_;
   std::unordered_map<std::uint32_t, MaterialNeeds> known_;
   MaterialNeeds default_;
 };

@@ -15,7 +15,7 @@ using testing::ElementsAre;
 class Backgrounds : public Baking {
  protected:
   Backgrounds() {
-    options.camera = "front";
+    options.cameras = {"front"};
     options.sizes = {{32, 32}};
     cube_.draw(render::cube(), dielectric({0.6, 0.6, 0.6, 1}, 1));
   }
@@ -82,7 +82,7 @@ TEST_F(Backgrounds, AColorShinesThroughWhereTransparencyWouldBe) {
 }
 
 TEST_F(Backgrounds, TheStudioStaysBehindAnEnvironment) {
-  options.camera = "20,15";
+  options.cameras = {"20,15"};
   const Numbers studio = light();
   surround(1);
   const Numbers around = light();
@@ -104,16 +104,16 @@ TEST_F(Backgrounds, TheStudioStaysBehindAnEnvironment) {
 TEST_F(Backgrounds, RotationFollowsTheAzimuth) {
   options.samples = 256;
   shine_from(45);
-  options.camera = "0,10";
+  options.cameras = {"0,10"};
   const Numbers first = light();
   for (const double turned : {90.0, 180.0, -90.0, 450.0}) {
     options.environment_rotation = turned;
-    options.camera = std::to_string(turned) + ",10";
+    options.cameras = {std::to_string(turned) + ",10"};
     const Numbers drawn = light();
     EXPECT_NEAR(drawn.at(0, 0), first.at(0, 0), 1e-3) << turned;
     for (std::uint32_t c = 0; c < 3; ++c) EXPECT_NEAR(drawn.mean(c), first.mean(c), 0.02) << turned;
   }
-  options.camera = "0,10";
+  options.cameras = {"0,10"};
   options.environment_rotation = 45;
   const Numbers between = light();
   options.environment_rotation = 90;
@@ -125,7 +125,7 @@ TEST_F(Backgrounds, RotationFollowsTheAzimuth) {
 TEST_F(Backgrounds, RotationTurnsTheStudioToo) {
   options.background = {Kind::transparent};
   const auto red = [this](std::uint32_t x) { return light().at(x, 16); };
-  options.camera = "45,0";  // two sides of the cube
+  options.cameras = {"45,0"};  // two sides of the cube
   const double left = red(10);
   const double right = red(22);
   EXPECT_GT(left, right * 1.2) << "the key light is on the left";

@@ -190,7 +190,7 @@ class BakeGrowthOf : public Baking, public testing::WithParamInterface<GrowthCas
 
 // Of some 100 kB each; what they ask for is 30,000 times as much.
 TEST_P(BakeGrowthOf, IsDrawnOrLimited) {
-  options.camera.clear();
+  options.cameras.clear();
   options.samples = 1;
   AssetText asset;
   GetParam().fill(asset, 1200);

@@ -15,7 +15,7 @@ using BakeLimits = Baking;
 
 // What is drawn fills a good part of the picture whatever its size.
 TEST_F(BakeLimits, EverySizeIsFramedAlike) {
-  options.camera.clear();
+  options.cameras.clear();
   options.background = {BakeBackground::Kind::transparent};
   std::vector<std::uint8_t> usual;
   for (const float size : {1.0F, 1e-12F, 1e-3F, 1e4F, 1e12F}) {
@@ -56,7 +56,7 @@ TEST_F(BakeLimits, CamerasAtTheirLimits) {
 TEST_F(BakeLimits, SizesAtTheirLimits) {
   AssetText asset;
   asset.draw(cube(), plastic());
-  options.camera.clear();
+  options.cameras.clear();
   options.samples = 1;
   for (const BakeSize size : {BakeSize{1, 1}, BakeSize{2048, 1}, BakeSize{1, 2048}}) {
     for (const bool denoise : {false, true}) {
@@ -90,7 +90,7 @@ TEST_F(BakeLimits, WhatIsLeftOutIsSaidFirstAndRefusedWhenStrict) {
 TEST_F(BakeLimits, NumbersThatMakeNoPictureAreRefused) {
   AssetText asset;
   asset.draw(cube(), plastic());
-  options.camera.clear();
+  options.cameras.clear();
   const auto refused = [&](const auto& change, const char* expected) {
     const BakeOptions usual = options;
     change(options);
@@ -112,7 +112,7 @@ TEST_F(BakeLimits, NumbersThatMakeNoPictureAreRefused) {
 // Chunks of odd length, twice, unknown, and bytes after the end: a thumbnail is written after the
 // data that the asset refers to, and moves none of it.
 TEST_F(BakeLimits, AThumbnailGoesIntoAGlbWithOddChunks) {
-  options.camera.clear();
+  options.cameras.clear();
   options.embed = true;
   const std::string kBin("BIN\0", 4);
   const auto chunk = [](const std::string& type, std::string data, char filler) {

@@ -163,11 +163,11 @@ TEST(BakeFile, NothingToSeeIsSaid) {
 
 TEST(BakeFile, UnknownNamesAreRefused) {
   BakeOptions options = quick();
-  options.camera = "elsewhere";
+  options.cameras = {"elsewhere"};
   const BakeReport report = bake_file(fixture("leaf.gltf"), options);
   EXPECT_EQ(report.problem, BakeProblem::refused);
   EXPECT_THAT(report.error, HasSubstr("no camera"));
-  options.camera = "30,20";
+  options.cameras = {"30,20"};
   EXPECT_EQ(bake_file(fixture("leaf.gltf"), options).problem, BakeProblem::none);
   options.variant = "0";
   EXPECT_THAT(bake_file(fixture("leaf.gltf"), options).error, HasSubstr("no variant"));
@@ -183,9 +183,9 @@ TEST(BakeFile, PresetsOfTheCameraAreAngles) {
       {"top", "0,90"},  {"bottom", "0,-90"}, {"iso", "45,35.264389"}};
   for (const auto& [preset, angles] : presets) {
     BakeOptions options = quick();
-    options.camera = preset;
+    options.cameras = {preset};
     const BakeReport first = bake_file(fixture("leaf.gltf"), options);
-    options.camera = angles;
+    options.cameras = {angles};
     EXPECT_EQ(first.problem, BakeProblem::none) << first.error;
     EXPECT_EQ(first.pixels.bytes, bake_file(fixture("leaf.gltf"), options).pixels.bytes) << preset;
   }

@@ -47,6 +47,8 @@ class AssetText {
                const Json& more = Json::object()) {
     return static_cast<int>(made_.accessor(type, component, count, bytes, more));
   }
+  /// Index of a buffer view of these bytes.
+  int add_view(const std::string& bytes) { return static_cast<int>(made_.view(bytes)); }
   /// Positions with the bounds that they have.
   int positions(const SharedArray<Float3>& points) {
     Float3 least = points.front();
@@ -193,7 +195,7 @@ class Baking : public testing::Test {
     options.sizes = {{8, 8}};
     options.samples = 16;
     options.denoise = false;
-    options.camera = "0";
+    options.cameras = {"0"};
     options.jobs = 1;
   }
 

@@ -333,7 +333,7 @@ class Identity : public Baking {
     material["doubleSided"] = true;
     asset.draw(sphere(1, 12), material);
     asset.light({{"type", "directional"}, {"intensity", 2}});
-    options.camera.clear();
+    options.cameras.clear();
     const BakeReport done = report(asset);
     EXPECT_EQ(done.problem, BakeProblem::none) << done.error << first_error(done);
     return done.pixels.bytes;

@@ -10,7 +10,7 @@ namespace {
 class Contrast : public Baking {
  protected:
   Contrast() {
-    options.camera.clear();
+    options.cameras.clear();
     options.sizes = {{64, 64}};
     options.samples = kSanitized ? 8 : 32;
     options.denoise = true;
@@ -41,7 +41,7 @@ class Contrast : public Baking {
       for (std::size_t k = 0; k < i; ++k) {
         const double a = lightness(done.pixels, points[i].first, points[i].second);
         const double b = lightness(done.pixels, points[k].first, points[k].second);
-        EXPECT_GT(std::fabs(a - b), least) << a << " and " << b << ", " << options.camera;
+        EXPECT_GT(std::fabs(a - b), least) << a << " and " << b << ", " << options.cameras.front();
       }
     }
   }
@@ -52,7 +52,7 @@ TEST_F(Contrast, SidesOfACubeOfTheDefaultMaterialDiffer) {
   asset.node({{"mesh", asset.mesh(render::cube(), -1)}});
   expect_apart(asset, {{0.35, 0.55}, {0.8, 0.5}, {0.55, 0.13}}, 10);
   for (const char* camera : {"iso", "-135,35"}) {
-    options.camera = camera;
+    options.cameras = {camera};
     expect_apart(asset, {{0.3, 0.6}, {0.7, 0.6}, {0.5, 0.25}}, 10);
   }
 }

@@ -30,7 +30,7 @@ BakeOptions small() {
   options.samples = kSanitized ? 6 : 16;
   options.denoise = false;
   options.lights = BakeLights::asset;
-  options.camera.assign(1, '0');
+  options.cameras = {"0"};
   return options;
 }
 
@@ -279,7 +279,7 @@ TEST(Figures, AnUpgradeDrawsTheSameBytes) {
     if (entry.path().stem() == "chalice") continue;  // of specular-glossiness, which is computed
     const fs::path before = kFixtures / "legacy" / entry.path().filename();
     BakeOptions options = small();
-    options.camera.clear();
+    options.cameras.clear();
     options.sizes = {{32, 24}};
     options.samples = 4;
     const BakeReport old = bake_file(before.native(), options);

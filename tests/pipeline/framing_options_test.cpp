@@ -27,7 +27,7 @@ struct Seen {
 class FramingOptions : public Baking {
  protected:
   FramingOptions() {
-    options.camera = "front";
+    options.cameras = {"front"};
     options.sizes = {{64, 64}};
     options.samples = 4;
     options.background = {BakeBackground::Kind::transparent};
@@ -131,7 +131,7 @@ TEST_F(FramingOptions, ANodeThatCannotBeFramedIsNamed) {
   asset.json()["scenes"][0]["nodes"] = {0};
   EXPECT_THAT(complaint("toy", BakeProblem::nothing_to_see), HasSubstr("node 'toy'"));
   asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.01}}}}, {});
-  options.camera = "0";
+  options.cameras = {"0"};
   EXPECT_THAT(complaint("tower", BakeProblem::refused), HasSubstr("has a fixed place"));
 }
 
@@ -155,7 +155,7 @@ TEST_F(FramingOptions, OrthographicSizesDoNotDependOnTheDistance) {
 TEST_F(FramingOptions, OrthographicIsoIsIsometric) {
   AssetText asset;
   asset.draw(render::cube(), plastic());
-  options.camera = "iso";
+  options.cameras = {"iso"};
   options.projection = BakeProjection::orthographic;
   options.sizes = {{128, 128}};
   const Seen cube = seen(pixels(asset), [](int, int, int) { return true; });
@@ -163,7 +163,7 @@ TEST_F(FramingOptions, OrthographicIsoIsIsometric) {
   EXPECT_NEAR(cube.width(), std::sqrt(0.75) * cube.height(), 2);
   EXPECT_NEAR(cube.count, 0.75 * cube.width() * cube.height(), 0.02 * 128 * 128);
   for (const char* side : {"front", "top", "left"}) {
-    options.camera = side;
+    options.cameras = {side};
     const Seen square = seen(pixels(asset), [](int, int, int) { return true; });
     EXPECT_NEAR(square.width(), 0.9 * 128, 2) << side;
     EXPECT_NEAR(square.count, square.width() * square.height(), 64) << side;
@@ -176,11 +176,11 @@ TEST_F(FramingOptions, ACameraOfTheAssetHasItsOwnProjection) {
   asset.orthographic(2, 5);
   asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 0.01}}}},
                {{"translation", {0, 0, 5}}});
-  options.camera = "0";
+  options.cameras = {"0"};
   const BakedPixels own = pixels(asset);
   options.projection = BakeProjection::orthographic;
   EXPECT_EQ(pixels(asset).bytes, own.bytes);
-  options.camera = "1";
+  options.cameras = {"1"};
   EXPECT_THAT(report(asset).error, HasSubstr("has its own projection"));
 }
 

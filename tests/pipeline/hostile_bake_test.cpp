@@ -297,7 +297,7 @@ const HostileCase kCases[] = {
 class Hostile : public Baking, public testing::WithParamInterface<HostileCase> {
  protected:
   Hostile() {
-    options.camera.clear();
+    options.cameras.clear();
     options.samples = 2;
     options.denoise = true;
   }

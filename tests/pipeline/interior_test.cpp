@@ -149,7 +149,7 @@ AssetText house() {
 class Interior : public Baking {
  protected:
   Interior() {
-    options.camera.clear();
+    options.cameras.clear();
     options.sizes = {{24, 24}};
     options.samples = 8;
   }
@@ -231,14 +231,14 @@ TEST_F(Interior, IsReadable) {
 TEST_F(Interior, StaysWithTheViewThatIsAskedFor) {
   AssetText asset = room(true);
   for (const char* camera : {"front", "30,20"}) {
-    options.camera = camera;
+    options.cameras = {camera};
     EXPECT_FALSE(goes_inside(room(true))) << camera;
   }
-  options.camera = "front";
+  options.cameras = {"front"};
   const auto front = picture(asset, BakeInterior::on);
-  options.camera = "back";
+  options.cameras = {"back"};
   EXPECT_NE(picture(asset, BakeInterior::on), front) << "the other half of the room";
-  options.camera.clear();
+  options.cameras.clear();
   options.turntable = 2;
   EXPECT_FALSE(goes_inside(room(true)));
 }
@@ -248,7 +248,7 @@ TEST_F(Interior, LightComesToACameraOfTheAsset) {
   AssetText asset = room(true);
   asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", 1.2}, {"znear", 0.01}}}},
                {{"translation", {-1, 1.5, 1.8}}});
-  options.camera = "0";
+  options.cameras = {"0"};
   const auto mean = [&](BakeInterior interior) {
     double sum = 0;
     for (const std::uint8_t byte : picture(asset, interior)) sum += byte;

@@ -128,7 +128,7 @@ TEST_P(LegacyBaked, LooksAsItDidToTheLastBit) {
     ASSERT_TRUE(loses_nothing(report)) << report.error;
     BakeOptions baked = quick_legacy();
     baked.sizes = {{48, 40}};
-    baked.camera = "20,10";
+    baked.cameras = {"20,10"};
     const BakeReport old = bake_file(before, baked);
     const BakeReport fresh = bake_file(options.output, baked);
     ASSERT_EQ(old.problem, BakeProblem::none) << old.error;

@@ -16,7 +16,7 @@ constexpr int kPoints = 0, kLines = 1, kLineLoop = 2;
 class Markers : public Baking {
  protected:
   Markers() {
-    options.camera = "0,0";
+    options.cameras = {"0,0"};
     options.sizes = {{64, 64}};
     options.samples = 16;
     options.background = {BakeBackground::Kind::transparent};

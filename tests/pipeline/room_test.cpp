@@ -9,7 +9,7 @@ namespace {
 class Room : public Baking {
  protected:
   Room() {
-    options.camera.clear();
+    options.cameras.clear();
     options.sizes = {{24, 24}};
     options.samples = 32;
   }
@@ -35,7 +35,7 @@ TEST_F(Room, IsLitThroughTheWallsThatTheCameraLooksThrough) {
   EXPECT_GT(brightness(room(false)), 100);
   EXPECT_GT(brightness(room(false, false)), 110);
   for (const char* angles : {"0,0", "120,30", "250,5", "45,80"}) {
-    options.camera = angles;
+    options.cameras = {angles};
     EXPECT_GT(brightness(room(false)), 90) << angles;
   }
 }
@@ -44,7 +44,7 @@ TEST_F(Room, IsLitAroundACameraInside) {
   AssetText asset = room(false);
   asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", 1.2}, {"znear", 0.01}}}},
                {{"translation", {-1, 1.5, 1.8}}});
-  options.camera = "0";
+  options.cameras = {"0"};
   EXPECT_GT(brightness(std::move(asset)), 100);
 }
 
@@ -59,7 +59,7 @@ TEST_F(Room, FurnitureThrowsShadows) {
     }
     asset.camera({{"type", "perspective"}, {"perspective", {{"yfov", 0.1}, {"znear", 0.01}}}},
                  {{"translation", {0, 0.3, 1.9}}, {"rotation", {-0.0784591, 0, 0, 0.9969173}}});
-    options.camera = "0";
+    options.cameras = {"0"};
     return bake(asset).mean(1);
   };
   EXPECT_LT(under_the_table(true), 0.7 * under_the_table(false));

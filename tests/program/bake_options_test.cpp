@@ -96,6 +96,11 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
       {"--tone-map", "aces"},
       {"--tone-map", "agx"},
       {"--tone-map", "none"},
+      {"--overlay", "clay"},
+      {"--overlay", "wireframe"},
+      {"--overlay", "uv"},
+      {"--overlay", "density"},
+      {"--overlay", "facing"},
       {"--shader", "spec"},
   };
   for (const auto& words : changes) {
@@ -111,37 +116,58 @@ TEST_F(BakeOptionsTest, EachChangesThePicture) {
   EXPECT_EQ(picture({"--background", "#08f"}), picture({"--background", "0088ff"}));
   EXPECT_EQ(picture({"--environment", "sky.exr", "--background", "environment"}),
             picture({"--environment", "sky.exr"}));
-  for (const auto& words : std::vector<std::vector<std::string>>{{"--lights", "both"},
-                                                                 {"--background", "studio"},
-                                                                 {"--rotate-environment", "0"},
-                                                                 {"--rotate-environment", "-360"},
-                                                                 {"--tone-map", "neutral"},
-                                                                 {"--projection", "perspective"},
-                                                                 {"--interior", "auto"},
-                                                                 {"--interior", "off"},
-                                                                 {"--exposure", "0"},
-                                                                 {"--scene", "one"},
-                                                                 {"--quality", "standard"},
-                                                                 {"--bounces", "6"},
-                                                                 {"--denoise", "on"},
-                                                                 {"--noise", "0"},
-                                                                 {"--seed", "0"},
-                                                                 {"--shader", "conserving"},
-                                                                 {"--time-budget", "0"},
-                                                                 {"--strict"},
-                                                                 {"--isolated"},
-                                                                 {"--color", "never"},
-                                                                 {"--root", "."},
-                                                                 {"--jobs", "2"}}) {
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"--lights", "both"},
+                                             {"--background", "studio"},
+                                             {"--rotate-environment", "0"},
+                                             {"--rotate-environment", "-360"},
+                                             {"--tone-map", "neutral"},
+                                             {"--projection", "perspective"},
+                                             {"--interior", "auto"},
+                                             {"--animation", "none"},
+                                             {"--if-present"},
+                                             {"--if-present", "--variant", "green"},
+                                             {"--interior", "off"},
+                                             {"--exposure", "0"},
+                                             {"--scene", "one"},
+                                             {"--quality", "standard"},
+                                             {"--bounces", "6"},
+                                             {"--denoise", "on"},
+                                             {"--noise", "0"},
+                                             {"--seed", "0"},
+                                             {"--shader", "conserving"},
+                                             {"--time-budget", "0"},
+                                             {"--strict"},
+                                             {"--isolated"},
+                                             {"--color", "never"},
+                                             {"--root", "."},
+                                             {"--jobs", "2"}}) {
     EXPECT_EQ(picture(words), usual) << testing::PrintToString(words);
   }
 }
 
 TEST_F(BakeOptionsTest, FilesThatAreWritten) {
-  const Outcome outcome =
-      run({"stage.gltf", "-o", "out/a.webp", "--size", "8,8x4,8", "--turntable", "2", "--layer",
-           "albedo,depth", "--layer", "normal", "--layer", "material", "--samples", "1", "--sheet",
-           "sheet.jpg", "--time-budget", "5"});
+  const Outcome outcome = run({"stage.gltf",
+                               "-o",
+                               "out/a.webp",
+                               "--size",
+                               "8,8x4,8",
+                               "--turntable",
+                               "2",
+                               "--layout",
+                               "files",
+                               "--layer",
+                               "albedo,depth",
+                               "--layer",
+                               "normal",
+                               "--layer",
+                               "material",
+                               "--samples",
+                               "1",
+                               "--sheet",
+                               "sheet.jpg",
+                               "--time-budget",
+                               "5"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   int files = 0;
   for (const auto& entry : fs::directory_iterator(folder_.path() / "out")) {
@@ -151,6 +177,19 @@ TEST_F(BakeOptionsTest, FilesThatAreWritten) {
   EXPECT_EQ(files, 2 * 2 * 5) << "sizes once, each all around, with four layers";
   EXPECT_TRUE(fs::exists(folder_.path() / "out/a-8x4-001-material.webp"));
   EXPECT_THAT(content("sheet.jpg"), StartsWith("\xff\xd8"));
+  const auto written = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"stage.gltf", "--size", "8", "--samples", "1"});
+    const Outcome done = run(words);
+    EXPECT_EQ(done.code, 0) << done.err;
+    return done.out;
+  };
+  written({"-o", "thumbnail", "--format", "png"});
+  EXPECT_THAT(content("thumbnail"), StartsWith("\x89PNG"));
+  EXPECT_EQ(written({"-o", "a.webp", "--clip", "slide", "--fps", "3"}), "stage.gltf -> a.webp\n");
+  EXPECT_EQ(written({"-o", "a.png", "--turntable", "3", "--layout", "sprites"}),
+            "stage.gltf -> a.png\n");
+  EXPECT_EQ(written({"-o", "a.png", "--camera", "top", "--camera", "iso", "--camera", "top"}),
+            "stage.gltf -> a.top.png\nstage.gltf -> a.iso.png\n");
 }
 
 TEST_F(BakeOptionsTest, WhatIsNotThereIsNamedWithWhatIs) {
@@ -187,7 +226,13 @@ TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn)
       {{"-o", "a.tga"}, "--output: 'a.tga' does not end in .png"},
       {{"-o", "a.png", "--sheet", "s.tga"}, "--sheet: 's.tga' does not end in .png"},
       {{"-o", "a.tga", "--compare", "stage.gltf"}, "--output: 'a.tga' does not end in .png"},
-      {{"-o", "a.png", "--format", "webp"}, "--format: it is for files in a folder"},
+      {{"-o", "a.png", "--format", "webp"}, "--format: the name 'a.png' says that"},
+      {{"-o", "a.png", "--fps", "3"}, "are for the frames of a --turntable or --clip"},
+      {{"-o", "a.png", "--layout", "sprites"}, "are for the frames of a --turntable or --clip"},
+      {{"-o", "a.png", "--clip", "0", "--turntable", "3"}, "are mutually exclusive"},
+      {{"-o", "a.png", "--clip", "0", "--animation", "0"}, "are mutually exclusive"},
+      {{"--compare", "stage.gltf", "--clip", "0"}, "--compare draws one picture"},
+      {{"--compare", "stage.gltf", "--camera", "0", "--camera", "top"}, "a second --camera"},
       {{"-o", "out/", "--format", "tiff"}, "--format: 'tiff' is not one of"},
       {{"--compare", "stage.gltf", "--turntable", "2"}, "--compare draws one picture"},
       {{"--compare", "stage.gltf", "--layer", "depth"}, "--compare draws one picture"},

@@ -64,16 +64,18 @@ const std::vector<Verb>& verbs() {
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"hook", words("VERB")},
       {"bake",
-       words("PATH --output --format --sheet --size --turntable --layer --embed "
-             "--compare --camera --projection --interior --frame --lights --environment "
-             "--rotate-environment --background --exposure --tone-map --scene "
-             "--animation --time "
-             "--variant --strict --quality --samples --bounces --seed --denoise --noise "
-             "--time-budget "
-             "--shader --root --schema --schema-dir --quiet --config --isolated "
-             "--unsandboxed-decoders --jobs --color --files-from --shard --exclude --no-ignore "
-             "--allow-empty --cache "
-             "--cache-key")},
+       words(
+           "PATH --output --format --sheet --size --turntable --clip --fps --layout --layer "
+           "--overlay --embed "
+           "--compare --camera --projection --interior --frame --lights --environment "
+           "--rotate-environment --background --exposure --tone-map --scene "
+           "--animation --time "
+           "--variant --if-present --strict --quality --samples --bounces --seed --denoise --noise "
+           "--time-budget "
+           "--shader --root --schema --schema-dir --quiet --config --isolated "
+           "--unsandboxed-decoders --jobs --color --files-from --shard --exclude --no-ignore "
+           "--allow-empty --cache "
+           "--cache-key")},
       {"report",
        words("PATH --output --title --no-thumbnails --thumbnail-size --quality --quality --fail-on "
              "--profile "

@@ -75,7 +75,8 @@ constexpr std::string_view kBakeExamples = R"(Examples:
   gltfx bake model.glb -o model.png
   gltfx bake assets/ -o thumbnails/ --size 256      previews and a contact sheet
   gltfx bake model.glb -o model.webp --background transparent
-  gltfx bake model.glb -o turn.png --turntable 24
+  gltfx bake model.glb -o turn.webp --turntable 36     an animation
+  gltfx bake model.glb -o walk.webp --clip Walk
   gltfx bake model.glb -o still.exr --samples 1024 --environment sky.hdr
   gltfx bake old.glb --compare new.glb -o difference.png
   gltfx bake model.glb --embed                      write asset.thumbnail

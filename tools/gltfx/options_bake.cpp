@@ -68,6 +68,16 @@ Binding comma_list(std::vector<T>& member, Parse parse, Same same,
   return parsed_list(member, parse_all, std::move(values));
 }
 
+Binding each_once(Words& member) {
+  return parsed_list(member, [](std::string_view, const Words& words) -> Result<Words> {
+    Words all;
+    for (const std::string& word : words) {
+      if (std::find(all.begin(), all.end(), word) == all.end()) all.push_back(word);
+    }
+    return all;
+  });
+}
+
 Binding sizes(std::vector<BakeSize>& member) {
   return comma_list(member, parse_size, [](const BakeSize& a, const BakeSize& b) {
     return a.width == b.width && a.height == b.height;
@@ -138,16 +148,29 @@ void declare_outputs(Options& options, BakeRequest& request) {
   options.add("-o,--output", "FILE|DIR", "Output .png, .webp, .jpg or .exr file, or a folder",
               text(bake.output, values::pictures_or_folder));
   options.add(
-      "-f,--format", "NAME", "Format in a folder: png (default), webp, jpeg, exr",
+      "-f,--format", "NAME", "Format: png (default in folders), webp, jpeg, exr",
       one_of(request.format,
              {{"png", "png"}, {"webp", "webp"}, {"jpeg", "jpeg"}, {"jpg", "jpg"}, {"exr", "exr"}}));
   options.add("--sheet", "FILE", "Contact sheet (default: DIR/contact-sheet.png)",
               text(request.sheet, values::pictures));
   options.add("--size", "N|WxH", "Size in pixels (default: 512; repeatable)", sizes(bake.sizes));
-  options.add("--turntable", "N", "Number of pictures of a full rotation",
-              number(bake.turntable, 0, 3600));
+  options.add("--turntable", "N", "Number of frames of a full rotation",
+              number(bake.turntable, 0, kMostBakeFrames));
+  options.add("--clip", "NAME|N", "Draw this animation as it moves", text(bake.clip));
+  options.add("--fps", "N", "Frames per second (default: 24; turntable 12)",
+              decimal(bake.fps, 0, 1000));
+  options.add("--layout", "NAME", "Frames: files, animation (default in .webp), sprites",
+              one_of(bake.layout, {{"files", BakeLayout::files},
+                                   {"animation", BakeLayout::animation},
+                                   {"sprites", BakeLayout::sprites}}));
   options.add("--layer", "NAME", "Extra layer: albedo, normal, depth, material",
               layers(bake.layers));
+  options.add("--overlay", "NAME", "Show wireframe, uv, clay, density or facing",
+              one_of(bake.overlay, {{"wireframe", BakeOverlay::wireframe},
+                                    {"uv", BakeOverlay::uv},
+                                    {"clay", BakeOverlay::clay},
+                                    {"density", BakeOverlay::density},
+                                    {"facing", BakeOverlay::facing}}));
   options.add("--embed", "", "Embed the picture as the thumbnail of the asset", flag(bake.embed));
   options.add("--compare", "PATH", "Compare with PATH; write the difference to -o",
               text(request.compare, [] {
@@ -156,8 +179,8 @@ void declare_outputs(Options& options, BakeRequest& request) {
 }
 
 void declare_scene(Options& options, BakeOptions& bake) {
-  options.add("--camera", "NAME|N|AZ,EL", "Asset camera, front, top, iso or azimuth,elevation",
-              text(bake.camera));
+  options.add("--camera", "NAME|N|AZ,EL", "Asset camera, front, iso or 30,20; repeatable",
+              each_once(bake.cameras));
   options.add("--projection", "NAME", "perspective (default) or orthographic",
               one_of(bake.projection, {{"perspective", BakeProjection::perspective},
                                        {"orthographic", BakeProjection::orthographic}}),
@@ -194,10 +217,13 @@ void declare_scene(Options& options, BakeOptions& bake) {
                                      {"none", BakeToneMap::none}}),
               {.name = "tone-map", .place = 153, .otherwise = "neutral"});
   options.add("--scene", "NAME|N", "Scene (default: that of the asset)", text(bake.scene));
-  options.add("--animation", "NAME|N", "Animation to pose the asset with", text(bake.animation));
+  options.add("--animation", "NAME|N", "Pose by this animation or none (default: idle)",
+              text(bake.animation));
   options.add("--time", "SECONDS", "Time in the animation (default: 0)",
               decimal(bake.time, -1e9, 1e9));
   options.add("--variant", "NAME|N", "Material variant", text(bake.variant));
+  options.add("--if-present", "", "Ignore named animations, cameras, variants if absent",
+              flag(bake.if_present));
   options.add("--strict", "", "Refuse assets with errors, or with parts left out",
               flag(bake.strict));
 }
@@ -218,6 +244,12 @@ void declare_effort(Options& options, BakeOptions& bake) {
               decimal(bake.seconds, 0, 1e6));
   options.add("--shader", "NAME", "Shading: conserving (default) or spec",
               one_of(bake.literal_shader, {{"spec", true}, {"conserving", false}}));
+}
+
+BakeFormat format_named(std::string_view name) {
+  if (name == "webp") return BakeFormat::webp;
+  if (name == "exr") return BakeFormat::exr;
+  return name == "png" ? BakeFormat::png : BakeFormat::jpeg;
 }
 
 void check_bake(Reading& reading) {
@@ -244,8 +276,17 @@ void check_bake(Reading& reading) {
                   "bake: --shard draws some of the pictures, --sheet needs all; draw it in a run "
                   "without --shard, for which --cache saves the work of the others.");
   reading.require(!given("--sheet") || !compares, "bake: --compare draws no --sheet.");
-  reading.require(!compares || (is_zero("--turntable") && !given("--layer")),
-                  "bake: --compare draws one picture, without --turntable and --layer.");
+  const bool frames = !is_zero("--turntable") || given("--clip");
+  reading.require(
+      !compares || (!frames && !given("--layer") && options.words("--camera").size() < 2),
+      "bake: --compare draws one picture, without --turntable, --clip, --layer and "
+      "a second --camera.");
+  reading.require(is_zero("--turntable") || !given("--clip"),
+                  "bake: --turntable and --clip are mutually exclusive.");
+  reading.require(!given("--clip") || !given("--animation"),
+                  "bake: --clip and --animation are mutually exclusive.");
+  reading.require(frames || (!given("--fps") && !given("--layout")),
+                  "bake: --fps and --layout are for the frames of a --turntable or --clip.");
   reading.require(given("--output") || !given("--layer") || compares,
                   "bake: say where --layer goes with --output.");
   reading.require(is_zero("--time") || given("--animation"),
@@ -276,6 +317,7 @@ void read_bake(Reading& reading, BakeRequest& request) {
   reading.require_companions();
   reading.read();
   request.bake.jobs = request.common.jobs;
+  if (reading.options().given("--format")) request.bake.format = format_named(request.format);
 }
 
 }  // namespace gltfx::tool

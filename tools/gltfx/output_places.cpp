@@ -195,15 +195,24 @@ bool is_folder(const Inputs& inputs, const std::string& output) {
   return inputs.several || output.ends_with('/') || fs::is_directory(output, error);
 }
 
-// Checks for an ending that is not one of a picture, or differs from --format.
-std::optional<Error> check_name(const char* option, const std::string& name,
-                                const std::string& format) {
-  if (name.empty()) return std::nullopt;
-  if (const std::string wrong = check_picture_name(name); !wrong.empty()) {
-    return Error{fmt::format("{}: {}.", option, wrong)};
+// Checks for an ending that is not one of a picture.
+std::optional<Error> check_name(const char* option, const std::string& name) {
+  const std::string wrong = name.empty() ? std::string() : check_picture_name(name);
+  if (wrong.empty()) return std::nullopt;
+  return Error{fmt::format("{}: {}.", option, wrong)};
+}
+
+// With --format, any ending but that of another format.
+std::optional<Error> check_output_name(const BakeRequest& request) {
+  const std::string& name = request.bake.output;
+  if (!request.bake.format || name.empty()) return check_name("--output", name);
+  const auto same = [](std::string ending) {
+    return ending == ".jpg" ? std::string(".jpeg") : std::move(ending);
+  };
+  if (!check_picture_name(name).empty() || same(ending_of(name)) == same("." + request.format)) {
+    return std::nullopt;
   }
-  if (format == "png" || name.ends_with(format)) return std::nullopt;
-  return Error{fmt::format("--format: it is for files in a folder; the name {} has another format.",
+  return Error{fmt::format("--format: the name {} says that the file has another format.",
                            quoted(name, 200))};
 }
 
@@ -268,9 +277,9 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
         quoted(output, 200))};
   }
   if (!folder) {
-    if (const auto wrong = check_name("--output", output, request.format)) return *wrong;
+    if (const auto wrong = check_output_name(request)) return *wrong;
   }
-  if (const auto wrong = check_name("--sheet", request.sheet, "png")) return *wrong;
+  if (const auto wrong = check_name("--sheet", request.sheet)) return *wrong;
   if (!folder && !request.sheet.empty() && same_place(request.sheet, output)) {
     return Error{fmt::format("--sheet: {} is where --output writes.", quoted(request.sheet, 200))};
   }

@@ -16,7 +16,8 @@ namespace gltfx::codec {
 
 /// PNG with any depth and number of channels.
 Answer encode_png(const Job& job, std::span<const std::byte> texels, const Output& output);
-/// WebP, lossless with quality 0; colours of transparent texels are kept, grey becomes RGB.
+/// WebP, still or animated, lossless with quality 0; colours of transparent texels are kept, grey
+/// becomes RGB.
 Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Output& output);
 Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, const Output& output);
 /// EXR with floats, losslessly compressed.

@@ -102,6 +102,7 @@ Answer hand_over_pixels(Decoded decoded, const Job& job, const Output& output) {
 // The form of texels in an encoded file: WebP has no grey.
 Raster raster_in_file(const Job& job, Raster raster) {
   if (job.encoded == EncodedFormat::webp && raster.channels < 3) raster.channels += 2;
+  raster.height /= job.options.frames;
   return raster;
 }
 

@@ -7,6 +7,7 @@
 #include <webp/decode.h>
 #include <webp/demux.h>
 #include <webp/encode.h>
+#include <webp/mux.h>
 
 #include "codec/statistics.hpp"
 #include "image_decode.hpp"
@@ -130,6 +131,71 @@ void keep_alpha(std::span<std::uint8_t> file) {
   file[kLastOfHeader] |= kAlphaIsUsed;
 }
 
+using PicturePointer = std::unique_ptr<WebPPicture, decltype(&WebPPictureFree)>;
+
+// Sets `picture`, which the result frees.
+PicturePointer imported(WebPPicture& picture, bool lossless, const Raster& raster,
+                        std::span<const std::byte> texels) {
+  if (WebPPictureInit(&picture) == 0) throw std::bad_alloc();
+  picture.use_argb = lossless ? 1 : 0;
+  picture.width = static_cast<int>(raster.width);
+  picture.height = static_cast<int>(raster.height);
+  PicturePointer guard(&picture, WebPPictureFree);
+  const auto* bytes = reinterpret_cast<const std::uint8_t*>(texels.data());
+  const auto row = static_cast<int>(raster.width * raster.channels);
+  const int taken = raster.channels == 4 ? WebPPictureImportRGBA(&picture, bytes, row)
+                                         : WebPPictureImportRGB(&picture, bytes, row);
+  if (taken == 0) throw std::bad_alloc();
+  return guard;
+}
+
+Answer encode_still(const Job& job, const WebPConfig& config, const Raster& raster,
+                    std::span<const std::byte> texels, const Output& output) {
+  WebPPicture picture;
+  const PicturePointer guard = imported(picture, job.quality == 0, raster, texels);
+  WebPMemoryWriter file;
+  WebPMemoryWriterInit(&file);
+  const std::unique_ptr<WebPMemoryWriter, decltype(&WebPMemoryWriterClear)> own(
+      &file, WebPMemoryWriterClear);
+  picture.writer = WebPMemoryWrite;
+  picture.custom_ptr = &file;
+  if (WebPEncode(&config, &picture) == 0) throw std::bad_alloc();
+  if (raster.channels == 4) keep_alpha({file.mem, file.size});
+  return hand_over(std::as_bytes(std::span(file.mem, file.size)), output);
+}
+
+// `raster`: of one frame.
+Answer encode_animation(const Job& job, const WebPConfig& config, const Raster& raster,
+                        std::span<const std::byte> texels, const Output& output) {
+  WebPAnimEncoderOptions options;
+  if (WebPAnimEncoderOptionsInit(&options) == 0) throw std::bad_alloc();
+  options.anim_params.bgcolor = 0;  // transparent
+  const std::unique_ptr<WebPAnimEncoder, decltype(&WebPAnimEncoderDelete)> encoder(
+      WebPAnimEncoderNew(static_cast<int>(raster.width), static_cast<int>(raster.height), &options),
+      WebPAnimEncoderDelete);
+  if (!encoder) throw std::bad_alloc();
+  const auto begin_of = [&job](std::uint64_t frame) {  // milliseconds
+    return static_cast<int>((frame * job.options.frame_microseconds + 500) / 1000);
+  };
+  const std::size_t size = std::size_t{raster.width} * raster.height * raster.channels;
+  for (std::uint32_t i = 0; i < job.options.frames; ++i) {
+    WebPPicture picture;
+    const PicturePointer guard = imported(picture, true, raster, texels.subspan(i * size, size));
+    if (WebPAnimEncoderAdd(encoder.get(), &picture, begin_of(i), &config) == 0) {
+      throw std::bad_alloc();
+    }
+  }
+  WebPData file;
+  WebPDataInit(&file);
+  const std::unique_ptr<WebPData, decltype(&WebPDataClear)> own(&file, WebPDataClear);
+  const int end = begin_of(job.options.frames);
+  if (WebPAnimEncoderAdd(encoder.get(), nullptr, end, nullptr) == 0 ||
+      WebPAnimEncoderAssemble(encoder.get(), &file) == 0) {
+    throw std::bad_alloc();
+  }
+  return hand_over(std::as_bytes(std::span(file.bytes, file.size)), output);
+}
+
 }  // namespace
 
 Answer decode_webp(const Job& job, std::span<const std::byte> bytes, const Output& output) {
@@ -159,29 +225,13 @@ Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Outp
     raster.channels += 2;
   }
   WebPConfig config;
-  WebPPicture picture;
-  if (!configure(config, job, has_transparent(raster, texels)) || WebPPictureInit(&picture) == 0)
-    throw std::bad_alloc();
+  if (!configure(config, job, has_transparent(raster, texels))) throw std::bad_alloc();
+  raster.height /= job.options.frames;
   if (raster.width > WEBP_MAX_DIMENSION || raster.height > WEBP_MAX_DIMENSION) {
     return DecodeError{ErrorKind::unsupported, "WebP is limited to 16383 texels per side."};
   }
-  picture.use_argb = job.quality == 0 ? 1 : 0;
-  picture.width = static_cast<int>(raster.width);
-  picture.height = static_cast<int>(raster.height);
-  WebPMemoryWriter file;
-  WebPMemoryWriterInit(&file);
-  picture.writer = WebPMemoryWrite;
-  picture.custom_ptr = &file;
-  const std::unique_ptr<WebPPicture, decltype(&WebPPictureFree)> guard(&picture, WebPPictureFree);
-  const std::unique_ptr<WebPMemoryWriter, decltype(&WebPMemoryWriterClear)> own(
-      &file, WebPMemoryWriterClear);
-  const auto* bytes = reinterpret_cast<const std::uint8_t*>(texels.data());
-  const auto row = static_cast<int>(raster.width * raster.channels);
-  const int taken = raster.channels == 4 ? WebPPictureImportRGBA(&picture, bytes, row)
-                                         : WebPPictureImportRGB(&picture, bytes, row);
-  if (taken == 0 || WebPEncode(&config, &picture) == 0) throw std::bad_alloc();
-  if (raster.channels == 4) keep_alpha({file.mem, file.size});
-  return hand_over(std::as_bytes(std::span(file.mem, file.size)), output);
+  return job.options.frames == 1 ? encode_still(job, config, raster, texels, output)
+                                 : encode_animation(job, config, raster, texels, output);
 }
 
 }  // namespace gltfx::codec

@@ -84,6 +84,37 @@ enum class BakeLayer : std::uint8_t {
 /// "albedo", "normal", "depth", "material".
 std::string_view bake_layer_name(BakeLayer layer);
 
+/// What a picture shows of surfaces besides, or in place of, their materials. All but `clay` and
+/// `wireframe` are lit from the camera, without shadows.
+enum class BakeOverlay : std::uint8_t {
+  none,
+  clay,       ///< all surfaces opaque, grey and matt
+  wireframe,  ///< the edges of triangles, over clay
+  /// Texture coordinates of the base color: 8 by 8 squares for each unit, red by u, green by v;
+  /// grey: none.
+  uv,
+  /// Texels for each metre of the base color, or else of the first texture: from blue (64) over
+  /// cyan (256), green (1024) and yellow (4096) to red (16384); grey: no texture.
+  density,
+  facing,  ///< fronts of triangles blue, backs red, also those that are not drawn otherwise
+};
+
+/// How the frames of a turntable or clip become files.
+enum class BakeLayout : std::uint8_t {
+  automatic,  ///< an animation in WebP, else files
+  files,      ///< one each, with "-NNN" before the name's ending
+  animation,  ///< one WebP file, lossy, repeated without end
+  /// One picture of all, in rows from the top: as many columns as the root of their number, rounded
+  /// up.
+  sprites,
+};
+
+/// Formats of pictures.
+enum class BakeFormat : std::uint8_t { png, webp, jpeg, exr };
+
+/// The greatest number of frames of a turntable or clip.
+constexpr std::uint32_t kMostBakeFrames = 3600;
+
 /// The mistake in the name of a picture to write, one sentence; empty when its ending is that of a
 /// format.
 std::string check_picture_name(const std::string& path);
@@ -100,8 +131,13 @@ constexpr std::uint32_t kMostBakeSamples = 1U << 20U;
 struct BakeOptions {
   /// One file each; with several "-WIDTHxHEIGHT" goes before the name's ending.
   std::vector<BakeSize> sizes{BakeSize{}};
-  /// Pictures all around, one file each, with "-NNN" before the name's ending; 0: one picture.
+  /// Frames all around, at most kMostBakeFrames; 0: one picture.
   std::uint32_t turntable = 0;
+  /// Animation by name or index, whose frames are drawn from its start to its end; the camera
+  /// stays, with all of them in view. Empty: none. Not with `turntable` and `animation`.
+  std::string clip;
+  double fps = 0;  ///< frames a second; 0: 24 of a clip, 12 of a turntable
+  BakeLayout layout = BakeLayout::automatic;  ///< of frames
   std::vector<BakeLayer> layers;  ///< beside the picture, with "-NAME" before the name's ending
 
   BakeQuality quality = BakeQuality::standard;  ///< for unset `samples` and `bounces`
@@ -127,28 +163,38 @@ struct BakeOptions {
   double exposure = 0;  ///< stops, from -64 to 64; 1 doubles all light
   BakeBackground background;
   BakeToneMap tone_map = BakeToneMap::neutral;
+  BakeOverlay overlay = BakeOverlay::none;
 
-  /// A camera of the asset by name or index; for any asset "front", "back", "left", "right", "top",
-  /// "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" in front of it; empty:
-  /// three quarters from the front.
-  std::string camera;
+  /// Each a camera of the asset by name or index; for any asset "front", "back", "left", "right",
+  /// "top", "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" in front of it.
+  /// With several, each has files of its own, with ".CAMERA" before the name's ending: letters of
+  /// ASCII, digits, '-', '_' and ',' of its name, '_' for all else. Empty: three quarters from the
+  /// front.
+  std::vector<std::string> cameras;
   BakeProjection projection = BakeProjection::perspective;  ///< not of a camera of the asset
   /// Node by name, index or pointer ("/nodes/3") that fills the picture, with its subtree; all else
   /// is drawn in place. Not with a camera of the asset. Empty: everything.
   std::string frame;
-  /// `automatic` holds for a perspective camera where `camera`, `turntable` and `frame` are not
+  /// `automatic` holds for a perspective camera where `cameras`, `turntable` and `frame` are not
   /// set.
   BakeInterior interior = BakeInterior::automatic;
-  std::string scene;      ///< name or index; empty: the default one
-  std::string animation;  ///< name or index; empty: no animation
-  double time = 0;        ///< of the animation, seconds
-  std::string variant;    ///< name or index; empty: none
+  std::string scene;  ///< name or index; empty: the default one
+  /// Name or index, or "none". Empty: of an asset with skins the first animation that moves their
+  /// joints and has "idle" in its name, else the first that moves them, else none.
+  std::string animation;
+  double time = 0;      ///< of the animation, seconds
+  std::string variant;  ///< name or index; empty: none
+  /// Names and indices of cameras, nodes, scenes, animations and variants that the asset lacks
+  /// count as not given, with a note where it has others; else they are refused.
+  bool if_present = false;
 
   /// Refuse any asset that has errors, not only those that leave no picture, or of which parts
   /// would be left out.
   bool strict = false;
-  /// File to write: .png, .webp, .jpg, .jpeg or .exr. Folders are made.
+  /// File to write: .png, .webp, .jpg, .jpeg or .exr, or of any name with `format`. Folders are
+  /// made.
   std::string output;
+  std::optional<BakeFormat> format;  ///< nothing: by the ending of `output`
   /// Put the picture, of the first size, into the asset itself, as its thumbnail.
   bool embed = false;
   /// Folder that the asset and its files may come from; empty: the asset's own.

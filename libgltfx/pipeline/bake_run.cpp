@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/bake_run.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "codec/client.hpp"
+#include "pipeline/bake_clip.hpp"
+#include "pipeline/bake_names.hpp"
+#include "pipeline/bake_picture.hpp"
+#include "pipeline/bake_strip.hpp"
+#include "pipeline/picture_file.hpp"
+#include "pipeline/thumbnail.hpp"
+#include "preview/picture.hpp"
+
+namespace gltfx {
+namespace {
+
+/// The pictures of one camera in one size.
+struct Shot {
+  BakeSize size;
+  std::string suffix;  ///< of the names of its files
+  std::vector<render::View> views;
+  std::map<std::string, FrameStrip> strips;  ///< by suffix, of pictures that become one file
+};
+
+/// One file on its way from scene to pictures.
+class Baker {
+ public:
+  Baker(BakeScene loaded, const BakeOptions& options, Pictures* kept)
+      : options_(options), loaded_(std::move(loaded)), report_(loaded_.report), kept_(kept) {}
+
+  BakeReport run() {
+    if (loaded_.ready() && check_output() && choose_shots() && check_layout() && draw_all() &&
+        options_.embed) {
+      embed();
+    }
+    return std::move(report_);
+  }
+
+ private:
+  bool fail(BakeProblem problem, std::string error) {
+    report_.problem = problem;
+    report_.error = std::move(error);
+    return false;
+  }
+
+  bool check_output() {
+    if (options_.output.empty()) return true;
+    const auto format = output_format(options_);
+    if (!format) return fail(BakeProblem::refused, format.error().message);
+    format_ = *format;
+    if (!is_transparent(options_) || holds_alpha(format_)) return true;
+    return fail(BakeProblem::refused,
+                "JPEG holds no transparent background; PNG, WebP and OpenEXR do");
+  }
+
+  // Without those that the asset lacks, if that is no mistake.
+  std::vector<std::string> cameras_of_asset() {
+    std::vector<std::string> cameras;
+    for (const std::string& camera : options_.cameras) {
+      const auto error = options_.if_present ? find_camera_error(loaded_, camera) : std::nullopt;
+      if (!error) cameras.push_back(camera);
+      if (error && !loaded_.scene->cameras.empty()) report_.notes.push_back(error->message);
+    }
+    if (cameras.empty()) cameras.emplace_back();
+    return cameras;
+  }
+
+  bool choose_shots() {
+    const std::vector<std::string> cameras = cameras_of_asset();
+    const std::vector<std::string> parts = camera_file_parts(cameras);
+    for (const BakeSize& size : options_.sizes) {
+      for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const double aspect = static_cast<double>(size.width) / size.height;
+        auto views = choose_views(loaded_, options_, aspect, cameras[i]);
+        if (!views) return fail(BakeProblem::refused, views.error().message);
+        Shot shot{size, {}, *std::move(views), {}};
+        if (options_.cameras.size() > 1 && !parts[i].empty()) shot.suffix = "." + parts[i];
+        if (options_.sizes.size() > 1) {
+          shot.suffix += fmt::format("-{}x{}", size.width, size.height);
+        }
+        shots_.push_back(std::move(shot));
+      }
+    }
+    choose_backdrop(loaded_, shots_.front().views.front(), options_);
+    loaded_.forget_faces();
+    return true;
+  }
+
+  std::uint32_t clip_frames() const { return loaded_.clip ? loaded_.clip->frames() : 1; }
+  bool has_frames() const { return options_.turntable > 0 || loaded_.clip; }
+
+  bool check_layout() {
+    layout_ = options_.layout;
+    if (!options_.clip.empty() && !loaded_.clip) layout_ = BakeLayout::files;  // the asset lacks it
+    if (layout_ == BakeLayout::automatic) {
+      const bool webp = format_ == codec::EncodedFormat::webp;
+      layout_ = webp && has_frames() ? BakeLayout::animation : BakeLayout::files;
+    }
+    if (layout_ == BakeLayout::files) return true;
+    if (!has_frames()) {
+      return fail(BakeProblem::refused, "only a turntable or clip has frames to lay out");
+    }
+    if (layout_ == BakeLayout::animation && format_ != codec::EncodedFormat::webp) {
+      return fail(BakeProblem::refused, "an animation is a WebP file");
+    }
+    constexpr std::uint32_t kMostSide = 16383;
+    constexpr std::uint64_t kMostInAll = 8192ULL * 16384;
+    for (const Shot& shot : shots_) {
+      const auto frames = static_cast<std::uint32_t>(shot.views.size()) * clip_frames();
+      const FrameGrid grid = layout_ == BakeLayout::sprites ? grid_of(frames) : FrameGrid();
+      const std::uint64_t width = std::uint64_t{shot.size.width} * grid.columns;
+      const std::uint64_t height = std::uint64_t{shot.size.height} * grid.rows;
+      const std::uint64_t all = std::uint64_t{shot.size.width} * shot.size.height * frames;
+      if (std::max(width, height) <= kMostSide && all <= kMostInAll) continue;
+      return fail(BakeProblem::refused,
+                  fmt::format("{} frames of {}x{} pixels are too many for one file: a side has at "
+                              "most {} pixels, all frames together {}",
+                              frames, shot.size.width, shot.size.height, kMostSide, kMostInAll));
+    }
+    return true;
+  }
+
+  bool draw_all() {
+    for (const Shot& shot : shots_) pictures_ += shot.views.size() * clip_frames();
+    for (std::uint32_t moment = 0; moment < clip_frames(); ++moment) {
+      if (moment > 0 && !move_on(moment)) return false;
+      for (Shot& shot : shots_) {
+        if (!draw(shot, moment)) return false;
+        if (!loaded_.clip && !finish(shot)) return false;
+      }
+    }
+    return !loaded_.clip ||
+           std::all_of(shots_.begin(), shots_.end(), [this](Shot& shot) { return finish(shot); });
+  }
+
+  // To a later frame of the clip.
+  bool move_on(std::uint32_t moment) {
+    BakeScene next = loaded_.clip->scene_of(moment, *loaded_.subject, loaded_.origin);
+    if (!next.ready()) return fail(next.report.problem, std::move(next.report.error));
+    loaded_.bvh = std::nullopt;  // before its scene
+    loaded_.scene = std::move(next.scene);
+    loaded_.bvh = std::move(next.bvh);
+    return true;
+  }
+
+  bool draw(Shot& shot, std::uint32_t moment) {
+    for (std::size_t i = 0; i < shot.views.size(); ++i) {
+      const render::Framebuffer drawn =
+          draw_picture(loaded_, shot.views[i], shot.size, options_, layers_of(options_), part());
+      ++done_;
+      std::string suffix = shot.suffix;
+      if (has_frames() && layout_ == BakeLayout::files) {
+        suffix += fmt::format("-{:03}", i + moment);
+      }
+      if (!take(drawn, shot, suffix)) return false;
+    }
+    return true;
+  }
+
+  // Progress of one picture among all of them.
+  std::function<void(double)> part() const {
+    if (!options_.progress) return {};
+    return [this](double within) {
+      options_.progress((static_cast<double>(done_) + within) / static_cast<double>(pictures_));
+    };
+  }
+
+  bool take(const render::Framebuffer& drawn, Shot& shot, const std::string& suffix) {
+    if (report_.pixels.bytes.empty()) {
+      preview::Picture shown = finish_picture(drawn, options_, preview::PixelType::bytes);
+      report_.pixels = {shown.width, shown.height, shown.channels, std::move(shown.bytes)};
+    }
+    if (options_.output.empty() && kept_ == nullptr) return true;
+    const auto numbers =
+        holds_floats(format_) ? preview::PixelType::floats : preview::PixelType::bytes;
+    if (!put(finish_picture(drawn, options_, numbers), shot, suffix)) return false;
+    for (const BakeLayer layer : options_.layers) {
+      preview::Picture seen =
+          preview::layer_picture(drawn, static_cast<preview::Layer>(layer), numbers);
+      const std::string ending = fmt::format("{}-{}", suffix, bake_layer_name(layer));
+      if (!put(std::move(seen), shot, ending)) return false;
+    }
+    return true;
+  }
+
+  bool put(preview::Picture picture, Shot& shot, const std::string& suffix) {
+    if (layout_ == BakeLayout::files) return write(encode_picture(picture, format_), suffix);
+    shot.strips[suffix].add(std::move(picture));
+    return true;
+  }
+
+  // Writes what one file holds of all frames.
+  bool finish(Shot& shot) {
+    for (const auto& [suffix, strip] : shot.strips) {
+      const auto encoded =
+          layout_ == BakeLayout::sprites
+              ? encode_picture(strip.grid(), format_)
+              : encode_animation(strip.column(), strip.frames(), frame_rate(options_));
+      if (!write(encoded, suffix)) return false;
+    }
+    shot.strips.clear();
+    return true;
+  }
+
+  bool write(const Result<codec::EncodedImage>& image, const std::string& suffix) {
+    if (!image) return fail(BakeProblem::not_written, image.error().message);
+    if (kept_ != nullptr) {
+      const auto* text = reinterpret_cast<const char*>(image->bytes.data());
+      kept_->emplace(suffix, std::string(text, image->bytes.size()));
+      return true;
+    }
+    const std::string path = with_suffix(options_.output, suffix);
+    if (auto trouble = write_image(*image, path)) {
+      return fail(BakeProblem::not_written, std::move(trouble->message));
+    }
+    report_.written.push_back(path);
+    return true;
+  }
+
+  void embed() {
+    if (auto trouble = embed_thumbnail(report_.path, report_.pixels, options_)) {
+      fail(BakeProblem::not_written, std::move(trouble->message));
+      return;
+    }
+    report_.embedded = true;
+  }
+
+  const BakeOptions& options_;
+  BakeScene loaded_;
+  BakeReport report_;
+  Pictures* const kept_;
+  codec::EncodedFormat format_ = codec::EncodedFormat::png;
+  BakeLayout layout_ = BakeLayout::files;
+  std::vector<Shot> shots_;
+  std::size_t pictures_ = 0, done_ = 0;
+};
+
+}  // namespace
+
+BakeReport run_bake(BakeScene loaded, const BakeOptions& options, Pictures* kept) {
+  return Baker(std::move(loaded), options, kept).run();
+}
+
+}  // namespace gltfx
