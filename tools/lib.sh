@@ -11,7 +11,8 @@ build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libzstd-dev libopenexr-dev
   libembree-dev libxxhash-dev libsodium-dev libstb-dev fonts-dejavu-core)
 test_packages=(libtinygltf-dev libavif-dev libopenimageio-dev lld clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
-  nodejs pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc)
+  nodejs pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc
+  tumbler bubblewrap dbus python3-dbus libglib2.0-bin shared-mime-info)
 package_packages=(libtinygltf-dev libopenimageio-dev dpkg-dev file gzip)  # for Debian packages
 
 slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only for nightly

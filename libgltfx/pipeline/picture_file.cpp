@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <span>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 
@@ -37,6 +39,20 @@ Result<codec::EncodedImage> encoded(const codec::EncodeRequest& request) {
     return Error{"the picture cannot be encoded: " + error->message};
   }
   return std::get<codec::EncodedImage>(std::move(result));
+}
+
+bool is_empty_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(fs::symlink_status(path, error)) && fs::file_size(path, error) == 0 &&
+         !error;
+}
+
+std::optional<Error> fill(const std::string& path, std::string_view bytes) {
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  file.close();
+  if (file) return std::nullopt;
+  return Error{fmt::format("{} cannot be written", quoted(path, 200))};
 }
 
 }  // namespace
@@ -112,7 +128,8 @@ std::optional<Error> write_image(const codec::EncodedImage& image, const std::st
     if (auto trouble = change::make_folder(folder)) return trouble;
   }
   const auto* text = reinterpret_cast<const char*>(image.bytes.data());
-  return write_file(path, {text, image.bytes.size()});
+  const std::string_view bytes(text, image.bytes.size());
+  return is_empty_file(path) ? fill(path, bytes) : write_file(path, bytes);
 }
 
 std::string with_suffix(const std::string& path, std::string_view suffix) {

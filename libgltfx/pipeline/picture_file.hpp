@@ -38,7 +38,8 @@ Result<codec::EncodedImage> encode_animation(const preview::Picture& picture, st
 /// The same of a PNG, as text.
 Result<std::string> encode_png(const preview::Picture& picture);
 
-/// Writes a file, whole or not at all. Makes the folder.
+/// Writes a file, whole or not at all. An empty file is filled instead of replaced: those who have
+/// it open, as thumbnailing services do, then read the picture. Makes the folder.
 std::optional<Error> write_image(const codec::EncodedImage& image, const std::string& path);
 
 /// Encodes by the ending of `path`, and writes.

@@ -191,6 +191,15 @@ TEST_F(Frames, TheFormatMayBeNamedInPlaceOfTheEnding) {
   EXPECT_THAT(bake_to("picture").error, HasSubstr("does not end in .png"));
 }
 
+// As thumbnailing services make one, and read what they have open.
+TEST_F(Frames, AnEmptyFileIsFilledInPlace) {
+  std::ifstream open(folder.write("made.png", ""), std::ios::binary);
+  EXPECT_THAT(names_of(bake_to("made.png")), ElementsAre("made.png"));
+  const std::string seen{std::istreambuf_iterator<char>(open), {}};
+  EXPECT_THAT(seen, testing::StartsWith("\x89PNG"));
+  EXPECT_EQ(seen, file_content(folder.path() / "made.png"));
+}
+
 TEST_F(Frames, WhatDoesNotGoTogetherIsRefused) {
   const auto error = [&](const std::string& name) {
     const BakeReport done = bake_to(name);
