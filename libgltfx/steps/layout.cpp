@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "base/text.hpp"
 #include "change/buffer_layout.hpp"
 #include "change/commit.hpp"
@@ -80,6 +82,7 @@ class Layout {
   Result<change::Change> run(const StepInput& input) {
     if (!now_.users) return now_.users.error();
     choose_home();
+    if (auto trouble = find_dangling()) return *trouble;
     choose_removed();
     std::vector<std::uint64_t> changed;
     for (const auto& [first, members] : members_) {
@@ -180,6 +183,17 @@ class Layout {
       outcome_.home = first;
       return;
     }
+  }
+
+  // A reference to a missing buffer would lead to the buffer that a step added.
+  Trouble find_dangling() const {
+    if (!outcome_.home_gets_more) return std::nullopt;
+    for (const graph::IndexUse& use : before_.graph.indices()) {
+      if (use.array != "/buffers" || use.index < before_.buffers || use.index >= count()) continue;
+      return Error{fmt::format("{} refers to a buffer that does not exist (see 'gltfx fix')",
+                               printable(before_.graph.tree().pointer(use.at)))};
+    }
+    return std::nullopt;
   }
 
   // Chooses the buffers of steps, and buffers that lost their last use if no unknown index would
