@@ -71,6 +71,7 @@ struct HeaderError {
   };
   Kind kind = Kind::unrecognized;
   std::string problem;  ///< one sentence; empty if the kind is enough
+  bool cmyk = false;    ///< a JPEG of four inks, which glTF does not allow, but decoders read
 };
 
 /// Fewer bytes cannot be identified.

@@ -161,8 +161,10 @@ std::optional<HeaderError> read_frame_header(Segment segment, Jpeg& jpeg) {
   header.width = at.be16();
   const std::uint8_t components = at.u8();
   if (components != 1 && components != 3) {
-    return invalid(fmt::format("The JPEG has {} channels{}; it must have 1 or 3.", components,
-                               components == 4 ? " (CMYK)" : ""));
+    HeaderError error = invalid(fmt::format("The JPEG has {} channels{}; it must have 1 or 3.",
+                                            components, components == 4 ? " (CMYK)" : ""));
+    error.cmyk = components == 4;
+    return error;
   }
   jpeg.process = segment.marker;
   header.channels = components == 1 ? Channels::luminance : Channels::rgb;

@@ -67,6 +67,9 @@ void read_known(ImageFile& file) {
     } else if (file.header->animated) {
       file.problem = "it is animated";
     }
+  } else if (std::get<image::HeaderError>(header).cmyk) {
+    file.cmyk = true;
+    file.name = "CMYK JPEG";
   } else {
     file.problem = "it is broken";
     file.broken = true;
@@ -99,11 +102,15 @@ class Planner {
         find_obstacle_(find_obstacle) {}
 
   ImagePlan plan() {
+    plan_.color = use_.kind == ImageClass::color;
     choose_target();
     const bool too_large = is_too_large();
     const bool again = options_.shrink && file_.format == Format::png;
     const bool unknown_size = file_.broken && options_.texture_size;
     plan_.requested = target_ || too_large || unknown_size;
+    if (options_.texture_size && file_.foreign && !target_) {
+      plan_.left.push_back(not_encoded());
+    }
     if (!plan_.requested && !again) return std::move(plan_);
     if (file_.floats && target_) {
       plan_.refused = fmt::format(
@@ -144,11 +151,17 @@ class Planner {
     for (const ImageConversion& conversion : options_.images) {
       if (conversion.only && conversion.only != use_.kind) continue;
       const bool legal = conversion.target == ImageTarget::legal;
-      if (legal && context_.allowed) continue;
+      if (legal && context_.allowed && !file_.cmyk) continue;
       const Format format = format_of(conversion.target);
-      if (file_.format == format) return;
+      if (file_.format == format && !file_.cmyk) {
+        if (options_.quality && format != Format::png) {
+          plan_.left.push_back(
+              fmt::format("it is {} already, which --quality would make worse", file_.name));
+        }
+        return;
+      }
       // A core format may be larger than a file that is not allowed or needs an extension.
-      const bool stays_core = file_.format && is_core_type(file_.media_type);
+      const bool stays_core = file_.format && is_core_type(file_.media_type) && !file_.cmyk;
       target_ = {format,
                  legal || !file_.format || (!stays_core && is_core_type(image::media_type(format))),
                  legal};
@@ -159,7 +172,7 @@ class Planner {
   bool is_too_large() const {
     const std::uint32_t most = options_.texture_size.value_or(0);
     if (most == 0) return false;
-    if (!file_.header) return file_.foreign.has_value() && target_;
+    if (!file_.header) return (file_.foreign.has_value() || file_.cmyk) && target_;
     return std::max(file_.header->width, file_.header->height) > most;
   }
 
@@ -173,8 +186,12 @@ class Planner {
   void try_same() {
     if (file_.format && encoded_format(*file_.format)) return add({*file_.format, true});
     if (!plan_.attempts.empty()) return;
-    plan_.left.push_back(fmt::format(
-        "not resized: gltfx does not encode {} (choose another format with --images)", file_.name));
+    plan_.left.push_back(not_encoded());
+  }
+
+  std::string not_encoded() const {
+    return fmt::format(
+        "not resized: gltfx does not encode {} (choose another format with --images)", file_.name);
   }
 
   void add(const Choice& choice) {

@@ -30,6 +30,7 @@ struct ImageFile {
   std::string problem;  ///< why it cannot be decoded, half a sentence; empty: it can
   bool broken = false;  ///< the problem is a defect of the file, not its format
   bool floats = false;  ///< its colors are unlimited
+  bool cmyk = false;    ///< a JPEG of four inks, which glTF does not allow
 };
 
 ImageFile read_image_file(container::Bytes bytes);
@@ -54,6 +55,7 @@ struct ImagePlan {
   /// A format or a size is requested, not only a better compression where it is possible: a file
   /// that cannot be read or decoded is refused, not left.
   bool requested = false;
+  bool color = false;  ///< textures of colors, which have 8 bits per channel, use it
 };
 
 /// Properties of the asset that affect the plan.

@@ -89,6 +89,14 @@ bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& i
     job.plan.left.push_back(fmt::format("not {}: {}", name, wide_reason(image.source.bits)));
     return false;
   }
+  if (attempt.format == image::Format::png && image.raster.bits > 8 && job.plan.color &&
+      !job.file.format) {
+    job.plan.refused = fmt::format(
+        "it has {} bits per channel, but textures of colors have 8 (--images jpeg or webp with "
+        "--quality reduces them)",
+        image.raster.bits);
+    return false;
+  }
   if (!attempt.lossy) return true;
   const double bound = bound_of(attempt, image.source);
   if (image.distance && (bound == 0 || image.distance->greatest <= bound)) return true;
@@ -235,16 +243,17 @@ class ImageStep {
     const Encoded& encoded = job.encoded;
     const ImageAttempt& attempt = *encoded.attempt;
     const std::uint64_t count = job.group.images.size();
-    const bool same = job.file.format == attempt.format;
+    const bool same = job.file.format == attempt.format && !job.file.cmyk;
     const bool resized = encoded.source.width != encoded.raster.width ||
                          encoded.source.height != encoded.raster.height;
     const std::string_view name = format_name(attempt.format);
     std::string done = job.file.name;
     if (!same) done += fmt::format(" -> {}", name);
-    if (!same && !attempt.lossy) done += " exact";
+    if (!same && !attempt.lossy && !job.file.cmyk) done += " exact";
     if (resized) done += " resized";
     if (same && !resized) done += " recompressed";
     done_[done] += count;
+    if (job.file.cmyk) losses_["four inks as RGB"].images += count;
     if (resized) losses_[describe_size()].images += count;
     if (encoded.source.bits > encoded.raster.bits) {
       losses_["8 of 16 bits per channel"].images += count;

@@ -48,6 +48,12 @@ TEST_F(ConvertTest, IsADryRunUnlessToldWhereToWrite) {
   EXPECT_EQ(here({"a.gltf", "--check"}).code, 0);
 }
 
+TEST_F(ConvertTest, AQualityNeedsImagesThatItIsOf) {
+  const Outcome outcome = here({"a.gltf", "--quality", "30"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--quality is that of --images and --texture-size"));
+}
+
 TEST_F(ConvertTest, ANameThatBeginsWithTwoDotsIsInTheFolder) {
   folder_.write("dots.gltf",
                 R"({"asset":{"version":"2.0"},"buffers":[{"uri":"...bin","byteLength":4}]})");

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Images in formats that are not allowed become PNG.
+#include <fstream>
+#include <iterator>
+#include <string>
+
 #include <gmock/gmock.h>
 
 #include "codec/support/foreign_files.hpp"
@@ -14,6 +18,7 @@ using test::file_image;
 using test::ImageConversionCase;
 using test::kBlendedSlot;
 using test::kColorSlot;
+using test::kNormalSlot;
 using test::OrderedJson;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -79,6 +84,43 @@ TEST(LegalImages, DoNotChange) {
   conversion.run();
   EXPECT_FALSE(conversion.step().changes);
   EXPECT_THAT(conversion.step().left, IsEmpty());
+}
+
+std::string cmyk_file() {
+  std::ifstream file(GLTFX_SOURCE_DIR "/tests/codec/foreign/flat-cmyk.jpg", std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// glTF allows JPEG files of one and of three channels.
+TEST(LegalImages, ReplaceFourInks) {
+  ImageConversionCase conversion =
+      made_legal(asset_with(kColorSlot, {file_image("a.jpg")}), {{"a.jpg", cmyk_file()}});
+  const OrderedJson json = conversion.run();
+  EXPECT_EQ(json["images"][0]["uri"], "a.png");
+  const auto texels = decoded(conversion.result.files.at("a.png"));
+  ASSERT_EQ(texels.size(), 3U * 16 * 16);
+  EXPECT_NEAR(std::to_integer<int>(texels[0]), 255, 3);
+  EXPECT_NEAR(std::to_integer<int>(texels[1]), 127, 3);
+  EXPECT_NEAR(std::to_integer<int>(texels[2]), 0, 3);
+  EXPECT_EQ(conversion.losses(), "four inks as RGB (1 image)\n");
+}
+
+// Textures of colors have 8 bits per channel.
+TEST(LegalImages, AreRefusedForSixteenBitsOfColor) {
+  std::string file = "P6 4 2 65535\n";
+  for (unsigned i = 0; i < 48; ++i) file += static_cast<char>(i * 5);
+  for (const std::string_view slot : {kColorSlot, kNormalSlot}) {
+    ImageConversionCase conversion =
+        made_legal(asset_with(slot, {file_image("a.ppm")}), {{"a.ppm", file}});
+    conversion.result = convert_bytes(conversion.asset, conversion.options);
+    if (slot == kNormalSlot) {
+      EXPECT_TRUE(conversion.result.files.contains("a.png"));
+      continue;
+    }
+    ASSERT_THAT(conversion.step().refused, SizeIs(1));
+    EXPECT_EQ(conversion.step().refused.front().pointer, "/images/0");
+    EXPECT_THAT(conversion.step().refused.front().reason, HasSubstr("16 bits per channel"));
+  }
 }
 
 TEST(LegalImages, AreRefusedForUnlimitedColors) {

@@ -205,6 +205,9 @@ void read_convert(Reading& reading, ConvertRequest& request) {
   const Options& options = reading.options();
   reading.require(!options.given("--in-place") || !options.given("--to"),
                   "convert: --in-place keeps the container; leave out --to, or use --output.");
+  reading.require(
+      !options.given("--quality") || options.given("--images") || options.given("--texture-size"),
+      "convert: --quality is that of --images and --texture-size; give one of them.");
   reading.read();
   const std::string ending = ending_of(request.convert.output);
   const bool binary = has_glb_ending(request.convert.output);
