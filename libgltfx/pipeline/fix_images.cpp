@@ -16,6 +16,7 @@
 #include "steps/image_encodings.hpp"
 #include "steps/images.hpp"
 #include "steps/layout.hpp"
+#include "steps/used_bytes.hpp"
 
 namespace gltfx {
 namespace {
@@ -71,7 +72,7 @@ class LegalRun {
   std::optional<Error> lay_out(change::Change& all) {
     auto next = change::apply(asset_, all);
     if (!next) return next.error();
-    auto layout = steps::lay_out(asset_, input(*next));
+    auto layout = steps::lay_out(steps::UsedBytes(asset_, schemas_), input(*next));
     if (!layout) return layout.error();
     if (!layout->empty()) change::append(all, *layout, *asset_.container().json);
     return std::nullopt;

@@ -32,7 +32,9 @@ void add(HashParts& parts, const codec::Resize& resize) {
 }
 
 void add(HashParts& parts, const codec::EncodeOptions& options) {
-  const auto& [near_lossless, subsampled, smallest] = options;
+  const auto& [near_lossless, subsampled, smallest, frames, frame_microseconds] = options;
+  parts.add(std::uint64_t{frames});
+  parts.add(std::uint64_t{frame_microseconds});
   parts.add(std::uint64_t{near_lossless});
   parts.add(number_of(subsampled));
   parts.add(number_of(smallest));
