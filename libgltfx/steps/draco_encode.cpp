@@ -152,7 +152,11 @@ class DracoStep {
     pool.settle(edited, outcome_);
     shrink_views(input_, accessors, buffer_, editor_);
     std::size_t stored = 0;
+    std::uint64_t dropped = 0;
     for (DracoGroup& group : groups_) {
+      const auto& attributes = primitive(group.primitives.front()).primitive->attributes;
+      const std::uint64_t vertices = *accessor(*attributes.front().accessor).count;
+      dropped += vertices - std::min<std::uint64_t>(vertices, group.encoded.mesh.points);
       for (const std::size_t each : group.primitives) declare(group, each, pool);
       stored += group.primitives.size();
     }
@@ -161,6 +165,13 @@ class DracoStep {
     buffer_.add_to(outcome_.change);
     outcome_.change.edits = editor_.take();
     outcome_.freedom.vertex_order = true;
+    if (dropped > 0) {
+      outcome_.row.losses.push_back({fmt::format("{} {} that no triangle needs", dropped,
+                                                 dropped == 1 ? "vertex" : "vertices"),
+                                     0,
+                                     0,
+                                     {}});
+    }
     outcome_.row.what =
         fmt::format("{} of {}", stored, report::counted(primitives_->all().size(), "primitive"));
     return std::move(outcome_);

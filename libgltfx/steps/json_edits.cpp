@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "steps/json_edits.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -21,6 +22,18 @@ std::string view_json(const NewView& view) {
     json += fmt::format(R"(,"target":{})", target_number(view.target));
   }
   return json.append(1, '}');
+}
+
+std::vector<std::string_view> free_members(const json::Document& document, json::NodeId view) {
+  constexpr std::array<std::string_view, 5> kOfBytes{"buffer", "byteOffset", "byteLength",
+                                                     "byteStride", "target"};
+  std::vector<std::string_view> names;
+  for (const auto member : document.members(view)) {
+    const std::string_view name = document.key(member.key_id);
+    const bool is_free = std::find(kOfBytes.begin(), kOfBytes.end(), name) == kOfBytes.end();
+    if (is_free) names.push_back(name);
+  }
+  return names;
 }
 
 void set_number(const json::Document& document, json::Editor& editor, json::NodeId object,

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/result.hpp"
 #include "json/edit.hpp"
@@ -26,6 +27,10 @@ struct NewView {
 std::string view_json(const NewView& view);
 /// The number of a target in JSON. Precondition: it is not `none`.
 unsigned target_number(model::ViewTarget target);
+
+/// The names of the members of a buffer view that do not describe its bytes: `name`, `extras`,
+/// `extensions` and unknown ones.
+std::vector<std::string_view> free_members(const json::Document& document, json::NodeId view);
 
 /// Sets a member of an object to a number.
 void set_number(const json::Document& document, json::Editor& editor, json::NodeId object,

@@ -15,6 +15,7 @@
 #include "image/header.hpp"
 #include "model/asset_bytes.hpp"
 #include "model/fields.hpp"
+#include "model/meshopt_view.hpp"
 #include "report/wording.hpp"
 #include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
@@ -159,6 +160,12 @@ class Packer {
     for (std::uint64_t i = 1; i < count(); ++i) {
       const json::NodeId object = buffer(i);
       if (object == json::kNoNode || bytes_.buffer_storage(i) == Storage::nowhere) continue;
+      if (is_plain_copy(object)) {
+        outcome_.row.left.push_back(
+            {fmt::format("/buffers/{}", i),
+             "it is the plain copy of compressed buffer views, which readers may skip"});
+        continue;
+      }
       const std::string why = doubt.empty() ? find_lost_member(object) : doubt;
       if (!why.empty()) {
         refuse("buffers", i, why);
@@ -185,6 +192,17 @@ class Packer {
                          printable(graph.tree().pointer(user.object)));
     }
     return {};
+  }
+
+  // Whether readers that support compressed views need not load the buffer
+  // (EXT_meshopt_compression, "fallback").
+  bool is_plain_copy(json::NodeId object) const {
+    const json::NodeId extensions = document_.find(object, "extensions");
+    return std::any_of(model::kMeshoptExtensions.begin(), model::kMeshoptExtensions.end(),
+                       [&](std::string_view name) {
+                         return model::true_member(document_, document_.find(extensions, name),
+                                                   "fallback");
+                       });
   }
 
   // The first member of a merged buffer, other than length, place and name, that would be lost.

@@ -20,6 +20,7 @@
 #include "model/asset_bytes.hpp"
 #include "model/fields.hpp"
 #include "steps/file_names.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -141,6 +142,11 @@ class TextStorage {
       return !std::all_of(users.begin(), users.end(),
                           [&](const graph::Use& use) { return moved.contains(use.at.node); });
     });
+    for (const json::NodeId view : gone) {
+      if (document_.find(view, "name") == json::kNoNode) continue;
+      outcome_.row.losses.push_back(
+          {fmt::format("the name of /bufferViews/{}", graph.tree().position(view)), 0, 0, {}});
+    }
     const auto cut = change::cut_bin(
         graph, [&](json::NodeId object) { return gone.contains(object); }, chunk().size(), editor_);
     const bool empties = !gone.empty() && holds_nothing_but(graph, gone);
@@ -178,7 +184,13 @@ class TextStorage {
       const json::NodeId image = element(RootArray::images, i);
       const auto buffer = elements_.index(view_of(image), "buffer", RootArray::buffers);
       if (!buffer || *buffer != 0) continue;
-      auto bytes = doubt.empty() ? bytes_.image(i) : Result<Bytes>(Error{doubt});
+      std::string why = doubt;
+      for (const std::string_view name : free_members(document_, view_of(image))) {
+        if (name != "name" && why.empty()) {
+          why = fmt::format("the {} of its buffer view would be lost", gltfx::quoted(name));
+        }
+      }
+      auto bytes = why.empty() ? bytes_.image(i) : Result<Bytes>(Error{why});
       if (bytes) {
         found.emplace(i, *std::move(bytes));
       } else {

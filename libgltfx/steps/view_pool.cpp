@@ -2,6 +2,7 @@
 #include "steps/view_pool.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "base/text.hpp"
 #include "graph/renumber.hpp"
 #include "graph/unknown_indices.hpp"
+#include "report/wording.hpp"
 #include "steps/json_edits.hpp"
 
 namespace gltfx::steps {
@@ -92,8 +94,18 @@ void ViewPool::settle(const std::set<json::NodeId>& edited, StepOutcome& outcome
   const json::NodeId list = document.find(document.root(), "bufferViews");
   removed_.assign(free_.begin() + static_cast<std::ptrdiff_t>(taken_), free_.end());
   std::sort(removed_.begin(), removed_.end());
+  std::map<std::string_view, std::uint64_t> lost;
   for (const std::uint64_t view : removed_) {
-    editor_.remove(list, input_.views.buffer_views[view].node);
+    const json::NodeId node = input_.views.buffer_views[view].node;
+    for (const std::string_view name : free_members(document, node)) ++lost[name];
+    editor_.remove(list, node);
+  }
+  for (const auto& [name, count] : lost) {
+    outcome.row.losses.push_back(
+        {fmt::format("the {} of {}", printable(name), report::counted(count, "buffer view")),
+         0,
+         0,
+         {}});
   }
   auto edits = graph::renumber(
       input_.graph,

@@ -60,6 +60,21 @@ TEST_F(Pack, RemovesOnlyTheUriOfASingleBuffer) {
   EXPECT_THAT(report_.steps[0].losses, IsEmpty());
 }
 
+// As gltfpack -cf writes it: readers of the extension do not load the second buffer.
+TEST_F(Pack, LeavesThePlainCopyOfCompressedViews) {
+  folder_.write("b.bin", "abcdef");
+  folder_.write("plain.bin", "ghij");
+  const StoredAsset now = packed("{" + kAsset + R"(,
+    "extensionsUsed": ["EXT_meshopt_compression"], "buffers": [{"uri": "b.bin", "byteLength": 6},
+      {"uri": "plain.bin", "byteLength": 4,
+        "extensions": {"EXT_meshopt_compression": {"fallback": true}}}]})");
+  EXPECT_EQ(now.bin, "abcdef\0\0"s);
+  EXPECT_THAT(now.text, HasSubstr(R"("uri": "plain.bin")"));
+  EXPECT_EQ(content_of(output().parent_path() / "plain.bin"), "ghij");
+  ASSERT_THAT(report_.steps[0].left, SizeIs(1));
+  EXPECT_EQ(report_.steps[0].left[0].pointer, "/buffers/1");
+}
+
 TEST_F(Pack, FillsAnEmptyChunk) {
   folder_.write("a.png", picture("leaf"));
   const fs::path path =
