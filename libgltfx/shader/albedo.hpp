@@ -19,8 +19,9 @@ struct TableCell {
   std::array<float, 4> weights{};
 
   TableCell() = default;
-  TableCell(double x, int size) {
-    const auto scaled = static_cast<float>(std::clamp(x, 0.0, 1.0)) * static_cast<float>(size - 1);
+  TableCell(double x, int size) : TableCell(static_cast<float>(x), size) {}
+  TableCell(float x, int size) {
+    const float scaled = std::clamp(x, 0.0F, 1.0F) * static_cast<float>(size - 1);
     const int cell = std::min(static_cast<int>(scaled), size - 2);
     const float t = scaled - static_cast<float>(cell);
     const float a = t * (-0.5F + t * (1 - 0.5F * t));
@@ -44,7 +45,7 @@ inline constexpr int kSpecularRows = 32;
 inline constexpr int kSheenRows = 48;
 
 inline TableCell albedo_column(double cosine) {
-  return {std::sqrt(std::sqrt(cosine)), kAlbedoColumns};
+  return {std::sqrt(std::sqrt(static_cast<float>(cosine))), kAlbedoColumns};
 }
 
 /// The albedo of specular_brdf under Schlick's Fresnel: f0 * constant + f90 * rising.

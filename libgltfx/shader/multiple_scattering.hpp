@@ -50,7 +50,7 @@ constexpr double glass_ior(int row) {
 }
 
 inline TableCell scale_column(double cosine) {
-  return {std::sqrt(std::sqrt(cosine)), kScaleColumns};
+  return {std::sqrt(std::sqrt(static_cast<float>(cosine))), kScaleColumns};
 }
 
 /// s for one anisotropic lobe.
