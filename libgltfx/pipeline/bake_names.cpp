@@ -74,6 +74,15 @@ Result<std::optional<std::uint32_t>> find_node(const std::string& word,
   return find_named("node", word, names);
 }
 
+Result<std::optional<std::uint32_t>> find_part(std::string_view kind, const std::string& word,
+                                               const std::vector<std::string>& names,
+                                               const Presence& presence) {
+  auto found = find_named(kind, word, names);
+  if (found || !presence.optional) return found;
+  if (!names.empty()) presence.notes.push_back(found.error().message);
+  return std::optional<std::uint32_t>();
+}
+
 std::vector<std::string> names_in(const model::Asset& asset, model::RootArray array) {
   std::vector<std::string> names;
   for (const json::NodeId element : asset.elements(array)) names.push_back(asset.name(element));

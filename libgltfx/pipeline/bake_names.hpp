@@ -22,6 +22,16 @@ Result<std::optional<std::uint32_t>> find_named(std::string_view kind, const std
 Result<std::optional<std::uint32_t>> find_node(const std::string& word,
                                                const std::vector<std::string>& names);
 
+/// Whether an asset may lack a part that a user names. A missing part is noted if there are others.
+struct Presence {
+  bool optional = false;
+  std::vector<std::string>& notes;
+};
+/// As find_named(), but a missing part that is optional is nothing and not an Error.
+Result<std::optional<std::uint32_t>> find_part(std::string_view kind, const std::string& word,
+                                               const std::vector<std::string>& names,
+                                               const Presence& presence);
+
 /// The names of all elements of a root array; of those without one empty.
 std::vector<std::string> names_in(const model::Asset& asset, model::RootArray array);
 

@@ -116,7 +116,7 @@ BakeReport guarded(const std::string& path, const std::function<BakeReport()>& w
 }
 
 void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOptions& options) {
-  constexpr double kLeast = 12;
+  constexpr double kLeast = 16;
   constexpr std::uint32_t kSide = 48;
   if (!loaded.subject->flat || !has_backdrop(*loaded.scene, options)) return;
   BakeOptions small = options;

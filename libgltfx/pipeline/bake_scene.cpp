@@ -103,16 +103,6 @@ std::uint32_t side_of_whole(const BakeOptions& options) {
   return side;
 }
 
-// With `if_present`, what the asset lacks is noted where it has others, and not an Error.
-Result<std::optional<std::uint32_t>> find_part(std::string_view kind, const std::string& word,
-                                               const std::vector<std::string>& names,
-                                               const BakeOptions& options, BakeNotes& notes) {
-  auto found = find_named(kind, word, names);
-  if (found || !options.if_present) return found;
-  if (!names.empty()) notes.push_back(found.error().message);
-  return std::optional<std::uint32_t>();
-}
-
 Result<std::optional<std::uint32_t>> choose_animation(const model::Asset& asset,
                                                       const model::Views& views,
                                                       const BakeOptions& options,
@@ -120,7 +110,7 @@ Result<std::optional<std::uint32_t>> choose_animation(const model::Asset& asset,
   const auto names = names_in(asset, model::RootArray::animations);
   const bool named = std::find(names.begin(), names.end(), options.animation) != names.end();
   if (options.animation == "none" && !named) return std::optional<std::uint32_t>();
-  auto found = find_part("animation", options.animation, names, options, notes);
+  auto found = find_part("animation", options.animation, names, {options.if_present, notes});
   if (!found || *found) return found;
   return find_pose(asset, views);
 }
@@ -133,13 +123,13 @@ Result<SceneOptions> scene_options(const model::OpenedAsset& opened, const BakeO
   wanted.jobs = options.jobs;
   wanted.picture_side = side_of_whole(options);
   wanted.uvs = options.overlay == BakeOverlay::uv;
-  const auto scene =
-      find_part("scene", options.scene, names_in(asset, model::RootArray::scenes), options, notes);
+  const auto scene = find_part("scene", options.scene, names_in(asset, model::RootArray::scenes),
+                               {options.if_present, notes});
   if (!scene) return scene.error();
   const auto animation = choose_animation(asset, opened.views(), options, notes);
   if (!animation) return animation.error();
-  const auto variant =
-      find_part("variant", options.variant, model::variant_names(asset), options, notes);
+  const auto variant = find_part("variant", options.variant, model::variant_names(asset),
+                                 {options.if_present, notes});
   if (!variant) return variant.error();
   const auto frame = find_node(options.frame, names_in(asset, model::RootArray::nodes));
   if (!frame) return frame.error();

@@ -68,12 +68,16 @@ double modelling_share(double azimuth) {
 // A white surface that faces the camera becomes as bright as this.
 constexpr double kWhite = 1.0;
 
+// The same for assets of the default material alone, a rough white metal: no side of a cube then
+// reaches the shoulder of the tone curve, where they would look alike.
+constexpr double kPlainWhite = 0.6;
+
 // In the studio, surfaces that are no brighter are found by paths, like lit surfaces.
 constexpr double kDim = 1.5 * kWhite;
 
-void scale_to_white(render::EnvironmentImage& image, const Vec3d& normal) {
+void scale_to_white(render::EnvironmentImage& image, const Vec3d& normal, double white) {
   const Rgb light = irradiance(image, normal);
-  const auto scale = static_cast<float>(kWhite * std::numbers::pi / luminance(light));
+  const auto scale = static_cast<float>(white * std::numbers::pi / luminance(light));
   for (Float3& texel : image.radiance) {
     for (float& part : texel) part *= scale;
   }
@@ -194,7 +198,7 @@ render::EnvironmentImage studio_environment(const Vec3d& backward, bool modellin
       image.radiance.push_back(to_float3(radiance));
     }
   }
-  scale_to_white(image, backward);
+  scale_to_white(image, backward, modelling ? kPlainWhite : kWhite);
   return image;
 }
 

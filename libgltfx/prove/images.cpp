@@ -54,10 +54,11 @@ std::optional<codec::ImageRequest> request_for(const model::ResourceData& resour
   const model::ImageData& data = resources.images[image];
   if (model::is_decodable(data)) return model::image_request(resources, image);
   const auto foreign = image::sniff_foreign(data.bytes->view());
-  if (data.format || !foreign) return std::nullopt;
+  const bool four_inks = data.format == image::Format::jpeg && !data.header;
+  if (!four_inks && (data.format || !foreign)) return std::nullopt;
   codec::ImageRequest request;
   request.bytes = data.bytes->view();
-  request.format = model::codec_format(*foreign);
+  request.format = four_inks ? codec::ImageFormat::jpeg : model::codec_format(*foreign);
   request.origin = resources.origin;
   return request;
 }

@@ -74,7 +74,7 @@ TEST_F(BakeLimits, WhatIsLeftOutIsSaidFirstAndRefusedWhenStrict) {
   asset.node({{"children", {far}}, {"scale", {1e30, 1e30, 1e30}}});
   asset.json().erase("scene");
   asset.json()["scenes"].push_back({{"name", "another"}});
-  options.camera.clear();
+  options.cameras = {""};
   const BakeReport drawn = report(asset);
   EXPECT_EQ(drawn.problem, BakeProblem::none) << drawn.error;
   EXPECT_THAT(drawn.notes,

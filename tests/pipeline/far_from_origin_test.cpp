@@ -26,7 +26,7 @@ using Fill = std::function<void(AssetText&, const Place&)>;
 class FarFromOrigin : public Baking {
  protected:
   FarFromOrigin() {
-    options.camera.clear();
+    options.cameras = {""};
     options.sizes = {{48, 48}};
   }
 
@@ -89,9 +89,9 @@ TEST_F(FarFromOrigin, LightsCamerasAndFramesAreThereToo) {
                  {{"translation", {place[0], place[1], place[2] + 3}}});
   };
   options.lights = BakeLights::asset;
-  options.camera = "0";
+  options.cameras = {"0"};
   EXPECT_LT(difference(scene, kMercator), 1);
-  options.camera.clear();
+  options.cameras = {""};
   options.frame = "1";
   EXPECT_LT(difference(scene, kMercator), 1);
 }

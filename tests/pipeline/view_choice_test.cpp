@@ -15,7 +15,7 @@ class ViewChoice : public Baking {
   }
 
   std::vector<std::uint8_t> seen_from(AssetText& asset, const char* camera) {
-    options.camera = camera;
+    options.cameras = {camera};
     const BakeReport done = report(asset);
     EXPECT_EQ(done.problem, BakeProblem::none) << done.error;
     return done.pixels.bytes;

@@ -98,7 +98,7 @@ TEST(LegalImages, ReplaceFourInks) {
   const OrderedJson json = conversion.run();
   EXPECT_EQ(json["images"][0]["uri"], "a.png");
   const auto texels = decoded(conversion.result.files.at("a.png"));
-  ASSERT_EQ(texels.size(), 3U * 16 * 16);
+  ASSERT_EQ(texels.size(), 4U * 16 * 16);
   EXPECT_NEAR(std::to_integer<int>(texels[0]), 255, 3);
   EXPECT_NEAR(std::to_integer<int>(texels[1]), 127, 3);
   EXPECT_NEAR(std::to_integer<int>(texels[2]), 0, 3);

@@ -37,7 +37,7 @@ std::string grid_text() {
   test::OrderedJson json = asset.json;
   json["asset"]["version"] = "2.0";
   json["buffers"] = test::OrderedJson::array();
-  json["buffers"].push_back({{"byteLength", asset.buffer.size()}, {"uri", "b.bin"}});
+  json["buffers"].push_back({{"byteLength", asset.bytes.size()}, {"uri", "b.bin"}});
   return json.dump();
 }
 

@@ -28,7 +28,7 @@ class SharedBuffers : public testing::Test {
     for (std::size_t i = 3; i < 9; ++i) asset_.json["bufferViews"][i]["buffer"] = 1;
   }
   fs::path write() {
-    folder_.write("b.bin", asset_.buffer);
+    folder_.write("b.bin", asset_.bytes);
     asset_.text();
     asset_.json["buffers"].push_back(asset_.json["buffers"][0]);
     return folder_.write("a.gltf", asset_.json.dump(1));
@@ -52,7 +52,7 @@ TEST_F(SharedBuffers, KeepTheirFileWithNewBytes) {
   const OrderedJson now = StoredAsset::at(output_).json();
   ASSERT_THAT(now["buffers"], SizeIs(3));
   const std::size_t size = fs::file_size(output_.parent_path() / "b.bin");
-  EXPECT_LT(size, asset_.buffer.size());
+  EXPECT_LT(size, asset_.bytes.size());
   for (const std::size_t i : {0U, 1U}) {
     EXPECT_EQ(now["buffers"][i]["uri"], "b.bin");
     EXPECT_EQ(now["buffers"][i]["byteLength"], size);
@@ -70,7 +70,7 @@ TEST_F(SharedBuffers, AreCompressedWithinOneFolder) {
   const OrderedJson now = StoredAsset::at(options.output).json();
   EXPECT_EQ(now["buffers"][0]["uri"], report.new_files[0]);
   EXPECT_EQ(now["buffers"][1]["uri"], report.new_files[0]);
-  EXPECT_EQ(content_of(folder_.path() / "b.bin"), asset_.buffer);
+  EXPECT_EQ(content_of(folder_.path() / "b.bin"), asset_.bytes);
   EXPECT_EQ(view_bytes(options.output), view_bytes(folder_.path() / "a.gltf"));
 }
 
@@ -82,7 +82,7 @@ TEST_F(SharedBuffers, AreReplacedInPlace) {
   const std::vector<std::string> before = view_bytes(path);
   const ConvertReport report = convert_file(path.native(), options);
   ASSERT_TRUE(report.written) << report.error;
-  EXPECT_LT(fs::file_size(folder_.path() / "b.bin"), asset_.buffer.size());
+  EXPECT_LT(fs::file_size(folder_.path() / "b.bin"), asset_.bytes.size());
   EXPECT_EQ(view_bytes(path), before);
 }
 
@@ -111,7 +111,7 @@ TEST_F(SharedBuffers, AreRemovedWithoutUsers) {
   ASSERT_THAT(now["buffers"], SizeIs(1));
   EXPECT_THAT(now["bufferViews"], SizeIs(3));
   EXPECT_EQ(fs::file_size(output_.parent_path() / "b.bin"), now["buffers"][0]["byteLength"]);
-  EXPECT_LT(now["buffers"][0]["byteLength"], asset_.buffer.size());
+  EXPECT_LT(now["buffers"][0]["byteLength"], asset_.bytes.size());
 }
 
 // The file is also an image, so it must not change.
@@ -120,7 +120,7 @@ TEST(NewBytes, GetABufferIfNoOtherCanStoreThem) {
   AssetText asset;
   asset.mesh(asset.grid());
   asset.json["images"].push_back({{"uri", "b.bin"}});
-  folder.write("b.bin", asset.buffer);
+  folder.write("b.bin", asset.bytes);
   const fs::path path = folder.write("a.gltf", asset.text());
   ConvertOptions options;
   options.compress = Compression::meshopt;
@@ -133,7 +133,7 @@ TEST(NewBytes, GetABufferIfNoOtherCanStoreThem) {
   EXPECT_EQ(now["buffers"][0]["uri"], report.new_files[0]);
   EXPECT_EQ(now["buffers"][0]["byteLength"],
             fs::file_size(folder.path() / "out" / report.new_files[0]));
-  EXPECT_EQ(content_of(folder.path() / "out" / "b.bin"), asset.buffer);
+  EXPECT_EQ(content_of(folder.path() / "out" / "b.bin"), asset.bytes);
   EXPECT_EQ(view_bytes(options.output), view_bytes(path));
 }
 
@@ -143,7 +143,7 @@ TEST(NewBytes, DoNotFollowABufferThatAViewOverruns) {
   AssetText asset;
   asset.mesh(asset.grid());
   asset.mesh(asset.grid(Grid(12)));
-  asset.json["bufferViews"][3]["byteOffset"] = asset.buffer.size() - 8;
+  asset.json["bufferViews"][3]["byteOffset"] = asset.bytes.size() - 8;
   const fs::path path = asset.write(folder);
   ConvertOptions options;
   options.reorder = true;
