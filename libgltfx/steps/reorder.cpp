@@ -126,8 +126,10 @@ class Reorderer {
       lists.push_back(read_index_list(list.data));
       if (!kept.contains(list.accessor) && lists.back().size() % 3 != 0)
         return "has an incomplete triangle";
+      const std::uint32_t restart = restart_index(list.data);
       for (const std::uint32_t index : lists.back()) {
         if (index >= vertices.count) return "has an index that is out of range";
+        if (index == restart) return "has an index that is reserved for primitive restart";
       }
     }
     outcome_.row.left.insert(outcome_.row.left.end(), notes.begin(), notes.end());

@@ -207,6 +207,10 @@ TEST_F(Reorder, LeavesBrokenPrimitives) {
   outside.primitive()["indices"] =
       outside.made.accessor<std::uint16_t>({0, 1, kSide * kSide}, "SCALAR");
   expect_left(outside.made, "has an index that is out of range");
+  static_assert(kSide * kSide > 255);
+  ShuffledGrid reserved;
+  reserved.primitive()["indices"] = reserved.made.accessor<std::uint8_t>({0, 1, 255}, "SCALAR");
+  expect_left(reserved.made, "has an index that is reserved for primitive restart");
   ShuffledGrid torn;
   torn.primitive()["indices"] = torn.made.accessor<std::uint16_t>({0, 1, 2, 3}, "SCALAR");
   expect_left(torn.made, "has an incomplete triangle");
