@@ -55,6 +55,7 @@ enum class BakeInterior : std::uint8_t {
 
 /// What is seen beside the asset.
 struct BakeBackground {
+  /// What takes the place of the asset's surroundings.
   enum class Kind : std::uint8_t {
     automatic,    ///< the environment where there is one, else the studio
     studio,       ///< a grey backdrop with the shadow of the asset
@@ -62,7 +63,7 @@ struct BakeBackground {
     color,        ///< as it is, without shadow and tone mapping
     transparent,  ///< nothing; an alpha channel where the format has one
   };
-  Kind kind = Kind::automatic;
+  Kind kind = Kind::automatic;                       ///< `color`: the color below
   std::array<std::uint8_t, 3> color{255, 255, 255};  ///< sRGB
 };
 
@@ -160,10 +161,10 @@ struct BakeOptions {
   std::string environment;  ///< a Radiance or OpenEXR file that lights the scene; empty: none
   /// Turns the environment or studio around y: degrees, in the direction of AZIMUTH below.
   double environment_rotation = 0;
-  double exposure = 0;  ///< stops, from -64 to 64; 1 doubles all light
-  BakeBackground background;
-  BakeToneMap tone_map = BakeToneMap::neutral;
-  BakeOverlay overlay = BakeOverlay::none;
+  double exposure = 0;                          ///< stops, from -64 to 64; 1 doubles all light
+  BakeBackground background;                    ///< pixels without a surface
+  BakeToneMap tone_map = BakeToneMap::neutral;  ///< not of EXR pictures
+  BakeOverlay overlay = BakeOverlay::none;      ///< for technical checks of surfaces
 
   /// Each a camera of the asset by name or index; for any asset "front", "back", "left", "right",
   /// "top", "bottom", "iso", or "AZIMUTH,ELEVATION" in degrees around it, "0,0" in front of it.
