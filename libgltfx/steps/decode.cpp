@@ -149,6 +149,10 @@ Result<StepOutcome> decode(const StepInput& step) {
   decoding.buffer.add_to(outcome.change);
   outcome.freedom.plain_elements = true;
   outcome.change.edits = decoding.editor.take();
+  for (const auto& [name, count] : decoding.extras) {
+    outcome.row.losses.push_back(
+        {fmt::format("the extras of {} in {}", name, report::counted(count, "place")), 0, 0, {}});
+  }
   if (decoding.views > 0) outcome.row.what = report::counted(decoding.views, "buffer view");
   if (decoding.primitives > 0) {
     if (!outcome.row.what.empty()) outcome.row.what += ", ";

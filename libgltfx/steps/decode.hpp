@@ -30,6 +30,8 @@ struct Decoding {
   }
   /// Removes the object of an extension from `host`.
   void remove(json::NodeId host, std::string_view extension) {
+    const json::NodeId object = document.find(document.find(host, "extensions"), extension);
+    if (document.find(object, "extras") != json::kNoNode) ++extras[std::string(extension)];
     remove_extension(document, editor, host, extension);
     ++removed[std::string(extension)];
   }
@@ -41,6 +43,7 @@ struct Decoding {
   NewBuffer buffer;
   StepOutcome outcome;
   std::map<std::string, std::uint64_t, std::less<>> removed;  ///< number of objects, by extension
+  std::map<std::string, std::uint64_t> extras;                ///< those with `extras`
   std::uint64_t views = 0;                                    ///< decoded from streams
   std::uint64_t primitives = 0;                               ///< decoded from bitstreams
 };

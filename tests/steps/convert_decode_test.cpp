@@ -59,6 +59,15 @@ TEST_F(Decode, ReplacesStreamsWithTheirContent) {
   for (const auto& view : views) EXPECT_FALSE(view.contains("extensions"));
 }
 
+TEST_F(Decode, ListsExtrasOfStreams) {
+  OrderedJson json = packed();
+  json["bufferViews"][0]["extensions"][kStream]["extras"] = {{"a", 1}};
+  const ConvertReport report = decode(json);
+  ASSERT_TRUE(report.written) << report.error;
+  ASSERT_EQ(report.steps[0].losses.size(), 1U);
+  EXPECT_EQ(report.steps[0].losses[0].quantity, "the extras of EXT_meshopt_compression in 1 place");
+}
+
 TEST_F(Decode, LeavesPlainData) {
   ASSERT_TRUE(decode().written);
   const fs::path again = folder_.path() / "again" / "a.gltf";
