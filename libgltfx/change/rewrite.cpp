@@ -22,18 +22,6 @@ void append_little_endian(std::string& out, std::uint64_t value) {
   }
 }
 
-// Removes the padding of the old chunk; the new chunk gets its own. White space that is not all
-// blanks stays longer than padding is: it would be taken for that.
-std::string_view without_padding(std::string_view json) {
-  const std::size_t end = json.find_last_not_of(" \t\r\n") + 1;
-  const bool blank = json.find_first_not_of(' ', end) == std::string_view::npos;
-  const std::size_t least = blank ? end : end + kAlignment;
-  for (std::size_t i = 1; i < kAlignment && json.ends_with(' ') && json.size() > least; ++i) {
-    json.remove_suffix(1);
-  }
-  return json;
-}
-
 // Errors with which the chunks can still be found: wrong lengths are corrected, the rest is kept.
 constexpr std::array<Code, 10> kHarmless{
     Code::GLB_CHUNK_LENGTH_UNALIGNED, Code::GLB_CHUNK_TOO_BIG,    Code::GLB_CHUNK_TYPE_NUMBER,
@@ -107,6 +95,17 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
     }
   }
   return std::nullopt;
+}
+
+// White space that is not all blanks stays longer than padding is: it would be taken for that.
+std::string_view without_padding(std::string_view json) {
+  const std::size_t end = json.find_last_not_of(" \t\r\n") + 1;
+  const bool blank = json.find_first_not_of(' ', end) == std::string_view::npos;
+  const std::size_t least = blank ? end : end + kAlignment;
+  for (std::size_t i = 1; i < kAlignment && json.ends_with(' ') && json.size() > least; ++i) {
+    json.remove_suffix(1);
+  }
+  return json;
 }
 
 Result<Pieces> rewrite_glb(const container::Container& container, std::string_view json,

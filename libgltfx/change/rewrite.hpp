@@ -19,6 +19,9 @@ namespace gltfx::change {
 /// file can be rewritten, also with wrong lengths.
 std::optional<std::string> find_glb_obstacle(const container::Container& container);
 
+/// The JSON of a GLB without the padding of its chunk: a new chunk gets its own.
+std::string_view without_padding(std::string_view json);
+
 /// The file with `json` in place of its JSON and a changed BIN chunk: header and lengths are
 /// updated, all other bytes stay, also uncounted bytes after the last chunk. An Error when the new
 /// file would be too long for its header. Precondition: a GLB without obstacle. The pieces, in

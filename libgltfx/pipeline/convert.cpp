@@ -27,6 +27,7 @@
 #include "steps/layout.hpp"
 #include "steps/stages.hpp"
 #include "steps/step.hpp"
+#include "steps/stored_size.hpp"
 
 namespace gltfx {
 namespace {
@@ -184,7 +185,7 @@ class ConvertRun {
   Reason lay_out() {
     if (stages_.all().empty()) return std::nullopt;
     if (auto why = apply()) return why;
-    std::vector<ConvertNote> unread;  // by the steps before, which refused it
+    std::vector<ConvertNote> unread;  // already refused by earlier steps
     auto change = steps::lay_out(used_before(), input(unread));
     if (!change) return change.error().message;
     laid_out_ = true;

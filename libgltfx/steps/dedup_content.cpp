@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "model/fields.hpp"
 #include "steps/geometry_input.hpp"
-#include "steps/layout.hpp"
+#include "steps/stored_size.hpp"
 
 namespace gltfx::steps {
 namespace {

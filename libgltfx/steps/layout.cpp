@@ -29,6 +29,7 @@
 #include "steps/json_edits.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/storage.hpp"
+#include "steps/stored_size.hpp"
 #include "steps/used_bytes.hpp"
 
 namespace gltfx::steps {
@@ -377,23 +378,6 @@ std::uint64_t laid_out_size(const UsedBytes& before, const OpenedAsset& now,
                             const schema::Set& schemas) {
   const std::uint64_t size = stored_size(now);
   return size - std::min(size, Layout(before, now, schemas).freed_size());
-}
-
-std::uint64_t stored_size(const OpenedAsset& asset) {
-  const container::Container& container = asset.container();
-  std::uint64_t bytes = container.json ? container.json->size() : 0;
-  if (container.format == container::Format::glb) {
-    constexpr std::uint64_t kHeader = 12, kChunkHeader = 8, kWord = 4;
-    bytes = kHeader + kChunkHeader + (bytes + kWord - 1) / kWord * kWord;
-    for (std::size_t i = 1; i < container.chunks.size(); ++i) {
-      bytes += kChunkHeader + container.chunks[i].length;
-    }
-  }
-  for (const std::string& path : change::referred_paths(asset.document())) {
-    std::uint64_t size = 0;
-    if (asset.resolver().stat(path, size) == container::ResolveError::none) bytes += size;
-  }
-  return bytes;
 }
 
 }  // namespace gltfx::steps

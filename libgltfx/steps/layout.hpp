@@ -26,7 +26,4 @@ Result<change::Change> lay_out(const UsedBytes& before, const StepInput& now);
 std::uint64_t laid_out_size(const UsedBytes& before, const model::OpenedAsset& now,
                             const schema::Set& schemas);
 
-/// The size of an asset in bytes, including all files that it refers to.
-std::uint64_t stored_size(const model::OpenedAsset& asset);
-
 }  // namespace gltfx::steps
