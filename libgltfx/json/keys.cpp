@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "json/keys.hpp"
 
-#include <chrono>
-#include <exception>
-#include <random>
+#include <array>
+#include <bit>
 #include <utility>
 
 #include "base/fork.hpp"
+#include "base/random_bytes.hpp"
 #include "json/scan.hpp"
 
 namespace gltfx::json {
@@ -44,19 +44,9 @@ struct Seed {
 };
 
 Seed make_seed() {
-  const auto now = static_cast<std::uint64_t>(
-      std::chrono::high_resolution_clock::now().time_since_epoch().count());
-  const auto address = reinterpret_cast<std::uintptr_t>(&now);
-  Seed seed{mix(now ^ 0x9E3779B97F4A7C15, address ^ 0xC2B2AE3D27D4EB4F), now ^ address << 16};
-  try {
-    std::random_device device;
-    seed.a ^= static_cast<std::uint64_t>(device()) << 32 | device();
-    seed.b ^= static_cast<std::uint64_t>(device()) << 32 | device();
-  } catch (const std::exception&) {
-    // Without a source of entropy, the clock and the layout of the address space seed the hash.
-    seed.b ^= seed.a * 0xD6E8FEB86659FD93;
-  }
-  return seed;
+  std::array<unsigned char, sizeof(Seed)> bytes{};
+  fill_with_random(bytes);
+  return std::bit_cast<Seed>(bytes);
 }
 
 const Seed& process_seed() {

@@ -2,16 +2,16 @@
 #include "steps/image_encodings.hpp"
 
 #include <bit>
-#include <random>
 #include <variant>
+
+#include "base/random_bytes.hpp"
 
 namespace gltfx::steps {
 namespace {
 
 KeyedHash::Secret new_secret() {
-  std::random_device random;
   KeyedHash::Secret secret{};
-  for (unsigned char& byte : secret) byte = static_cast<unsigned char>(random());
+  fill_with_random(secret);
   return secret;
 }
 
@@ -95,9 +95,9 @@ codec::EncodeResult ImageEncodings::transcode(const codec::TranscodeRequest& req
   const std::lock_guard lock(known->mutex);
   if (known->result) return *known->result;
   codec::EncodeResult result = codec::Client::shared().transcode_image(request);
-  // Another try may succeed after an error that does not come from the bytes.
+  // Another try may succeed after an error that does not come from the bytes, but not at any cost.
   const auto* error = std::get_if<codec::DecodeError>(&result);
-  if (error == nullptr || codec::depends_on_bytes_alone(*error)) {
+  if (error == nullptr || codec::depends_on_bytes_alone(*error) || codec::is_costly(*error)) {
     known->result = result;
     keep(key, result);
   }

@@ -27,7 +27,7 @@ class ImageEncodings {
   /// codec::Client::transcode_image(), or its result for an equal request. A request that another
   /// thread is working on waits for its result.
   codec::EncodeResult transcode(const codec::TranscodeRequest& request);
-  /// The number of requests that reached a worker.
+  /// The number of results that were made and kept, for tests.
   std::uint64_t encoded() const;
 
  private:
