@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/result.hpp"
+#include "base/text.hpp"
 #include "model/keyframes.hpp"
 #include "pipeline/bake_names.hpp"
 
@@ -33,8 +34,8 @@ Result<std::uint32_t> count_frames(const model::OpenedAsset& asset, std::uint32_
       model::duration_of(model::Asset(asset.document()), views, views.animations[animation]);
   const double frames = std::max(1.0, std::round(seconds * rate_of_clip(options)));
   if (frames <= kMostBakeFrames) return static_cast<std::uint32_t>(frames);
-  return Error{fmt::format("clip {} takes {} frames; at most {} are drawn: use fewer a second",
-                           options.clip, frames, kMostBakeFrames)};
+  return Error{fmt::format("animation {} has {} frames, but the maximum is {}; use a lower --fps",
+                           quoted(options.clip, 60), frames, kMostBakeFrames)};
 }
 
 void enlarge(std::optional<preview::Subject>& all, std::optional<preview::Subject> more) {

@@ -20,7 +20,7 @@ BakeReport unreadable(const std::string& path, std::string why);
 /// What `work` says of the file; the library does not throw.
 BakeReport guarded(const std::string& path, const std::function<BakeReport()>& work);
 
-/// Dims the backdrop where a flat scene is as bright at its edges: less than 12 steps of lightness
+/// Dims the backdrop where a flat scene is as bright at its edges: less than 16 steps of lightness
 /// (CIE L*) from it. Precondition: the scene is ready.
 void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOptions& options);
 

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.hpp"
 #include "codec/client.hpp"
 #include "pipeline/bake_clip.hpp"
 #include "pipeline/bake_names.hpp"
@@ -58,7 +59,7 @@ class Baker {
     format_ = *format;
     if (!is_transparent(options_) || holds_alpha(format_)) return true;
     return fail(BakeProblem::refused,
-                "JPEG holds no transparent background; PNG, WebP and OpenEXR do");
+                "JPEG cannot have a transparent background; PNG, WebP and OpenEXR can");
   }
 
   // Without those that the asset lacks, if that is no mistake.
@@ -106,10 +107,10 @@ class Baker {
     }
     if (layout_ == BakeLayout::files) return true;
     if (!has_frames()) {
-      return fail(BakeProblem::refused, "only a turntable or clip has frames to lay out");
+      return fail(BakeProblem::refused, "a layout needs the frames of a turntable or clip");
     }
     if (layout_ == BakeLayout::animation && format_ != codec::EncodedFormat::webp) {
-      return fail(BakeProblem::refused, "an animation is a WebP file");
+      return fail(BakeProblem::refused, "only WebP files can be animations");
     }
     constexpr std::uint32_t kMostSide = 16383;
     constexpr std::uint64_t kMostInAll = 8192ULL * 16384;
@@ -143,9 +144,10 @@ class Baker {
 
   // To a later frame of the clip.
   bool move_on(std::uint32_t moment) {
+    loaded_.bvh = std::nullopt;  // before its scene
+    loaded_.scene.reset();
     BakeScene next = loaded_.clip->scene_of(moment, *loaded_.subject, loaded_.origin);
     if (!next.ready()) return fail(next.report.problem, std::move(next.report.error));
-    loaded_.bvh = std::nullopt;  // before its scene
     loaded_.scene = std::move(next.scene);
     loaded_.bvh = std::move(next.bvh);
     return true;
@@ -210,14 +212,23 @@ class Baker {
     return true;
   }
 
+  // The layer of one camera may be called like another camera.
+  static std::string same_name(const std::string& name) {
+    return fmt::format("two pictures would have the name {}", quoted(name, 200));
+  }
+
   bool write(const Result<codec::EncodedImage>& image, const std::string& suffix) {
     if (!image) return fail(BakeProblem::not_written, image.error().message);
     if (kept_ != nullptr) {
       const auto* text = reinterpret_cast<const char*>(image->bytes.data());
-      kept_->emplace(suffix, std::string(text, image->bytes.size()));
-      return true;
+      const bool is_new = kept_->emplace(suffix, std::string(text, image->bytes.size())).second;
+      return is_new || fail(BakeProblem::not_written, same_name(suffix));
     }
     const std::string path = with_suffix(options_.output, suffix);
+    const auto& written = report_.written;
+    if (std::find(written.begin(), written.end(), path) != written.end()) {
+      return fail(BakeProblem::not_written, same_name(path));
+    }
     if (auto trouble = write_image(*image, path)) {
       return fail(BakeProblem::not_written, std::move(trouble->message));
     }

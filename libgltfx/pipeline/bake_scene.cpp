@@ -17,6 +17,7 @@
 #include "model/variants.hpp"
 #include "pipeline/bake_clip.hpp"
 #include "pipeline/bake_names.hpp"
+#include "pipeline/bake_refusal.hpp"
 #include "pipeline/environment_file.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/scene_builder.hpp"
@@ -36,40 +37,6 @@ BakeScene failed(BakeScene result, BakeProblem problem, std::string error) {
   result.report.problem = problem;
   result.report.error = std::move(error);
   return result;
-}
-
-// What a program would not let through, from callers that are none.
-std::optional<std::string> find_refusal(const BakeOptions& options) {
-  constexpr std::uint32_t kMostPixels = 16384;          // along a side
-  constexpr std::uint64_t kMostInAll = 8192ULL * 8192;  // of some hundred bytes each
-  constexpr double kMostStops = 64;
-  const auto is_fine = [](const BakeSize& size) {
-    return std::min(size.width, size.height) > 0 &&
-           std::max(size.width, size.height) <= kMostPixels &&
-           std::uint64_t{size.width} * size.height <= kMostInAll;
-  };
-  if (options.sizes.empty() || !std::all_of(options.sizes.begin(), options.sizes.end(), is_fine)) {
-    return fmt::format("each size needs sides from 1 to {} pixels, and {} pixels in all at most",
-                       kMostPixels, kMostInAll);
-  }
-  if (options.samples && (*options.samples == 0 || *options.samples > kMostBakeSamples)) {
-    return fmt::format("samples: not from 1 to {} a pixel", kMostBakeSamples);
-  }
-  if (options.interior == BakeInterior::on && !options.frame.empty()) {
-    return "a view from inside shows the room, so no node can be framed";
-  }
-  if (options.interior == BakeInterior::on && options.projection != BakeProjection::perspective) {
-    return "a view from inside needs a perspective camera";
-  }
-  if (!(std::fabs(options.exposure) <= kMostStops)) {
-    return fmt::format("exposure: not from -{0} to {0} stops", kMostStops);
-  }
-  if (!std::isfinite(options.environment_rotation)) return "environment_rotation: not a number";
-  if (!(options.fps >= 0 && options.fps <= 1000)) return "fps: not from 0 to 1000";
-  if (!options.clip.empty() && (options.turntable > 0 || !options.animation.empty())) {
-    return "a clip is an animation of its own, and no turntable";
-  }
-  return std::nullopt;
 }
 
 // Whether an error of the report leaves nothing to draw.
@@ -213,8 +180,8 @@ Result<CameraChoice> choose_camera(const BakeScene& loaded, const std::string& c
     return CameraChoice(preview::Direction{preset->first, preset->second});
   }
   return Error{named.error().message +
-               "; front, back, left, right, top, bottom, iso and AZIMUTH,ELEVATION in degrees go "
-               "for any asset"};
+               "; front, back, left, right, top, bottom, iso and AZIMUTH,ELEVATION in degrees "
+               "work for any asset"};
 }
 
 // What a camera of the asset cannot do.
@@ -335,6 +302,9 @@ BakeScene prepare_bake_scene(BakeScene result, const BakeOptions& options) {
 }
 
 BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options) {
+  if (auto refusal = find_refusal(options)) {
+    return failed(empty_scene(asset.asset().name()), BakeProblem::refused, *std::move(refusal));
+  }
   if (!options.clip.empty()) return load_clip(std::move(asset), options);
   BakeScene result;
   {

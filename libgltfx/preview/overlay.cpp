@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -87,7 +88,7 @@ Rgb uv_color(const render::Scene& scene, const render::Hit& hit) {
   const Float2 uv = render::uv_at(mesh, use.uv_set, hit);
   const double u = static_cast<double>(uv[0]);
   const double v = static_cast<double>(uv[1]);
-  const bool even = (static_cast<std::int64_t>(std::floor(u * 8) + std::floor(v * 8)) & 1) == 0;
+  const bool even = std::remainder(std::floor(u * 8) + std::floor(v * 8), 2) == 0;
   return Rgb(u - std::floor(u), v - std::floor(v), 0.4) * (even ? 1.0 : 0.45);
 }
 

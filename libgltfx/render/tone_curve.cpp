@@ -80,6 +80,7 @@ Float3 agx(const Float3& radiance) {
 }  // namespace
 
 Float3 tone_map(const Float3& radiance, ToneCurve curve) {
+  if (curve == ToneCurve::neutral) return tone_map(radiance);
   const Float3 light = each(radiance, positive);
   switch (curve) {
     case ToneCurve::aces:

@@ -207,21 +207,21 @@ TEST_F(Frames, WhatDoesNotGoTogetherIsRefused) {
     return done.error;
   };
   options.layout = BakeLayout::sprites;
-  EXPECT_THAT(error("a.png"), HasSubstr("only a turntable or clip has frames"));
+  EXPECT_THAT(error("a.png"), HasSubstr("a layout needs the frames of a turntable or clip"));
   options.clip = "run";
   EXPECT_THAT(error("a.png"), HasSubstr("no animation 'run'; there is 'slide'"));
   options.clip = "slide";
   options.layout = BakeLayout::animation;
-  EXPECT_THAT(error("a.png"), HasSubstr("an animation is a WebP file"));
+  EXPECT_THAT(error("a.png"), HasSubstr("only WebP files can be animations"));
   options.layout = BakeLayout::sprites;
   options.sizes = {{4000, 4000}};
   EXPECT_THAT(error("a.png"), HasSubstr("24 frames of 4000x4000 pixels are too many"));
   options.sizes = {{8, 8}};
   options.turntable = 3;
-  EXPECT_THAT(error("a.png"), HasSubstr("a clip is an animation of its own"));
+  EXPECT_THAT(error("a.png"), HasSubstr("a clip cannot be combined with a turntable"));
   options.turntable = 0;
   options.fps = -1;
-  EXPECT_THAT(error("a.png"), HasSubstr("fps: not from 0 to 1000"));
+  EXPECT_THAT(error("a.png"), HasSubstr("fps: neither 0 nor from 0.01 to 1000"));
 }
 
 TEST_F(Frames, WhatAnAssetLacksIsLeftOutIfAsked) {

@@ -185,7 +185,7 @@ struct BakeOptions {
   std::string animation;
   double time = 0;      ///< of the animation, seconds
   std::string variant;  ///< name or index; empty: none
-  /// Names and indices of cameras, nodes, scenes, animations and variants that the asset lacks
+  /// Names and indices of cameras, scenes, animations, clips and variants that the asset lacks
   /// count as not given, with a note where it has others; else they are refused.
   bool if_present = false;
 
