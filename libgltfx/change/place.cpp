@@ -259,9 +259,7 @@ class Placement {
   Trouble put_in_data_uri(json::NodeId value, std::string_view content) {
     const auto uri = with_data(document().string(value), content);
     if (!uri) return uri.error();
-    std::string json;
-    json::append_string(json, *uri);
-    editor_.replace_scalar(value, std::move(json));
+    editor_.replace_scalar(value, json::string_value(*uri));
     return std::nullopt;
   }
 

@@ -14,6 +14,7 @@
 #include "container/uri.hpp"
 #include "json/writer.hpp"
 #include "model/fields.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -123,9 +124,8 @@ void ImageStore::store_in_view(const ImageGroup& group, NewImage image) {
     set(group.view, "byteLength", std::to_string(length), true);
     return;
   }
-  const std::uint64_t view = change_.additions.add_element(
-      "bufferViews", fmt::format(R"({{"buffer":{},"byteOffset":{},"byteLength":{}}})",
-                                 buffer_.index(), begin, length));
+  const std::uint64_t view =
+      change_.additions.add_element("bufferViews", view_json({buffer_.index(), begin, length}));
   for (const json::NodeId member : own) editor_.replace_scalar(member, std::to_string(view));
 }
 

@@ -253,7 +253,7 @@ class ImageStep {
     if (resized) done += " resized";
     if (same && !resized) done += " recompressed";
     done_[done] += count;
-    if (job.file.cmyk) losses_["four inks as RGB"].images += count;
+    if (job.file.cmyk) losses_["CMYK as RGB"].images += count;
     if (resized) losses_[describe_size()].images += count;
     if (encoded.source.bits > encoded.raster.bits) {
       losses_["8 of 16 bits per channel"].images += count;

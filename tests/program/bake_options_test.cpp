@@ -215,7 +215,7 @@ TEST_F(BakeOptionsTest, WhatIsNotThereIsNamedWithWhatIs) {
   EXPECT_THAT(complaint({"-o", "a.png", "--environment", "sky.tif"}, 3),
               HasSubstr("'sky.tif' has no known image format"));
   EXPECT_THAT(complaint({"-o", "a.jpg", "--background", "transparent"}, 1),
-              HasSubstr("PNG, WebP and OpenEXR do"));
+              HasSubstr("PNG, WebP and OpenEXR can"));
   EXPECT_THAT(complaint({"-o", "a.png", "--turntable", "3", "--camera", "0"}, 1),
               HasSubstr("around the asset"));
   EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));
@@ -226,7 +226,7 @@ TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn)
       {{"-o", "a.tga"}, "--output: 'a.tga' does not end in .png"},
       {{"-o", "a.png", "--sheet", "s.tga"}, "--sheet: 's.tga' does not end in .png"},
       {{"-o", "a.tga", "--compare", "stage.gltf"}, "--output: 'a.tga' does not end in .png"},
-      {{"-o", "a.png", "--format", "webp"}, "--format: the name 'a.png' says that"},
+      {{"-o", "a.png", "--format", "webp"}, "--format: the ending of 'a.png' is that"},
       {{"-o", "a.png", "--fps", "3"}, "are for the frames of a --turntable or --clip"},
       {{"-o", "a.png", "--layout", "sprites"}, "are for the frames of a --turntable or --clip"},
       {{"-o", "a.png", "--clip", "0", "--turntable", "3"}, "are mutually exclusive"},
@@ -250,9 +250,9 @@ TEST_F(BakeOptionsTest, WordsThatDoNotGoTogetherAreRefusedBeforeAnythingIsDrawn)
       {{"-o", "a.png", "--shader", "toon"}, "--shader: 'toon' is not one of spec, conserving"},
       {{"-o", "a.png", "--tone-map", "filmic"},
        "--tone-map: 'filmic' is not one of neutral, aces, agx, none"},
-      {{"-o", "a.png", "--background", "blue"}, "--background: 'blue' is neither studio"},
-      {{"-o", "a.png", "--background", "#12345"}, "nor a color, such as white, black or #ff8800"},
-      {{"-o", "a.png", "--background", "#12345g"}, "--background: '#12345g' is neither"},
+      {{"-o", "a.png", "--background", "blue"}, "--background: 'blue' is not studio"},
+      {{"-o", "a.png", "--background", "#12345"}, "or a color such as white, black or #ff8800"},
+      {{"-o", "a.png", "--background", "#12345g"}, "--background: '#12345g' is not studio"},
       {{"-o", "a.png", "--root", "gone"}, "--root: 'gone' is not a folder"},
   };
   for (const auto& [words, expected] : cases) {

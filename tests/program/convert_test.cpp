@@ -51,7 +51,7 @@ TEST_F(ConvertTest, IsADryRunUnlessToldWhereToWrite) {
 TEST_F(ConvertTest, AQualityNeedsImagesThatItIsOf) {
   const Outcome outcome = here({"a.gltf", "--quality", "30"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.err, HasSubstr("--quality is that of --images and --texture-size"));
+  EXPECT_THAT(outcome.err, HasSubstr("--quality requires --images or --texture-size"));
 }
 
 TEST_F(ConvertTest, ANameThatBeginsWithTwoDotsIsInTheFolder) {

@@ -102,7 +102,7 @@ TEST(LegalImages, ReplaceFourInks) {
   EXPECT_NEAR(std::to_integer<int>(texels[0]), 255, 3);
   EXPECT_NEAR(std::to_integer<int>(texels[1]), 127, 3);
   EXPECT_NEAR(std::to_integer<int>(texels[2]), 0, 3);
-  EXPECT_EQ(conversion.losses(), "four inks as RGB (1 image)\n");
+  EXPECT_EQ(conversion.losses(), "CMYK as RGB (1 image)\n");
 }
 
 // Textures of colors have 8 bits per channel.

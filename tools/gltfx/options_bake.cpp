@@ -134,8 +134,8 @@ Binding background(BakeBackground& member) {
       if (name == word) return BakeBackground{kind};
     }
     return Error{
-        fmt::format("{}: {} is neither studio, environment or transparent nor a color, "
-                    "such as white, black or #ff8800.",
+        fmt::format("{}: {} is not studio, environment, transparent or a color such as white, "
+                    "black or #ff8800.",
                     option, quoted(word))};
   };
   return parsed(member, parse, [] {

@@ -207,7 +207,7 @@ void read_convert(Reading& reading, ConvertRequest& request) {
                   "convert: --in-place keeps the container; leave out --to, or use --output.");
   reading.require(
       !options.given("--quality") || options.given("--images") || options.given("--texture-size"),
-      "convert: --quality is that of --images and --texture-size; give one of them.");
+      "convert: --quality requires --images or --texture-size.");
   reading.read();
   const std::string ending = ending_of(request.convert.output);
   const bool binary = has_glb_ending(request.convert.output);

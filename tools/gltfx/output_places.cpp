@@ -212,8 +212,8 @@ std::optional<Error> check_output_name(const BakeRequest& request) {
   if (!check_picture_name(name).empty() || same(ending_of(name)) == same("." + request.format)) {
     return std::nullopt;
   }
-  return Error{fmt::format("--format: the name {} says that the file has another format.",
-                           quoted(name, 200))};
+  return Error{
+      fmt::format("--format: the ending of {} is that of another format.", quoted(name, 200))};
 }
 
 }  // namespace

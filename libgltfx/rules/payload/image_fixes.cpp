@@ -17,9 +17,7 @@ namespace {
 
 std::string with_media_type(const std::string& uri, std::string_view type) {
   const std::size_t end = uri.find_first_of(";,");
-  std::string text;
-  json::append_string(text, fmt::format("data:{}{}", type, std::string_view(uri).substr(end)));
-  return text;
+  return json::string_value(fmt::format("data:{}{}", type, std::string_view(uri).substr(end)));
 }
 
 bool say_type(Fixing& fixing, std::uint32_t index) {
