@@ -10,7 +10,7 @@
 namespace gltfx::codec {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x34435847;  // "GXC4": the last character is the version
+constexpr std::uint32_t kMagic = 0x35435847;  // "GXC5": the last character is the version
 
 enum class Kind : std::uint8_t { hello, job, mesh, image, encoded, error };
 
@@ -163,10 +163,11 @@ Frame write_encoded(const EncodedImage& image) {
   out.number(image.size);
   write(out, image.source);
   write(out, image.raster);
-  const ImageDistance distance = image.distance.value_or(ImageDistance());
   out.number(static_cast<std::uint8_t>(image.distance.has_value()));
-  out.number(distance.greatest);
-  out.number(distance.mean_square);
+  if (image.distance) {
+    out.number(image.distance->greatest);
+    out.number(image.distance->mean_square);
+  }
   return out.take();
 }
 
@@ -176,13 +177,13 @@ EncodedImage read_encoded(FieldReader& in) {
   in.require(image.size > 0);
   image.source = read_raster(in);
   image.raster = read_raster(in);
-  const bool compared = in.flag();
+  if (!in.flag()) return image;
   ImageDistance distance;
   distance.greatest = in.number<double>();
   distance.mean_square = in.number<double>();
   in.require(std::isfinite(distance.greatest) && std::isfinite(distance.mean_square) &&
              distance.greatest >= 0 && distance.mean_square >= 0);
-  if (compared) image.distance = distance;
+  image.distance = distance;
   return image;
 }
 

@@ -59,8 +59,8 @@ double within(const SoftBox& box, double azimuth, double elevation) {
          render::smooth_step(box.height + kEdge, box.height, upwards);
 }
 
-// The remaining fraction of the light from a direction. With kPlainWhite, the sides of a cube of the
-// default material then differ: CIE L* 76, 52 and 90.
+// The remaining fraction of the light from a direction. With kPlainWhite, the sides of a cube of
+// the default material then differ: CIE L* 76, 52 and 90.
 double modelling_share(double azimuth) {
   return 1 - 0.6 * render::smooth_step(20, 80, azimuth) * render::smooth_step(175, 150, azimuth);
 }

@@ -52,6 +52,15 @@ Image some_image() {
   return image;
 }
 
+EncodedImage some_encoded_image() {
+  EncodedImage image;
+  image.size = 7;
+  image.source = {4, 2, 3, 16};
+  image.raster = {2, 1, 3, 8};
+  image.distance = ImageDistance{2.5, 0.25};
+  return image;
+}
+
 Frame changed(Frame frame, std::size_t at, int to) {
   frame[at] = static_cast<std::byte>(to);
   return frame;
@@ -98,10 +107,7 @@ TEST(Protocol, AnImageArrivesAsItWas) {
 }
 
 TEST(Protocol, AnEncodedImageArrivesAsItWas) {
-  EncodedImage image;
-  image.size = 7;
-  image.source = {4, 2, 3, 16};
-  image.raster = {2, 1, 3, 8};
+  EncodedImage image = some_encoded_image();
   for (const auto& distance : {std::optional<ImageDistance>(), {ImageDistance{2.5, 0.25}}}) {
     image.distance = distance;
     const auto answer = read_answer(write_answer(image));
@@ -121,6 +127,24 @@ TEST(Protocol, AErrorArrivesAsItWasButForItsLength) {
       read_answer(write_answer(DecodeError{ErrorKind::malformed, std::string(9000, 'x')}));
   ASSERT_TRUE(answer && std::holds_alternative<DecodeError>(*answer));
   EXPECT_EQ(std::get<DecodeError>(*answer).message.size(), kMostMessageBytes);
+}
+
+TEST(Protocol, EveryAnswerIsWrittenInOneWay) {
+  EncodedImage without_distance = some_encoded_image();
+  without_distance.distance.reset();
+  const std::vector<Frame> frames{
+      write_answer(some_mesh()), write_answer(some_image()), write_answer(some_encoded_image()),
+      write_answer(without_distance), write_answer(DecodeError{ErrorKind::malformed, "why"})};
+  for (const Frame& frame : frames) {
+    for (std::size_t at = 0; at < frame.size(); ++at) {
+      for (int value = 0; value < 256; ++value) {
+        const Frame other = changed(frame, at, value);
+        const auto answer = read_answer(other);
+        if (!answer) continue;
+        EXPECT_EQ(write_answer(*answer), other) << at << ' ' << value;
+      }
+    }
+  }
 }
 
 TEST(Protocol, EveryCutAndEveryTailIsRefused) {
