@@ -8,8 +8,8 @@
 
 #include "base/checked.hpp"
 #include "graph/graph.hpp"
-#include "inspect/byte_count.hpp"
-#include "inspect/image_facts.hpp"
+#include "measure/byte_count.hpp"
+#include "measure/image_facts.hpp"
 #include "inspect/metadata_facts.hpp"
 #include "model/camera.hpp"
 #include "model/fields.hpp"
@@ -36,7 +36,7 @@ struct Source {
   const graph::Graph graph;
   container::OpenedFiles files;
   const model::LoadedResources loaded;
-  const ByteCount bytes;
+  const measure::ByteCount bytes;
 
   Source(const model::OpenedAsset& opened, const schema::Set& known, unsigned jobs)
       : asset(opened.document()),
@@ -45,7 +45,7 @@ struct Source {
         graph(asset.document(), known, true),
         files(opened.resolver()),
         loaded(model::load_resources(opened.container(), files, asset, views, jobs)),
-        bytes(count_bytes(opened.container(), files, asset, views, loaded.data, graph)) {}
+        bytes(measure::count_bytes(opened.container(), files, asset, views, loaded.data, graph)) {}
 
   const json::Document& document() const { return asset.document(); }
 };
@@ -271,7 +271,7 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   facts.materials = materials_of(source);
   count_slots(source, facts.materials);
   facts.images =
-      image_facts(source.asset, source.loaded.data, source.graph.checked().slots, facts.problems);
+      measure::image_facts(source.asset, source.loaded.data, source.graph.checked().slots, facts.problems);
   for (std::size_t i = 0; i < facts.images.size(); ++i) {
     facts.images[i].bytes = source.bytes.images[i];
   }

@@ -19,7 +19,7 @@ using testing::IsEmpty;
 const std::map<std::string, int, std::less<>> kLayers{
     {"base", 0},     {"json", 1},    {"codec", 1},   {"image", 2}, {"container", 2}, {"schema", 2},
     {"report", 2},   {"target", 2},  {"model", 3},   {"graph", 3}, {"shader", 1},    {"render", 2},
-    {"preview", 3},  {"change", 4},  {"inspect", 4}, {"rules", 5}, {"steps", 5},     {"prove", 6},
+    {"preview", 3},  {"change", 4},  {"measure", 4}, {"inspect", 5}, {"rules", 5}, {"steps", 5}, {"prove", 6},
     {"pipeline", 7}, {"interop", 7}, {"tools", 8},
 };
 
@@ -47,6 +47,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/material.hpp", "shader"},
     {"gltfx/result_cache.hpp", "pipeline"},
     {"gltfx/inspect.hpp", "report"},
+    {"gltfx/measure.hpp", "base"},
     {"gltfx/page.hpp", "report"},
     {"gltfx/tinygltf.hpp", "interop"},
 };

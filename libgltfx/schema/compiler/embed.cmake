@@ -17,15 +17,15 @@ add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/em
   schema/compiler/material_table.cpp)
 target_link_libraries(gltfx_schema_compiler PRIVATE gltfx_schema_core gltfx_options fmt::fmt)
 
-add_executable(gltfx_rule_compiler schema/compiler/rule_main.cpp schema/compiler/rule_page.cpp
-  schema/compiler/embed.cpp)
-target_link_libraries(gltfx_rule_compiler PRIVATE gltfx_options)
-target_include_directories(gltfx_rule_compiler PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/include)
+add_executable(gltfx_page_compiler schema/compiler/page_main.cpp schema/compiler/rule_page.cpp
+  schema/compiler/measure_page.cpp schema/compiler/embed.cpp)
+target_link_libraries(gltfx_page_compiler PRIVATE gltfx_options)
+target_include_directories(gltfx_page_compiler PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/include)
 
 if(EMSCRIPTEN)  # programs of the build read files of the system
   target_link_options(gltfx_schema_compiler PRIVATE -sNODERAWFS -sALLOW_MEMORY_GROWTH
     -sWASM_ASYNC_COMPILATION=0)
-  target_link_options(gltfx_rule_compiler PRIVATE -sNODERAWFS -sALLOW_MEMORY_GROWTH
+  target_link_options(gltfx_page_compiler PRIVATE -sNODERAWFS -sALLOW_MEMORY_GROWTH
     -sWASM_ASYNC_COMPILATION=0)
 endif()
 

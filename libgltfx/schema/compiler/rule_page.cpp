@@ -5,68 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "schema/compiler/page_reader.hpp"
+
 namespace gltfx::schema {
 namespace {
-
-class Reader {
- public:
-  Reader(std::string_view text, std::string& mistake) : rest_(text), mistake_(mistake) {}
-
-  bool failed() const { return !mistake_.empty(); }
-  bool at_end() const { return rest_.empty(); }
-
-  void fail(const std::string& what) {
-    if (!failed()) mistake_ = std::to_string(line_) + ": " + what;
-  }
-  std::string_view line() {
-    const std::size_t end = rest_.find('\n');
-    const std::string_view text = rest_.substr(0, end);
-    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
-    ++line_;
-    return text;
-  }
-  void expect(std::string_view wanted) {
-    if (!failed() && line() != wanted) fail("expected '" + std::string(wanted) + "'");
-  }
-  void skip_blank_lines() {
-    while (!rest_.empty() && rest_.front() == '\n') line();
-  }
-  // The text up to the next heading, with its lines joined.
-  std::string paragraph() {
-    std::string text;
-    skip_blank_lines();
-    while (!failed() && !at_end() && rest_.front() != '#') {
-      const std::string_view next = line();
-      if (!text.empty() && !next.empty()) text += ' ';
-      text += next;
-    }
-    if (text.empty() || text.back() != '.') fail("expected a paragraph that ends with a full stop");
-    return text;
-  }
-  // A fenced block, without the fences.
-  std::string block() {
-    skip_blank_lines();
-    const std::string_view open = line();
-    const std::size_t ticks = open.find_first_not_of('`');
-    if (ticks == std::string_view::npos || ticks < 3) fail("expected ``` and a language");
-    if (failed()) return {};
-    const std::string_view fence = open.substr(0, ticks);
-    std::string text;
-    for (std::string_view next = line(); next != fence; next = line()) {
-      if (at_end()) fail("expected the end of the fenced block");
-      if (failed()) return {};
-      if (!text.empty()) text += '\n';
-      text += next;
-    }
-    if (text.empty()) fail("expected an example");
-    return text;
-  }
-
- private:
-  std::string_view rest_;
-  std::string& mistake_;
-  int line_ = 0;
-};
 
 std::optional<bool> yes_or_no(std::string_view word) {
   if (word == "yes") return true;
@@ -89,12 +31,12 @@ std::optional<Severity> severity_from_word(std::string_view word) {
 }
 
 template <typename T>
-void set(T& member, const std::optional<T>& value, const char* allowed, Reader& reader) {
+void set(T& member, const std::optional<T>& value, const char* allowed, PageReader& reader) {
   if (!value) return reader.fail(std::string("expected one of ") + allowed);
   member = *value;
 }
 
-void read_key(RulePage& page, std::string_view key, std::string_view value, Reader& reader) {
+void read_key(RulePage& page, std::string_view key, std::string_view value, PageReader& reader) {
   if (key == "severity") {
     set(page.severity, severity_from_word(value), "error, warning, info, hint", reader);
   } else if (key == "khronos") {
@@ -119,14 +61,9 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Read
   }
 }
 
-void read_front_matter(RulePage& page, Reader& reader) {
-  reader.expect("---");
-  for (std::string_view line = reader.line(); line != "---" && !reader.failed();
-       line = reader.line()) {
-    const std::size_t colon = line.find(": ");
-    if (colon == std::string_view::npos) return reader.fail("expected 'key: value' or '---'");
-    read_key(page, line.substr(0, colon), line.substr(colon + 2), reader);
-  }
+void read_front_matter(RulePage& page, PageReader& reader) {
+  reader.front_matter(
+      [&](std::string_view key, std::string_view value) { read_key(page, key, value, reader); });
   if (page.section.empty() != page.link.empty()) {
     reader.fail("expected section and link, or neither");
   }
@@ -137,37 +74,25 @@ void read_front_matter(RulePage& page, Reader& reader) {
 RulePage read_rule_page(std::string code, std::string_view text, std::string& mistake) {
   RulePage page;
   page.code = std::move(code);
-  Reader reader(text, mistake);
+  PageReader reader(text, mistake);
   read_front_matter(page, reader);
-  reader.skip_blank_lines();
-  reader.expect("# " + page.code);
-  reader.skip_blank_lines();
-  page.summary = reader.paragraph();
-  if (page.summary.find(". ") != std::string::npos) reader.fail("expected one sentence");
-  if (!page.summary.empty()) page.summary.pop_back();
+  page.summary = reader.summary_below("# " + page.code);
   const std::pair<const char*, std::string*> paragraphs[] = {{"## Why it matters", &page.why},
                                                              {"## How to fix it", &page.help}};
   for (const auto& [heading, paragraph] : paragraphs) {
-    reader.skip_blank_lines();
-    reader.expect(heading);
-    *paragraph = reader.paragraph();
+    *paragraph = reader.paragraph_below(heading);
   }
   const bool fixes = page.fix == Fix::safe || page.fix == Fix::unsafe;
   if (fixes) {
-    reader.skip_blank_lines();
-    reader.expect("## What the fix does");
-    page.fix_does = reader.paragraph();
+    page.fix_does = reader.paragraph_below("## What the fix does");
   }
   const std::pair<const char*, std::string*> blocks[] = {
       {"## Bad", &page.bad}, {"## Good", &page.good}, {"## Fixed", &page.fixed}};
   for (const auto& [heading, block] : blocks) {
     if (block == &page.fixed && !fixes) break;
-    reader.skip_blank_lines();
-    reader.expect(heading);
-    *block = reader.block();
+    *block = reader.block_below(heading);
   }
-  reader.skip_blank_lines();
-  if (!reader.failed() && !reader.at_end()) reader.fail("expected nothing after the examples");
+  reader.expect_end();
   return page;
 }
 

@@ -1,20 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
-# What schema/rules/CODE.md yield: base/codes.hpp and the table of rules.
+# What schema/rules/CODE.md and schema/measures/NAME.md yield: base/codes.hpp, measure/names.hpp, and the
+# tables of rules and measures. A limit on a measure is a rule: that on open-edges is BUDGET_OPEN_EDGES.
 set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
 
 file(GLOB rule_pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/schema/rules/*.md)
-list(SORT rule_pages)
+file(GLOB measure_pages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/schema/measures/*.md)
 include(${CMAKE_CURRENT_LIST_DIR}/codes.cmake)
-gltfx_rule_codes(${generated} ${rule_pages})
+gltfx_page_order(pages codes measures)
+gltfx_rule_codes(${generated} ${codes})
+gltfx_measure_names(${generated} ${measures})
 
-# gltfx_rule_sources(TARGET): adds the table to a target.
-function(gltfx_rule_sources target)
-  set(table ${generated}/rule_table.cpp)
-  add_custom_command(OUTPUT ${table}
-    COMMAND gltfx_rule_compiler ${table} ${rule_pages}
-    DEPENDS gltfx_rule_compiler ${rule_pages}
-    COMMENT "Embedding the pages of rules" VERBATIM)
+add_custom_command(OUTPUT ${generated}/rule_table.cpp ${generated}/measure_table.cpp
+  COMMAND gltfx_page_compiler ${generated}/rule_table.cpp ${generated}/measure_table.cpp ${pages}
+  DEPENDS gltfx_page_compiler ${pages}
+  COMMENT "Embedding the pages of rules and measures" VERBATIM)
+add_custom_target(gltfx_page_tables DEPENDS ${generated}/rule_table.cpp ${generated}/measure_table.cpp)
+
+# gltfx_page_table(TARGET NAME): adds one of the two tables to a target.
+function(gltfx_page_table target name)
   # Alone, so that tests can have another in its place.
-  set_source_files_properties(${table} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-  target_sources(${target} PRIVATE ${table})
+  set_source_files_properties(${generated}/${name}.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  target_sources(${target} PRIVATE ${generated}/${name}.cpp)
+  add_dependencies(${target} gltfx_page_tables)
 endfunction()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "inspect/byte_count.hpp"
+#include "measure/byte_count.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,7 +11,7 @@
 #include "container/uri.hpp"
 #include "model/meshopt_view.hpp"
 
-namespace gltfx::inspect {
+namespace gltfx::measure {
 namespace {
 
 using model::RootArray;
@@ -255,4 +255,4 @@ ByteCount count_bytes(const container::Container& container, container::OpenedFi
   return Counter(container, files, asset, views, resources, graph).run();
 }
 
-}  // namespace gltfx::inspect
+}  // namespace gltfx::measure

@@ -14,7 +14,7 @@
 #include "model/resource_data.hpp"
 #include "model/views.hpp"
 
-namespace gltfx::inspect {
+namespace gltfx::measure {
 
 /// Bytes of the files, in total and by object.
 struct ByteCount {
@@ -29,4 +29,4 @@ ByteCount count_bytes(const container::Container& container, container::OpenedFi
                       const model::Asset& asset, const model::Views& views,
                       const model::ResourceData& resources, const graph::Graph& graph);
 
-}  // namespace gltfx::inspect
+}  // namespace gltfx::measure

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "inspect/image_facts.hpp"
+#include "measure/image_facts.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -12,7 +12,7 @@
 #include "image/ktx2.hpp"
 #include "model/texture.hpp"
 
-namespace gltfx::inspect {
+namespace gltfx::measure {
 namespace {
 
 using image::Ktx2;
@@ -155,4 +155,4 @@ std::vector<ImageFacts> image_facts(const model::Asset& asset, const model::Reso
   return reader.finish();
 }
 
-}  // namespace gltfx::inspect
+}  // namespace gltfx::measure

@@ -11,7 +11,7 @@
 #include "model/resource_data.hpp"
 #include "schema/check.hpp"
 
-namespace gltfx::inspect {
+namespace gltfx::measure {
 
 /// By index, all members except `bytes`. Adds to `problems` a sentence for each whose header cannot
 /// be read.
@@ -19,4 +19,4 @@ std::vector<ImageFacts> image_facts(const model::Asset& asset, const model::Reso
                                     const std::vector<schema::SlotUse>& slots,
                                     std::vector<std::string>& problems);
 
-}  // namespace gltfx::inspect
+}  // namespace gltfx::measure

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The asset that is measured, and what several measures need of it, each made once.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "container/container.hpp"
+#include "container/opened_files.hpp"
+#include "graph/graph.hpp"
+#include "measure/byte_count.hpp"
+#include "model/asset.hpp"
+#include "model/draco.hpp"
+#include "model/geometry.hpp"
+#include "model/pose.hpp"
+#include "model/resource_data.hpp"
+#include "model/scene_graph.hpp"
+#include "model/views.hpp"
+#include "schema/set.hpp"
+
+namespace gltfx::measure {
+
+/// Keeps references only, which must outlive it. Not thread-safe: parts are made when they are
+/// first asked for.
+class Source {
+ public:
+  Source(const std::string& name, const container::Container& container,
+         container::OpenedFiles& files, const model::Asset& asset, const model::Views& views,
+         const model::ResourceData& resources, const schema::Set& schemas, unsigned jobs)
+      : name_(name),
+        container_(container),
+        files_(files),
+        asset_(asset),
+        views_(views),
+        resources_(resources),
+        schemas_(schemas),
+        jobs_(jobs) {}
+  Source(const Source&) = delete;
+  Source& operator=(const Source&) = delete;
+
+  /// The path as the user gave it.
+  const std::string& name() const { return name_; }
+  const container::Container& container() const { return container_; }
+  const json::Document& document() const { return asset_.document(); }
+  const model::Asset& asset() const { return asset_; }
+  const model::Views& views() const { return views_; }
+  const model::ResourceData& resources() const { return resources_; }
+  const schema::Set& schemas() const { return schemas_; }
+  unsigned jobs() const { return jobs_; }
+
+  /// All references, with the texture slots.
+  const graph::Graph& graph() const;
+  const ByteCount& byte_count() const;
+  const model::SceneGraph& scene_graph() const;
+  /// The decoded bitstreams.
+  const model::DracoMeshes& draco() const;
+  /// What PrimitiveData reads; decodes bitstreams.
+  const model::GeometrySource& geometry() const;
+  /// The transforms of all nodes as they are stored, and what a scene draws. `scene`: index of an
+  /// object.
+  const model::Pose& pose(std::uint32_t scene) const;
+  /// The scene that is drawn by default: `scene`, else the first one; nothing: there is none.
+  std::optional<std::uint32_t> default_scene() const;
+
+ private:
+  const std::string& name_;
+  const container::Container& container_;
+  container::OpenedFiles& files_;
+  const model::Asset& asset_;
+  const model::Views& views_;
+  const model::ResourceData& resources_;
+  const schema::Set& schemas_;
+  unsigned jobs_;
+  mutable std::unique_ptr<const graph::Graph> graph_;
+  mutable std::optional<const ByteCount> byte_count_;
+  mutable std::optional<const model::SceneGraph> scene_graph_;
+  mutable std::unique_ptr<const model::DracoMeshes> draco_;
+  mutable std::optional<const model::GeometrySource> geometry_;
+  mutable std::optional<const model::Pose> pose_;
+  mutable std::uint32_t pose_of_ = 0;  // scene of pose_
+};
+
+}  // namespace gltfx::measure
