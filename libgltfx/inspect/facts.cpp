@@ -8,9 +8,10 @@
 
 #include "base/checked.hpp"
 #include "graph/graph.hpp"
+#include "inspect/metadata_facts.hpp"
 #include "measure/byte_count.hpp"
 #include "measure/image_facts.hpp"
-#include "inspect/metadata_facts.hpp"
+#include "measure/take.hpp"
 #include "model/camera.hpp"
 #include "model/fields.hpp"
 #include "model/format_set.hpp"
@@ -255,8 +256,8 @@ std::vector<NamedFacts> lights_of(const Source& source) {
 }  // namespace
 
 AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
-                         unsigned jobs) {
-  const Source source(opened, schemas, jobs);
+                         const InspectOptions& options) {
+  Source source(opened, schemas, options.jobs);
   AssetFacts facts;
   const bool glb = opened.container().format == container::Format::glb;
   facts.mime_type = glb ? "model/gltf-binary" : "model/gltf+json";
@@ -270,8 +271,8 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   MeshReader(source).read(facts);
   facts.materials = materials_of(source);
   count_slots(source, facts.materials);
-  facts.images =
-      measure::image_facts(source.asset, source.loaded.data, source.graph.checked().slots, facts.problems);
+  facts.images = measure::image_facts(source.asset, source.loaded.data,
+                                      source.graph.checked().slots, facts.problems);
   for (std::size_t i = 0; i < facts.images.size(); ++i) {
     facts.images[i].bytes = source.bytes.images[i];
   }
@@ -284,6 +285,13 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
       source.asset, source.views, source.loaded.data, facts.meshes, kInstanceBytes);
   facts.drawn_triangles = extent.triangles;
   facts.bounds = extent.bounds;
+  if (options.measures) {
+    const measure::Source measured(opened.name(), opened.container(), source.files, source.asset,
+                                   source.views, source.loaded.data, schemas, options.jobs);
+    measure::Request request;
+    request.pixels = options.pixels;
+    facts.measurements = measure::take(measured, request);
+  }
   return facts;
 }
 

@@ -14,6 +14,6 @@ namespace gltfx::inspect {
 /// absent, unreadable ones are named in `problems`. Takes time n log n in the text and the bytes of
 /// compressed geometry; nothing recurses.
 AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
-                         unsigned jobs);
+                         const InspectOptions& options);
 
 }  // namespace gltfx::inspect

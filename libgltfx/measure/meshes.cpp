@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/checked.hpp"
+#include "measure/mesh_memory.hpp"
 #include "measure/take.hpp"
 #include "model/fields.hpp"
 #include "model/info.hpp"
@@ -141,6 +142,32 @@ void take_mesh(Taking& taking, const model::Mesh& mesh, std::size_t element) {
 
 }  // namespace
 
+std::uint64_t mesh_memory(const Source& source) {
+  const model::Views& views = source.views();
+  std::vector<bool> counted(views.accessors.size());
+  std::uint64_t sum = 0;
+  const auto add = [&](const std::optional<std::uint32_t>& index) {
+    if (!index || counted[*index]) return;
+    counted[*index] = true;
+    const model::Accessor& accessor = views.accessors[*index];
+    const Checked bytes =
+        checked_mul(accessor.count.value_or(0), model::packed_stride(accessor.format));
+    sum = saturating_add(sum, bytes.value_or(UINT64_MAX));
+  };
+  for (const model::Mesh& mesh : views.meshes) {
+    for (const model::Primitive& primitive : mesh.primitives) {
+      add(primitive.indices);
+      for (const model::Attribute& attribute : primitive.attributes) add(attribute.accessor);
+      for (const json::NodeId target : primitive.targets) {
+        for (const auto& attribute : model::read_attributes(source.asset(), target)) {
+          add(attribute.accessor);
+        }
+      }
+    }
+  }
+  return sum;
+}
+
 void take_meshes(Taking& taking) {
   const auto& meshes = taking.source().views().meshes;
   for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
@@ -148,6 +175,9 @@ void take_meshes(Taking& taking) {
     for (std::size_t i = 0; i < meshes[mesh].primitives.size(); ++i) {
       take_primitive(taking, meshes[mesh].primitives[i], taking.first_primitive(mesh) + i);
     }
+  }
+  if (Column* column = taking.column(MeasureScope::asset, Name::gpu_mesh_bytes)) {
+    column->set(0, mesh_memory(taking.source()));
   }
   // The materials of an asset are those of its array.
   if (Column* column = taking.column(MeasureScope::asset, Name::materials)) {

@@ -2,7 +2,6 @@
 #include "measure/take.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace gltfx {
@@ -44,10 +43,6 @@ class Fold {
   NotMeasured missing_;  // the first one with a reason
 };
 
-MeasureScope first_scope(const MeasureDescription& measure) {
-  return static_cast<MeasureScope>(std::countr_zero(measure.on));
-}
-
 }  // namespace
 
 namespace measure {
@@ -84,7 +79,7 @@ void Taking::want(MeasureScope on, Name measure) {
     wanted_[at] = static_cast<std::uint16_t>(wanted_[at] | 1U << static_cast<unsigned>(scope));
   };
   add(on);
-  if (on == MeasureScope::asset && !description.is_on(on)) add(first_scope(description));
+  if (on == MeasureScope::asset && !description.is_on(on)) add(description.first);
 }
 
 void Taking::count_elements() {
@@ -143,7 +138,7 @@ Measurements Taking::finish() {
   for (MeasureColumn& of_asset : taken_.columns[static_cast<std::size_t>(MeasureScope::asset)]) {
     const MeasureDescription& measure = *of_asset.measure;
     if (measure.is_on(MeasureScope::asset)) continue;
-    const MeasureScope scope = first_scope(measure);
+    const MeasureScope scope = measure.first;
     const MeasureColumn* elements = taken_.find(scope, measure.name);
     if (scope == MeasureScope::scene) {
       if (scene && *scene < elements->values.size()) {
@@ -162,56 +157,15 @@ Measurements Taking::finish() {
 
 Measurements take(const Source& source, const Request& request) {
   Taking taking(source, request);
-  std::vector<TakeFunction> done;
-  for (std::size_t i = 0; i < measures().size(); ++i) {
-    const auto measure = static_cast<Name>(i);
-    if (!taking.wants(measure)) continue;
-    const TakeFunction function = function_of(measure);
-    if (std::find(done.begin(), done.end(), function) != done.end()) continue;
-    done.push_back(function);
-    function(taking);
+  for (const TakeEntry& entry : take_entries()) {
+    const bool wanted = std::any_of(entry.measures.begin(), entry.measures.end(),
+                                    [&](Name measure) { return taking.wants(measure); });
+    if (wanted) entry.take(taking);
   }
   return taking.finish();
 }
 
 }  // namespace measure
-
-namespace {
-
-template <std::size_t N>
-std::string_view name_in(const std::array<std::string_view, N>& names, std::size_t at) {
-  return at < N ? names[at] : std::string_view();
-}
-
-constexpr std::array<std::string_view, kMeasureScopeCount> kScopes{
-    "asset", "scene", "node", "mesh", "primitive", "material", "image", "skin", "animation"};
-
-}  // namespace
-
-std::string_view measure_scope_name(MeasureScope scope) {
-  return name_in(kScopes, static_cast<std::size_t>(scope));
-}
-
-std::optional<MeasureScope> measure_scope_from_name(std::string_view name) {
-  const auto at = std::find(kScopes.begin(), kScopes.end(), name);
-  if (at == kScopes.end()) return std::nullopt;
-  return static_cast<MeasureScope>(at - kScopes.begin());
-}
-
-std::string_view measure_type_name(MeasureType type) {
-  constexpr std::array<std::string_view, 4> kNames{"number", "flag", "text", "set"};
-  return name_in(kNames, static_cast<std::size_t>(type));
-}
-
-std::string_view measure_total_name(MeasureTotal total) {
-  constexpr std::array<std::string_view, 5> kNames{"none", "sum", "max", "min", "all"};
-  return name_in(kNames, static_cast<std::size_t>(total));
-}
-
-std::string_view measure_needs_name(MeasureNeeds needs) {
-  constexpr std::array<std::string_view, 3> kNames{"json", "bytes", "pixels"};
-  return name_in(kNames, static_cast<std::size_t>(needs));
-}
 
 const MeasureDescription* find_measure(std::string_view name) {
   const auto all = measures();
@@ -222,13 +176,14 @@ const MeasureDescription* find_measure(std::string_view name) {
   return at != all.end() && at->name == name ? &*at : nullptr;
 }
 
-const MeasureColumn* Measurements::find(MeasureScope scope, std::string_view name) const {
-  const auto& list = columns[static_cast<std::size_t>(scope)];
-  const auto at = std::lower_bound(list.begin(), list.end(), name,
-                                   [](const MeasureColumn& column, std::string_view wanted) {
-                                     return column.measure->name < wanted;
-                                   });
-  return at != list.end() && at->measure->name == name ? &*at : nullptr;
+const MeasureDescription* find_measure(MeasureScope scope, std::string_view name) {
+  const auto all = measures();
+  const MeasureDescription* at = find_measure(name);
+  for (; at != nullptr && at != all.data() + all.size() && at->name == name; ++at) {
+    const bool of_asset = scope == MeasureScope::asset && at->is_of_asset();
+    if (of_asset || at->is_on(scope)) return at;
+  }
+  return nullptr;
 }
 
 }  // namespace gltfx

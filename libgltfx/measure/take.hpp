@@ -97,8 +97,11 @@ class Taking {
 /// value and a reason.
 Measurements take(const Source& source, const Request& request);
 
-using TakeFunction = void (*)(Taking&);
-/// The function that the page of a measure names.
-TakeFunction function_of(Name measure);
+/// A function that pages name, and the measures of those pages.
+struct TakeEntry {
+  void (*take)(Taking&) = nullptr;
+  std::span<const Name> measures;
+};
+std::span<const TakeEntry> take_entries();
 
 }  // namespace gltfx::measure

@@ -209,6 +209,10 @@ Pose compute_pose(const Asset& asset, const Views& views, const SceneRoots& root
   return pose;
 }
 
+Affine stored_transform(const Asset& asset, const Node& node) {
+  return local_transform(asset, node, nullptr, 0);
+}
+
 std::vector<float> morph_weights(const Asset& asset, const Views& views, NodeIndex node,
                                  const AnimatedValues& animated) {
   const auto& mesh = views.nodes[node].mesh;

@@ -38,6 +38,9 @@ struct Pose {
 Pose compute_pose(const Asset& asset, const Views& views, const SceneRoots& roots,
                   const AnimatedValues& animated = {});
 
+/// The transform of a node relative to its parent, as it is stored.
+Affine stored_transform(const Asset& asset, const Node& node);
+
 /// The weights of the morph targets of a node with a mesh: its own or those of the mesh.
 std::vector<float> morph_weights(const Asset& asset, const Views& views, NodeIndex node,
                                  const AnimatedValues& animated = {});

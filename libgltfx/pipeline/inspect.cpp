@@ -45,10 +45,11 @@ InspectReport guarded(const std::string& path, const Work& work) {
   }
 }
 
-InspectReport collect(const model::OpenedAsset& asset, const schema::Set& schemas, unsigned jobs) {
+InspectReport collect(const model::OpenedAsset& asset, const schema::Set& schemas,
+                      const InspectOptions& options) {
   InspectReport report;
   report.path = asset.name();
-  report.facts = inspect::collect_facts(asset, schemas, jobs);
+  report.facts = inspect::collect_facts(asset, schemas, options);
   return report;
 }
 
@@ -64,7 +65,7 @@ InspectReport inspect_opened(const std::string& path, Result<model::OpenedAsset>
   wanted.schemas = schemas;
   UpgradeReport upgrade = dry_run_upgrade(*asset, wanted);
   give_back_memory();
-  InspectReport report = collect(*asset, *schemas, options.jobs);
+  InspectReport report = collect(*asset, *schemas, options);
   add_upgrade(std::move(upgrade), report);
   return report;
 }
@@ -87,7 +88,9 @@ InspectReport inspect_asset(const model::OpenedAsset& asset, const schema::Set& 
   if (auto obstacle = find_inspection_obstacle(asset)) {
     return failed(asset.name(), std::move(obstacle->message));
   }
-  return guarded(asset.name(), [&] { return collect(asset, schemas, jobs); });
+  InspectOptions options;
+  options.jobs = jobs;
+  return guarded(asset.name(), [&] { return collect(asset, schemas, options); });
 }
 
 void add_upgrade(UpgradeReport upgrade, InspectReport& report) {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "report/measures_json.hpp"
 #include "report/safe_text.hpp"
 
 namespace gltfx {
@@ -258,6 +259,7 @@ void write_facts(Writer& writer, const AssetFacts& facts, std::size_t most) {
     write_list(writer, "propertyTables", facts.property_tables, most);
   }
   report::write_long_values(writer, "problems", facts.problems);
+  if (facts.measurements) report::write_measurements(writer, *facts.measurements);
   writer.end_object();
 }
 

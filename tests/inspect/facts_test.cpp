@@ -24,7 +24,7 @@ AssetFacts facts_of(const std::string& text, const container::Resolver& resolver
   const model::OpenedAsset opened(
       "a.gltf", container::open_bytes(container::Bytes::from_string(text), "a.gltf"), resolver);
   EXPECT_FALSE(opened.document().empty());
-  return collect_facts(opened, *schema::builtin_set(), 1);
+  return collect_facts(opened, *schema::builtin_set(), {});
 }
 
 std::uint64_t bytes(const AssetFacts& facts, ByteUse use) {

@@ -359,6 +359,7 @@ ExitCode run(const InspectRequest& request) {
     return ExitCode::usage;
   }
   options.schemas = *std::move(schemas);
+  options.measures = request.format == TableFormat::json;
   return InspectRun(request, std::move(options)).execute();
 }
 

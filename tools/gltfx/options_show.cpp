@@ -16,6 +16,9 @@ void declare_inspect(Options& options, InspectRequest& request) {
   add_table_format(options, request.format);
   options.add("--top", "N", "Rows per table, largest first (default: 10, 0: all)",
               number(request.most));
+  options.add("--pixels", "LEVEL",
+              "With json: decode images for measures of pixels: headers (none, default), needed",
+              one_of(request.inspect.pixels, {{"headers", false}, {"needed", true}}));
   add_search(options, request.paths);
   add_root(options, request.inspect.root);
   add_schema_sources(options, request.schema_files, request.schema_folders);

@@ -4,6 +4,7 @@
 /// <gltfx/pipeline.hpp>.
 #pragma once
 
+#include <gltfx/measure.hpp>
 #include <gltfx/searched_folders.hpp>
 
 #include <array>
@@ -151,6 +152,7 @@ struct AssetFacts {
   std::vector<MetadataClassFacts> metadata_classes;  ///< in the order of the schema in the asset
   std::vector<PropertyTableFacts> property_tables;   ///< by index
   std::vector<std::string> problems;                 ///< what could not be read, a sentence each
+  std::optional<Measurements> measurements;          ///< of all measures, if requested
 
   std::uint64_t total_bytes() const;      ///< of all files
   std::uint64_t image_gpu_bytes() const;  ///< of all images
@@ -172,7 +174,9 @@ struct InspectOptions {
   /// Folders that were searched: without a `root`, an asset below one is opened beneath it. Null:
   /// none. Not changed during a call.
   std::shared_ptr<const SearchedFolders> searched;
-  unsigned jobs = 1;  ///< threads for compressed geometry
+  unsigned jobs = 1;      ///< threads for compressed geometry
+  bool measures = false;  ///< take all measures
+  bool pixels = false;    ///< decode images for those that need pixels
   /// Schemas; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
 };

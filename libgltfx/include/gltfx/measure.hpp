@@ -60,23 +60,28 @@ struct MeasureDescription {
   std::string_view example;     ///< an asset, as example_bytes() reads it
   std::string_view values;      ///< its values, JSON: {"mesh": {"0": {"open-edges": 4}}}
   std::uint16_t on = 0;         ///< one bit for each MeasureScope
-  MeasureType type = MeasureType::number;   ///< of its values
-  MeasureTotal total = MeasureTotal::none;  ///< how the value of the asset is made
-  MeasureNeeds needs = MeasureNeeds::json;  ///< what it reads
+  MeasureScope first = MeasureScope::asset;  ///< the scope that makes the value of the asset
+  MeasureType type = MeasureType::number;    ///< of its values
+  MeasureTotal total = MeasureTotal::none;   ///< how the value of the asset is made
+  MeasureNeeds needs = MeasureNeeds::json;   ///< what it reads
 
   /// Whether elements of that scope have values.
   bool is_on(MeasureScope scope) const { return (on >> static_cast<unsigned>(scope) & 1U) != 0; }
-  /// Whether the asset has one: of its own, a total, or that of its default scene.
+  /// Whether the asset has a value: its own, a total, or that of its default scene.
   bool is_of_asset() const {
-    return is_on(MeasureScope::asset) || is_on(MeasureScope::scene) || total != MeasureTotal::none;
+    return first <= MeasureScope::scene || is_on(MeasureScope::asset) ||
+           total != MeasureTotal::none;
   }
 };
 
-/// All measures, sorted by name. Static storage.
+/// All measures, sorted by name. Two may have one name on different scopes, such as the channels of
+/// an image and of an animation. Static storage.
 std::span<const MeasureDescription> measures();
 
-/// The measure with that name, or null.
+/// The first measure with that name, or null.
 const MeasureDescription* find_measure(std::string_view name);
+/// The one on that scope, or of the asset for MeasureScope::asset; null: there is none.
+const MeasureDescription* find_measure(MeasureScope scope, std::string_view name);
 
 /// No value. `reason`: position in Measurements::reasons.
 struct NotMeasured {

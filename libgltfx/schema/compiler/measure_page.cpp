@@ -31,14 +31,22 @@ constexpr std::array<std::string_view, 4> kTypes{"number", "flag", "text", "set"
 constexpr std::array<std::string_view, 5> kTotals{"none", "sum", "max", "min", "all"};
 constexpr std::array<std::string_view, 3> kNeeds{"json", "bytes", "pixels"};
 
-// "mesh, primitive".
-void read_scopes(MeasurePage& page, std::string_view list, PageReader& reader) {
-  while (!list.empty() && !reader.failed()) {
+// Calls `use` for each part of "mesh, primitive".
+template <class Use>
+void each_part(std::string_view list, const Use& use) {
+  while (!list.empty()) {
     const std::size_t comma = list.find(", ");
-    const std::size_t scope = position(kScopes, list.substr(0, comma), reader);
-    page.on = static_cast<std::uint16_t>(page.on | 1U << scope);
+    use(list.substr(0, comma));
     list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 2);
   }
+}
+
+void read_scopes(MeasurePage& page, std::string_view list, PageReader& reader) {
+  each_part(list, [&](std::string_view name) {
+    const std::size_t scope = position(kScopes, name, reader);
+    if (page.on == 0) page.first = static_cast<MeasureScope>(scope);
+    page.on = static_cast<std::uint16_t>(page.on | 1U << scope);
+  });
 }
 
 void read_key(MeasurePage& page, std::string_view key, std::string_view value, PageReader& reader) {
@@ -52,7 +60,7 @@ void read_key(MeasurePage& page, std::string_view key, std::string_view value, P
   } else if (key == "unit") {
     page.unit = value;
   } else if (key == "by") {
-    page.by = value;
+    each_part(value, [&](std::string_view name) { page.by.emplace_back(name); });
   } else {
     reader.fail("expected one of on, type, total, needs, unit, by");
   }
@@ -67,11 +75,17 @@ bool total_fits(const MeasurePage& page) {
 
 }  // namespace
 
+std::string MeasurePage::identifier() const {
+  std::string name = stem;
+  std::replace(name.begin(), name.end(), '-', '_');
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
 std::string MeasurePage::code() const {
-  std::string code = "BUDGET_" + name;
-  std::transform(code.begin(), code.end(), code.begin(), [](unsigned char letter) {
-    return letter == '-' ? '_' : static_cast<char>(std::toupper(letter));
-  });
+  std::string code = "BUDGET_" + identifier();
+  std::transform(code.begin(), code.end(), code.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::toupper(letter)); });
   return code;
 }
 
@@ -79,7 +93,7 @@ RulePage MeasurePage::rule() const {
   RulePage rule;
   rule.code = code();
   rule.pixels = needs == MeasureNeeds::pixels;
-  rule.summary = name + " breaks a limit";
+  rule.summary = name() + " breaks a limit";
   rule.why = definition;
   rule.help = help;
   rule.bad = example;
@@ -87,15 +101,15 @@ RulePage MeasurePage::rule() const {
   return rule;
 }
 
-MeasurePage read_measure_page(std::string name, std::string_view text, std::string& mistake) {
+MeasurePage read_measure_page(std::string stem, std::string_view text, std::string& mistake) {
   MeasurePage page;
-  page.name = std::move(name);
+  page.stem = std::move(stem);
   PageReader reader(text, mistake);
   reader.front_matter(
       [&](std::string_view key, std::string_view value) { read_key(page, key, value, reader); });
   if (page.on == 0 || page.by.empty()) reader.fail("expected 'on' and 'by'");
   if (!total_fits(page)) reader.fail("expected a total that fits the type");
-  page.summary = reader.summary_below("# " + page.name);
+  page.summary = reader.summary_below("# " + page.name());
   page.definition = reader.paragraph_below("## Definition");
   page.help = reader.paragraph_below("## How to meet a limit");
   page.example = reader.block_below("## Example");

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -80,32 +80,38 @@ std::string enumerator(const char* type, Value value) {
 }
 
 std::string row(const MeasurePage& page) {
-  return "  {" + text(page.name) + text(page.code()) + text(page.unit) + text(page.summary) +
+  return "  {" + text(page.name()) + text(page.code()) + text(page.unit) + text(page.summary) +
          text(page.definition) + text(page.help) + text(page.example) + text(page.values) + " " +
-         std::to_string(page.on) + "," + enumerator("MeasureType", page.type) +
-         enumerator("MeasureTotal", page.total) + enumerator("MeasureNeeds", page.needs) + "},\n";
+         std::to_string(page.on) + "," + enumerator("MeasureScope", page.first) +
+         enumerator("MeasureType", page.type) + enumerator("MeasureTotal", page.total) +
+         enumerator("MeasureNeeds", page.needs) + "},\n";
 }
 
 std::string measure_table(const std::vector<MeasurePage>& pages) {
   std::string rows;
-  std::string functions;
-  std::set<std::string> declarations;
+  std::map<std::string, std::string> functions;  // with their measures
   for (const MeasurePage& page : pages) {
     rows += row(page);
-    functions += "  take_" + page.by + ",\n";
-    declarations.insert("void take_" + page.by + "(Taking& taking);\n");
+    for (const std::string& function : page.by) {
+      functions[function] += "Name::" + page.identifier() + ", ";
+    }
   }
-  std::string out =
-      "// Written by gltfx_page_compiler from schema/measures/.\n#include <string_view>\n\n"
-      "#include \"measure/take.hpp\"\n\nnamespace gltfx::measure {\n\n";
-  for (const std::string& declaration : declarations) out += declaration;
-  return out +
+  std::string declarations;
+  std::string lists;
+  std::string entries;
+  for (const auto& [function, measures] : functions) {
+    declarations += "void take_" + function + "(Taking& taking);\n";
+    lists += "constexpr Name k_" + function + "[]{" + measures + "};\n";
+    entries += "  {take_" + function + ", k_" + function + "},\n";
+  }
+  return "// Written by gltfx_page_compiler from schema/measures/.\n#include <string_view>\n\n"
+         "#include \"measure/take.hpp\"\n\nnamespace gltfx::measure {\n\n" +
+         declarations +
          "\nnamespace {\n\nusing namespace std::string_view_literals;\n\n"
          "constexpr MeasureDescription kMeasures[]{\n" +
-         rows + "};\n\nconstexpr TakeFunction kFunctions[]{\n" + functions +
+         rows + "};\n\n" + lists + "constexpr TakeEntry kEntries[]{\n" + entries +
          "};\n\n}  // namespace\n\n"
-         "TakeFunction function_of(Name measure) {\n"
-         "  return kFunctions[static_cast<std::size_t>(measure)];\n}\n\n"
+         "std::span<const TakeEntry> take_entries() { return kEntries; }\n\n"
          "}  // namespace gltfx::measure\n\n"
          "std::span<const gltfx::MeasureDescription> gltfx::measures() {\n"
          "  return measure::kMeasures;\n}\n";
@@ -138,7 +144,7 @@ int main(int argc, char** argv) {
     if (!mistake.empty()) return fail(path.string() + ":" + mistake);
   }
   std::sort(measures.begin(), measures.end(),
-            [](const MeasurePage& a, const MeasurePage& b) { return a.name < b.name; });
+            [](const MeasurePage& a, const MeasurePage& b) { return a.stem < b.stem; });
   if (!write(argv[1], rule_table(rules))) return fail(std::string(argv[1]) + ": cannot be written");
   if (!write(argv[2], measure_table(measures))) {
     return fail(std::string(argv[2]) + ": cannot be written");
