@@ -286,8 +286,8 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   facts.drawn_triangles = extent.triangles;
   facts.bounds = extent.bounds;
   if (options.measures) {
-    const measure::Source measured(opened.name(), opened.container(), source.files, source.asset,
-                                   source.views, source.loaded.data, schemas, options.jobs);
+    const measure::Source measured({opened.name(), opened.container(), source.files, source.asset,
+                                    source.views, source.loaded.data, schemas, options.jobs});
     measure::Request request;
     request.pixels = options.pixels;
     facts.measurements = measure::take(measured, request);

@@ -18,15 +18,14 @@ namespace {
 using image::Ktx2;
 using model::RootArray;
 
-constexpr std::uint64_t kHuge = UINT64_MAX;
-
-// A level and all smaller ones are a third more.
-std::uint64_t with_mipmaps(const Checked& bytes) {
-  return bytes ? saturating_add(*bytes, *bytes / 3) : kHuge;
-}
-
-std::uint64_t texels(std::uint32_t width, std::uint32_t height) {
-  return std::uint64_t{width} * height;
+// The texels of an image and of all smaller levels down to one texel.
+std::uint64_t texels_of_levels(std::uint64_t width, std::uint64_t height) {
+  std::uint64_t sum = 0;
+  for (;; width = std::max<std::uint64_t>(width / 2, 1),
+          height = std::max<std::uint64_t>(height / 2, 1)) {
+    sum = saturating_add(sum, width * height);
+    if (width <= 1 && height <= 1) return sum;
+  }
 }
 
 std::string encoding_name(const Ktx2& file) {
@@ -46,21 +45,17 @@ std::string encoding_name(const Ktx2& file) {
 // Transcoded formats take one byte per texel, or half a byte for ETC1S without alpha; all others
 // are kept as stored.
 std::uint64_t gpu_bytes(const Ktx2& file) {
-  const std::uint64_t count = texels(file.width, std::max(file.height, 1U));
+  const std::uint64_t height = std::max(file.height, 1U);
+  const std::uint64_t count =
+      file.level_count == 1 ? file.width * height : texels_of_levels(file.width, height);
   const bool alpha = file.contents && image::has_alpha(*file.contents);
-  std::uint64_t base = 0;
-  if (file.model == image::Ktx2Model::etc1s) {
-    base = alpha ? count : count / 2;
-  } else if (file.model == image::Ktx2Model::uastc) {
-    base = count;
-  } else {
-    std::uint64_t sum = 0;
-    for (const image::Ktx2Level& level : file.levels) {
-      sum = saturating_add(sum, std::max(level.uncompressed, level.length));
-    }
-    return sum;
+  if (file.model == image::Ktx2Model::etc1s) return alpha ? count : count / 2;
+  if (file.model == image::Ktx2Model::uastc) return count;
+  std::uint64_t sum = 0;
+  for (const image::Ktx2Level& level : file.levels) {
+    sum = saturating_add(sum, std::max(level.uncompressed, level.length));
   }
-  return file.level_count == 1 ? base : with_mipmaps(base);
+  return sum;
 }
 
 void read_ktx2(const model::ImageData& data, ImageFacts& facts) {
@@ -82,7 +77,8 @@ void read_pixels(const model::ImageData& data, ImageFacts& facts) {
   facts.height = data.header->height;
   facts.bits = data.header->bits;
   facts.channels = image::channels_name(data.header->channels);
-  facts.gpu_bytes = with_mipmaps(checked_mul(texels(facts.width, facts.height), 4));
+  facts.gpu_bytes =
+      checked_mul(texels_of_levels(facts.width, facts.height), 4).value_or(UINT64_MAX);
 }
 
 class Reader {

@@ -23,33 +23,32 @@
 
 namespace gltfx::measure {
 
-/// Keeps references only, which must outlive it. Not thread-safe: parts are made when they are
-/// first asked for.
+/// The asset, opened. Keeps references only.
+struct Opened {
+  const std::string& name;  ///< the path as the user gave it
+  const container::Container& container;
+  container::OpenedFiles& files;
+  const model::Asset& asset;
+  const model::Views& views;
+  const model::ResourceData& resources;
+  const schema::Set& schemas;
+  unsigned jobs = 1;  ///< threads for bitstreams
+};
+
+/// Not thread-safe: parts are made when they are first asked for.
 class Source {
  public:
-  Source(const std::string& name, const container::Container& container,
-         container::OpenedFiles& files, const model::Asset& asset, const model::Views& views,
-         const model::ResourceData& resources, const schema::Set& schemas, unsigned jobs)
-      : name_(name),
-        container_(container),
-        files_(files),
-        asset_(asset),
-        views_(views),
-        resources_(resources),
-        schemas_(schemas),
-        jobs_(jobs) {}
+  explicit Source(const Opened& opened) : opened_(opened) {}
   Source(const Source&) = delete;
   Source& operator=(const Source&) = delete;
 
   /// The path as the user gave it.
-  const std::string& name() const { return name_; }
-  const container::Container& container() const { return container_; }
-  const json::Document& document() const { return asset_.document(); }
-  const model::Asset& asset() const { return asset_; }
-  const model::Views& views() const { return views_; }
-  const model::ResourceData& resources() const { return resources_; }
-  const schema::Set& schemas() const { return schemas_; }
-  unsigned jobs() const { return jobs_; }
+  const std::string& name() const { return opened_.name; }
+  const container::Container& container() const { return opened_.container; }
+  const json::Document& document() const { return opened_.asset.document(); }
+  const model::Asset& asset() const { return opened_.asset; }
+  const model::Views& views() const { return opened_.views; }
+  const model::ResourceData& resources() const { return opened_.resources; }
 
   /// All references, with the texture slots.
   const graph::Graph& graph() const;
@@ -66,14 +65,7 @@ class Source {
   std::optional<std::uint32_t> default_scene() const;
 
  private:
-  const std::string& name_;
-  const container::Container& container_;
-  container::OpenedFiles& files_;
-  const model::Asset& asset_;
-  const model::Views& views_;
-  const model::ResourceData& resources_;
-  const schema::Set& schemas_;
-  unsigned jobs_;
+  const Opened opened_;
   mutable std::unique_ptr<const graph::Graph> graph_;
   mutable std::optional<const ByteCount> byte_count_;
   mutable std::optional<const model::SceneGraph> scene_graph_;

@@ -174,7 +174,7 @@ TEST(Images, TellWhoShowsThemAndHow) {
   EXPECT_EQ(image.textures, 2U);
   EXPECT_THAT(image.slots, ElementsAre("baseColorTexture", "normalTexture"));
   EXPECT_EQ(image.color_space, "both");
-  EXPECT_EQ(image.gpu_bytes, 42U);  // 8 texels of 4 bytes, and a third
+  EXPECT_EQ(image.gpu_bytes, 60U);  // 8, 4, 2 and 1 texels of 4 bytes
   EXPECT_EQ(image.bytes, 90U);
   EXPECT_EQ(seen.images[1].width, 0U);
   EXPECT_THAT(seen.problems, ElementsAre(HasSubstr("Image 1")));

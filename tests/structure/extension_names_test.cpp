@@ -60,6 +60,7 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "rules that need a schema which may be a file of its own, and values in buffers and images"},
     {"libgltfx/rules/payload/metadata/schema_source.cpp",
      "checks the file of a schema by the same definition as one inside the asset"},
+    {"libgltfx/measure/drawn.cpp", "which nodes are lower levels of detail, and so not drawn"},
     {"libgltfx/rules/payload/metadata/feature_ids.cpp",
      "compares ids in buffers and images with counts elsewhere"},
     {"libgltfx/rules/payload/light_profiles.cpp", "the head of a file in a format of its own"},
