@@ -140,17 +140,22 @@ Measurements Taking::finish() {
     if (measure.is_on(MeasureScope::asset)) continue;
     const MeasureScope scope = measure.first;
     const MeasureColumn* elements = taken_.find(scope, measure.name);
+    Column to(taken_, of_asset.values);
     if (scope == MeasureScope::scene) {
       if (scene && *scene < elements->values.size()) {
         of_asset.values[0] = elements->values[*scene];
+      } else {
+        to.does_not_apply(0, "The asset has no scene.");
       }
-      continue;
+    } else if (!elements->values.empty()) {
+      Fold fold(measure.total);
+      for (const MeasureValue& value : elements->values) fold.add(value);
+      of_asset.values[0] = fold.value(taken_.reasons);
+    } else if (measure.total == MeasureTotal::sum) {
+      of_asset.values[0] = 0.0;
+    } else {
+      to.does_not_apply(0, "The asset has no such element.");
     }
-    Fold fold(measure.total);
-    for (const MeasureValue& value : elements->values) fold.add(value);
-    of_asset.values[0] = fold.value(taken_.reasons);
-    // The number of things in none is 0.
-    if (elements->values.empty() && measure.total == MeasureTotal::sum) of_asset.values[0] = 0.0;
   }
   return std::move(taken_);
 }
