@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The files of an asset and their bytes.
 #include <algorithm>
-#include <map>
-#include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "base/checked.hpp"
-#include "base/hash.hpp"
-#include "base/random_bytes.hpp"
 #include "measure/take.hpp"
 #include "model/fields.hpp"
-#include "model/meshopt_view.hpp"
 
 namespace gltfx::measure {
 namespace {
@@ -29,63 +23,6 @@ std::vector<std::string> names_in(const std::vector<std::string>& list) {
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
-
-// Finds equal stretches of bytes that are stored more than once.
-class DuplicateBytes {
- public:
-  explicit DuplicateBytes(const Source& source) : source_(source), hash_(secret()) {}
-
-  std::uint64_t count() {
-    for (const model::BufferView& view : source_.views().buffer_views) {
-      if (view.node == json::kNoNode) continue;
-      if (const auto stream = model::read_meshopt_view(source_.asset(), view.node)) {
-        add(stream->buffer, stream->byte_offset, stream->byte_length);
-      } else if (view.buffer) {
-        add(*view.buffer, view.byte_offset.value_or(0), view.byte_length.value_or(0));
-      }
-    }
-    add_image_files();
-    return twice_;
-  }
-
- private:
-  static KeyedHash::Secret secret() {
-    KeyedHash::Secret bytes{};
-    fill_with_random(bytes);
-    return bytes;
-  }
-
-  void add(std::uint32_t buffer, std::uint64_t offset, std::uint64_t length) {
-    const auto& bytes = source_.resources().buffers[buffer];
-    if (!bytes || offset > bytes->size() || length > bytes->size() - offset) return;
-    if (!seen_.emplace(buffer, offset, length).second) return;
-    // Ranges may overlap a thousandfold.
-    read_ = saturating_add(read_, length);
-    if (read_ > kReadsPerByte * std::max<std::uint64_t>(bytes->size(), 1U << 20U)) return;
-    add(bytes->text().substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length)));
-  }
-  void add(std::string_view bytes) {
-    const Hash128 hash = hash_.of(bytes);
-    if (!contents_.emplace(bytes.size(), hash.low, hash.high).second) twice_ += bytes.size();
-  }
-  void add_image_files() {
-    const auto& objects = source_.asset().elements(RootArray::images);
-    std::set<std::string> files;
-    for (std::size_t i = 0; i < objects.size(); ++i) {
-      if (objects[i] == json::kNoNode || !source_.resources().images[i].bytes) continue;
-      const std::string uri = model::string_member(source_.document(), objects[i], "uri");
-      if (uri.empty() || !files.insert(uri).second) continue;
-      add(source_.resources().images[i].bytes->text());
-    }
-  }
-
-  static constexpr std::uint64_t kReadsPerByte = 16;
-  const Source& source_;
-  KeyedHash hash_;
-  std::set<std::tuple<std::uint32_t, std::uint64_t, std::uint64_t>> seen_;
-  std::set<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>> contents_;
-  std::uint64_t read_ = 0, twice_ = 0;
-};
 
 // A file that the asset refers to and that cannot be read; empty: there is none.
 std::string unread_file(const Source& source) {
@@ -172,8 +109,6 @@ void take_files(Taking& taking) {
   columns.set_if_read(Name::unused_bytes, missing, [&] {
     return source.byte_count().shares[static_cast<std::size_t>(ByteUse::unused)];
   });
-  columns.set_if_read(Name::duplicate_bytes, missing,
-                      [&] { return DuplicateBytes(source).count(); });
 }
 
 }  // namespace gltfx::measure

@@ -8,13 +8,13 @@
 
 #include <fmt/format.h>
 
+#include "graph/equal_objects.hpp"
 #include "graph/renumber.hpp"
 #include "json/edit.hpp"
 #include "model/draco.hpp"
 #include "model/fields.hpp"
 #include "report/wording.hpp"
 #include "steps/dedup_content.hpp"
-#include "steps/equal_objects.hpp"
 #include "steps/image_use.hpp"
 #include "steps/references.hpp"
 
@@ -127,7 +127,7 @@ class DedupRun {
   }
 
   void merge_described(RootArray array) {
-    ContentGroups groups;
+    graph::ContentGroups groups;
     for (const NodeId element : objects(array)) {
       std::string text;
       equal_.describe(element, nullptr, text);
@@ -149,7 +149,7 @@ class DedupRun {
 
   // Names and the storage of bytes may differ. Declared formats and color spaces must not.
   void merge_images() {
-    ContentGroups groups;
+    graph::ContentGroups groups;
     const std::vector<ImageUse> uses = image_uses(elements_, graph_);
     for (const NodeId image : objects(RootArray::images)) {
       const auto& kind = uses[index(image)].kind;
@@ -196,7 +196,7 @@ class DedupRun {
   // Compares elements, not their storage. Sparse accessors follow after the views of their
   // replacements are merged.
   void merge_plain_accessors(bool sparse) {
-    ContentGroups groups;
+    graph::ContentGroups groups;
     for (const NodeId element : objects(RootArray::accessors)) {
       const model::Accessor& accessor = views().accessors[index(element)];
       if (!content_.has_elements(index(element))) continue;
@@ -220,7 +220,7 @@ class DedupRun {
 
   // Accessors whose elements are unknown are compared by their JSON.
   void merge_other_accessors() {
-    ContentGroups groups;
+    graph::ContentGroups groups;
     for (const NodeId element : objects(RootArray::accessors)) {
       if (content_.has_elements(index(element))) continue;
       std::string text = use(element);
@@ -232,7 +232,7 @@ class DedupRun {
 
   void merge_views() {
     if (!content_.knows_views()) return;
-    ContentGroups groups;
+    graph::ContentGroups groups;
     for (const NodeId view : objects(RootArray::buffer_views)) {
       if (unused_views_.contains(view) || is_packed_for_one(view)) continue;
       std::set<NodeId> places;
@@ -347,7 +347,7 @@ class DedupRun {
   const graph::Tree& tree_;
   const model::Asset elements_;
   DedupContent content_;
-  EqualObjects equal_;
+  graph::EqualObjects equal_;
   std::unordered_set<NodeId> apart_;  ///< elements that are equal to no other
   std::unordered_set<NodeId> unused_views_;
   json::Editor editor_;

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 
 #include "model/elements.hpp"
-#include "steps/keyframe_choice.hpp"
+#include "model/keyframe_choice.hpp"
 #include "steps/step_data.hpp"
 #include "steps/storage.hpp"
 
@@ -155,12 +155,12 @@ class Resampler {
     const std::vector<float> times = numbers_of(*data);
     if (!increase(times)) return "has times that do not increase";
     if (times.size() < 3) return {};
-    std::vector<KeyedCurve> curves;
+    std::vector<model::KeyedCurve> curves;
     std::vector<Output> outputs;
     for (const UsedSampler& used : clip.samplers) {
       if (std::string why = open(used, times.size(), curves, outputs); !why.empty()) return why;
     }
-    const std::vector<std::uint32_t> kept = choose_keyframes(times, curves);
+    const std::vector<std::uint32_t> kept = model::choose_keyframes(times, curves);
     keyframes_ += times.size();
     if (kept.size() == times.size()) return {};
     removed_ += times.size() - kept.size();
@@ -185,8 +185,8 @@ class Resampler {
     return numbers;
   }
 
-  std::string open(const UsedSampler& used, std::size_t keys, std::vector<KeyedCurve>& curves,
-                   std::vector<Output>& outputs) const {
+  std::string open(const UsedSampler& used, std::size_t keys,
+                   std::vector<model::KeyedCurve>& curves, std::vector<Output>& outputs) const {
     std::optional<model::AccessorData> data;
     if (std::string why = data_.open(*used.sampler->output, data); !why.empty()) return why;
     if (data->count() == 0 || data->count() % keys != 0)
@@ -195,11 +195,11 @@ class Resampler {
       return "has rotations that are not quaternions";
     if (!data_.budget.take(checked_mul(data->count(), sizeof(float) * data->components())))
       return "shares its bytes with too many other objects";
-    KeyedCurve curve;
+    model::KeyedCurve curve;
     curve.values = numbers_of(*data);
     curve.width = curve.values.size() / keys;
-    curve.kind = used.rotations ? CurveKind::rotation : CurveKind::linear;
-    if (used.sampler->interpolation == Interpolation::step) curve.kind = CurveKind::step;
+    curve.kind = used.rotations ? model::CurveKind::rotation : model::CurveKind::linear;
+    if (used.sampler->interpolation == Interpolation::step) curve.kind = model::CurveKind::step;
     const bool finite = std::all_of(curve.values.begin(), curve.values.end(),
                                     [](float value) { return std::isfinite(value); });
     if (!finite) return "has values that are not finite";

@@ -5,14 +5,14 @@
 #include <gmock/gmock.h>
 
 #include "made_asset.hpp"
-#include "steps/keyframe_choice.hpp"
+#include "model/keyframe_choice.hpp"
 
 namespace gltfx {
 namespace {
 
-using steps::choose_keyframes;
-using steps::CurveKind;
-using steps::KeyedCurve;
+using model::choose_keyframes;
+using model::CurveKind;
+using model::KeyedCurve;
 using test::MadeAsset;
 using test::numbers_of;
 using test::OrderedJson;

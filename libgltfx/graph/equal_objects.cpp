@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "steps/equal_objects.hpp"
+#include "graph/equal_objects.hpp"
 
 #include <algorithm>
 
 #include <fmt/format.h>
 
-namespace gltfx::steps {
+namespace gltfx::graph {
 namespace {
 
 using json::NodeId;
@@ -14,8 +14,8 @@ constexpr std::uint64_t kNoElement = UINT64_MAX;
 
 }  // namespace
 
-EqualObjects::EqualObjects(const graph::Graph& graph) : document_(graph.tree().document()) {
-  for (const graph::IndexUse& use : graph.indices()) {
+EqualObjects::EqualObjects(const Graph& graph) : document_(graph.tree().document()) {
+  for (const IndexUse& use : graph.indices()) {
     const bool leads = use.list != json::kNoNode && document_.is_array(use.list);
     const NodeId target = leads ? graph.tree().element(use.list, use.index) : json::kNoNode;
     if (target == json::kNoNode) continue;
@@ -102,4 +102,4 @@ std::vector<std::pair<NodeId, NodeId>> ContentGroups::find() const {
   return find([](NodeId) { return std::string(); }, [](NodeId, NodeId) { return true; });
 }
 
-}  // namespace gltfx::steps
+}  // namespace gltfx::graph

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "steps/keyframe_choice.hpp"
+#include "model/keyframe_choice.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,9 @@
 
 #include "model/node.hpp"
 
-namespace gltfx::steps {
+namespace gltfx::model {
 namespace {
 
-using model::Quaternion;
 using Keys = std::vector<std::uint32_t>;
 
 constexpr double kRotationBound = 1.0 / (1 << 24);
@@ -101,8 +100,8 @@ class Choice {
   }
 
   static double cosine(const KeyedCurve& curve, std::size_t a, std::size_t b) {
-    const Quaternion p = model::unit(quaternion_at(curve, a));
-    const Quaternion q = model::unit(quaternion_at(curve, b));
+    const Quaternion p = unit(quaternion_at(curve, a));
+    const Quaternion q = unit(quaternion_at(curve, b));
     return std::inner_product(p.begin(), p.end(), q.begin(), 0.0);
   }
 
@@ -160,8 +159,8 @@ class Choice {
   static void add_rotation(const KeyedCurve& curve, const Arc& arc, std::size_t key, double t,
                            Misfit& misfit) {
     const Quaternion value =
-        model::slerp(quaternion_at(curve, arc.from), quaternion_at(curve, arc.to), t);
-    const Quaternion here = model::unit(quaternion_at(curve, key));
+        slerp(quaternion_at(curve, arc.from), quaternion_at(curve, arc.to), t);
+    const Quaternion here = unit(quaternion_at(curve, key));
     for (std::size_t i = 0; i < here.size(); ++i)
       misfit.note(std::fabs(value[i] - here[i]), kRotationBound);
   }
@@ -207,7 +206,7 @@ class Choice {
     double size = 0;
     const auto note = [&](double value) { size = std::max(size, std::fabs(value)); };
     if (curve.kind == CurveKind::rotation) {
-      const Quaternion q = model::unit(quaternion_at(curve, key));
+      const Quaternion q = unit(quaternion_at(curve, key));
       std::for_each(q.begin(), q.end(), note);
     } else {
       for (std::size_t i = key * curve.width; i < (key + 1) * curve.width; ++i)
@@ -248,8 +247,8 @@ class Choice {
     };
     const double t = part_of(arc, moment);
     const Quaternion from = quaternion_at(curve, arc.from);
-    if (t == 0) return rounded(model::unit(from));
-    return rounded(model::unit(rounded(model::slerp(from, quaternion_at(curve, arc.to), t))));
+    if (t == 0) return rounded(unit(from));
+    return rounded(unit(rounded(slerp(from, quaternion_at(curve, arc.to), t))));
   }
 
   std::span<const float> times_;
@@ -263,4 +262,4 @@ Keys choose_keyframes(std::span<const float> times, std::span<const KeyedCurve> 
   return Choice(times, curves).run();
 }
 
-}  // namespace gltfx::steps
+}  // namespace gltfx::model

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace gltfx::steps {
+namespace gltfx::model {
 
 enum class CurveKind : std::uint8_t {
   linear,
@@ -32,4 +32,4 @@ struct KeyedCurve {
 std::vector<std::uint32_t> choose_keyframes(std::span<const float> times,
                                             std::span<const KeyedCurve> curves);
 
-}  // namespace gltfx::steps
+}  // namespace gltfx::model

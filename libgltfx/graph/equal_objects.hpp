@@ -14,12 +14,12 @@
 
 #include "graph/graph.hpp"
 
-namespace gltfx::steps {
+namespace gltfx::graph {
 
 /// Maps elements to equal elements that replace them. The graph must outlive it.
 class EqualObjects {
  public:
-  explicit EqualObjects(const graph::Graph& graph);
+  explicit EqualObjects(const Graph& graph);
 
   /// The first element that equals this one.
   json::NodeId first(json::NodeId element) const {
@@ -71,4 +71,4 @@ class ContentGroups {
   std::map<std::string, std::vector<json::NodeId>> groups_;
 };
 
-}  // namespace gltfx::steps
+}  // namespace gltfx::graph

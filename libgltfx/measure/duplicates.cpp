@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+// Waste: what is stored again, and bytes that are the same.
+#include <algorithm>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/checked.hpp"
+#include "base/hash.hpp"
+#include "base/random_bytes.hpp"
+#include "graph/equal_objects.hpp"
+#include "measure/take.hpp"
+#include "model/accessor_data.hpp"
+#include "model/draco.hpp"
+#include "model/fields.hpp"
+#include "model/memory_budget.hpp"
+#include "model/meshopt_view.hpp"
+
+namespace gltfx::measure {
+namespace {
+
+using json::NodeId;
+using model::RootArray;
+
+constexpr std::uint64_t kLeastBytes = std::uint64_t{1} << 26U, kReadsPerByte = 8;
+
+KeyedHash::Secret random_secret() {
+  KeyedHash::Secret bytes{};
+  fill_with_random(bytes);
+  return bytes;
+}
+
+// Hashes content, as much as the files have bytes for: objects may share bytes a thousandfold.
+class ContentHash {
+ public:
+  explicit ContentHash(const Source& source)
+      : hash_(random_secret()), left_(most_bytes(source.byte_count().files)) {}
+
+  std::optional<std::string> of(std::string_view bytes) {
+    if (!left_.take(Checked(bytes.size()))) {
+      exhausted_ = true;
+      return std::nullopt;
+    }
+    const Hash128 hash = hash_.of(bytes);
+    return fmt::format("{}:{:x}:{:x}", bytes.size(), hash.low, hash.high);
+  }
+  bool exhausted() const { return exhausted_; }
+
+ private:
+  static std::uint64_t most_bytes(const std::vector<FileFacts>& files) {
+    std::uint64_t bytes = kLeastBytes / kReadsPerByte;
+    for (const FileFacts& file : files) bytes = saturating_add(bytes, file.bytes);
+    return checked_mul(bytes, kReadsPerByte).value_or(UINT64_MAX);
+  }
+
+  KeyedHash hash_;
+  model::MemoryBudget left_;
+  bool exhausted_ = false;
+};
+
+// The number of bytes in buffer views and files of images that equal earlier ones.
+class DuplicateBytes {
+ public:
+  DuplicateBytes(const Source& source, ContentHash& hash) : source_(source), hash_(hash) {}
+
+  std::uint64_t count() {
+    for (const model::BufferView& view : source_.views().buffer_views) {
+      if (view.node == json::kNoNode) continue;
+      if (const auto stream = model::read_meshopt_view(source_.asset(), view.node)) {
+        add(stream->buffer, stream->byte_offset, stream->byte_length);
+      } else if (view.buffer) {
+        add(*view.buffer, view.byte_offset.value_or(0), view.byte_length.value_or(0));
+      }
+    }
+    add_image_files();
+    return twice_;
+  }
+
+ private:
+  void add(std::uint32_t buffer, std::uint64_t offset, std::uint64_t length) {
+    const auto& bytes = source_.resources().buffers[buffer];
+    if (!bytes || offset > bytes->size() || length > bytes->size() - offset) return;
+    if (!ranges_.emplace(buffer, offset, length).second) return;
+    add(bytes->text().substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length)));
+  }
+  void add(std::string_view bytes) {
+    auto hash = hash_.of(bytes);
+    if (hash && !contents_.insert(*std::move(hash)).second) twice_ += bytes.size();
+  }
+  void add_image_files() {
+    const auto& objects = source_.asset().elements(RootArray::images);
+    std::set<std::string> files;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      if (objects[i] == json::kNoNode || !source_.resources().images[i].bytes) continue;
+      const std::string uri = model::string_member(source_.document(), objects[i], "uri");
+      if (uri.empty() || !files.insert(uri).second) continue;
+      add(source_.resources().images[i].bytes->text());
+    }
+  }
+
+  const Source& source_;
+  ContentHash& hash_;
+  std::set<std::tuple<std::uint32_t, std::uint64_t, std::uint64_t>> ranges_;
+  std::set<std::string> contents_;
+  std::uint64_t twice_ = 0;
+};
+
+// Finds objects that equal earlier ones, from those that refer to nothing to those that refer to
+// them. Names do not count.
+class DuplicateObjects {
+ public:
+  DuplicateObjects(const Source& source, ContentHash& hash)
+      : source_(source),
+        tree_(source.graph().tree()),
+        hash_(hash),
+        equal_(source.graph()) {
+    for (std::uint32_t i = 0; i < source.views().accessors.size(); ++i) {
+      accessors_.emplace(source.views().accessors[i].node, i);
+    }
+  }
+
+  void find() {
+    images_ = merge(RootArray::images, {"uri", "bufferView", "mimeType"}, [this](NodeId image) {
+      const auto& bytes = source_.resources().images[tree_.position(image)].bytes;
+      return bytes ? hash_.of(bytes->text()) : std::nullopt;
+    });
+    const auto no_content = [](NodeId) { return std::optional<std::string>(""); };
+    merge(RootArray::samplers, {}, no_content);
+    merge(RootArray::textures, {}, no_content);
+    materials_ = merge(RootArray::materials, {}, no_content);
+    accessors_found_ =
+        merge(RootArray::accessors, {"bufferView", "byteOffset", "sparse", "min", "max"},
+              [this](NodeId accessor) { return elements_of(accessor); });
+    meshes_ = merge(RootArray::meshes, {}, no_content);
+  }
+
+  std::uint64_t images() const { return images_; }
+  std::uint64_t materials() const { return materials_; }
+  std::uint64_t accessors() const { return accessors_found_; }
+  std::uint64_t meshes() const { return meshes_; }
+
+ private:
+  // `stored`: members that say where the content is.
+  template <class Hash>
+  std::uint64_t merge(RootArray array, std::initializer_list<std::string_view> stored,
+                      const Hash& content) {
+    graph::ContentGroups groups;
+    for (const NodeId element : source_.asset().elements(array)) {
+      if (element == json::kNoNode) continue;
+      const auto is_left_out = [&](NodeId value) {
+        if (tree_.parent(value) != element) return false;
+        const std::string_view name = tree_.name(value);
+        return name == "name" || std::find(stored.begin(), stored.end(), name) != stored.end();
+      };
+      std::string description;
+      equal_.describe(element, is_left_out, description);
+      groups.add(element, std::move(description));
+    }
+    const auto pairs = groups.find(content, [](NodeId, NodeId) { return true; });
+    for (const auto& [element, first] : pairs) equal_.merge(element, first);
+    return pairs.size();
+  }
+
+  std::optional<std::string> elements_of(NodeId object) {
+    const auto found = accessors_.find(object);
+    if (found == accessors_.end()) return std::nullopt;
+    const model::Accessor& accessor = source_.views().accessors[found->second];
+    const auto data =
+        model::AccessorData::open(source_.asset(), source_.views(), source_.resources(), accessor,
+                                  model::Malformed::unusable);
+    const std::uint64_t size = model::element_size(accessor.format);
+    if (!data || data->implied() || size == 0) return std::nullopt;
+    const auto bytes = checked_mul(data->count(), size);
+    if (!bytes || !elements_.take(bytes)) return std::nullopt;
+    std::string elements(static_cast<std::size_t>(*bytes), '\0');
+    std::uint64_t next = 0;
+    data->read(reinterpret_cast<std::byte*>(elements.data()), 0,
+               static_cast<std::size_t>(data->count()), next);
+    return hash_.of(elements);
+  }
+
+  const Source& source_;
+  const graph::Tree& tree_;
+  ContentHash& hash_;
+  graph::EqualObjects equal_;
+  model::MemoryBudget elements_{std::uint64_t{1} << 33U};
+  std::unordered_map<NodeId, std::uint32_t> accessors_;
+  std::uint64_t images_ = 0, materials_ = 0, accessors_found_ = 0, meshes_ = 0;
+};
+
+}  // namespace
+
+void take_duplicates(Taking& taking) {
+  const Source& source = taking.source();
+  ContentHash hash(source);
+  const auto set = [&](Name name, std::uint64_t value) {
+    Column* column = taking.column(MeasureScope::asset, name);
+    if (column == nullptr) return;
+    if (hash.exhausted()) {
+      column->could_not_be_taken(0, "Objects share too many bytes.");
+    } else {
+      column->set(0, value);
+    }
+  };
+  if (taking.wants(Name::duplicate_bytes)) {
+    const std::uint64_t bytes = DuplicateBytes(source, hash).count();
+    set(Name::duplicate_bytes, bytes);
+  }
+  DuplicateObjects objects(source, hash);
+  objects.find();
+  set(Name::duplicate_images, objects.images());
+  set(Name::duplicate_materials, objects.materials());
+  set(Name::duplicate_accessors, objects.accessors());
+  set(Name::duplicate_meshes, objects.meshes());
+}
+
+}  // namespace gltfx::measure
