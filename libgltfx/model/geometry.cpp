@@ -110,7 +110,10 @@ class GeometryReader {
   }
 
  private:
-  bool has(SemanticKind kind) const { return data_.primitive().find(kind) != nullptr; }
+  // Of normals, tangents and colors.
+  bool reads(SemanticKind kind) const {
+    return request_.surface && data_.primitive().find(kind) != nullptr;
+  }
 
   std::uint64_t index_count() const {
     if (data_.packed() != nullptr) return data_.packed()->indices.size();
@@ -123,9 +126,9 @@ class GeometryReader {
   // as work: a file may have any number of them over the same bytes.
   Checked size() const {
     std::uint64_t vertex = sizeof(float) * (3 + 2 * request_.tex_coords.size());
-    if (has(SemanticKind::normal)) vertex += sizeof(float) * 3;
-    if (has(SemanticKind::tangent)) vertex += sizeof(float) * 4;
-    if (has(SemanticKind::color)) vertex += sizeof(float) * 4;
+    if (reads(SemanticKind::normal)) vertex += sizeof(float) * 3;
+    if (reads(SemanticKind::tangent)) vertex += sizeof(float) * 4;
+    if (reads(SemanticKind::color)) vertex += sizeof(float) * 4;
     const auto moving = std::count_if(request_.weights.begin(), request_.weights.end(),
                                       [](float weight) { return weight != 0; });
     vertex += sizeof(float) * static_cast<std::uint64_t>(moving);
@@ -173,13 +176,13 @@ class GeometryReader {
   }
 
   void read_attributes() {
-    read(SemanticKind::normal, 0, 3, geometry_.normals);
+    if (reads(SemanticKind::normal)) read(SemanticKind::normal, 0, 3, geometry_.normals);
     // Tangents without normals are meaningless.
     if (!geometry_.normals.empty()) read(SemanticKind::tangent, 0, 4, geometry_.tangents);
     for (const std::uint32_t set : request_.tex_coords) {
       read(SemanticKind::texcoord, set, 2, geometry_.tex_coords.emplace_back());
     }
-    if (!has(SemanticKind::color)) return;
+    if (!reads(SemanticKind::color)) return;
     geometry_.colors.assign(count_, {1, 1, 1, 1});
     if (!read(SemanticKind::color, 0, 3, geometry_.colors)) geometry_.colors.clear();
   }

@@ -62,6 +62,7 @@ struct GeometryRequest {
   std::span<const Affine> joints;
   /// Positions that are far from 0 are given relative to Geometry::origin.
   bool near_origin = false;
+  bool surface = true;  ///< read normals, tangents and colors
 };
 
 /// Lists of vertices have the same length, or are empty without the attribute.
