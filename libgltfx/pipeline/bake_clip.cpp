@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "model/keyframes.hpp"
 #include "pipeline/bake_names.hpp"
+#include "preview/markers.hpp"
 
 namespace gltfx {
 namespace {
@@ -56,6 +57,74 @@ void enlarge(std::optional<preview::Subject>& all, std::optional<preview::Subjec
   all->flat = all->flat && more->flat;
 }
 
+// Those of the scene of a frame.
+BakeOptions options_at(BakeOptions options, std::uint32_t frame) {
+  options.animation = std::exchange(options.clip, {});
+  options.time = frame / rate_of_clip(options);
+  return options;
+}
+
+// What is visible in some frames of a clip, all of them together.
+struct Extent {
+  std::optional<preview::Subject> all, framed;
+  std::optional<Vec3d> origin;  // of the first frame in which anything is visible
+  bool markers = false;         // some of it are
+
+  const preview::Subject* subject() const { return framed ? &*framed : all ? &*all : nullptr; }
+};
+
+// `radius`: of markers; 0: not known yet.
+Result<Extent> find_extent(const validate::ValidatedAsset& asset, const BakeOptions& options,
+                           std::uint32_t frames, double radius) {
+  Extent extent;
+  const std::uint32_t steps = std::min(kFramed, frames);
+  for (std::uint32_t i = 0; i < steps; ++i) {
+    const std::uint32_t frame = i * (frames - 1) / std::max(steps - 1, 1U);
+    auto outline = build_outline(asset, options_at(options, frame), extent.origin);
+    if (!outline) return outline.error();
+    if (preview::has_markers(outline->scene)) {
+      extent.markers = true;
+      preview::give_markers_size(outline->scene, radius);
+      outline->subject = preview::find_subject(outline->scene);
+    }
+    if (!outline->subject) continue;
+    if (!extent.origin) extent.origin = outline->origin;
+    if (!outline->scene.framed.empty()) {
+      enlarge(extent.framed, preview::find_subject(outline->scene, preview::Which::framed));
+    }
+    enlarge(extent.all, std::move(outline->subject));
+  }
+  return extent;
+}
+
+struct Staging {
+  ClipStage stage;
+  Extent extent;
+};
+
+Result<Staging> find_staging(const validate::ValidatedAsset& asset, const BakeOptions& options,
+                             std::uint32_t frames) {
+  auto extent = find_extent(asset, options, frames, 0);
+  if (!extent) return extent.error();
+  ClipStage stage{extent->origin.value_or(Vec3d())};
+  if (extent->markers && extent->subject() != nullptr) {
+    const BakeSize& size = options.sizes.front();
+    stage.marker_radius =
+        preview::marker_radius(*extent->subject(), std::max(size.width, size.height));
+    extent = find_extent(asset, options, frames, stage.marker_radius);
+    if (!extent) return extent.error();
+  }
+  return Staging{stage, *std::move(extent)};
+}
+
+BakeScene refused(const std::string& path, const Error& reason) {
+  BakeScene scene;
+  scene.report.path = scene.report.validation.path = path;
+  scene.report.problem = BakeProblem::refused;
+  scene.report.error = reason.message;
+  return scene;
+}
+
 // Of an asset that lacks the clip.
 BakeScene load_still(validate::ValidatedAsset asset, const BakeOptions& options,
                      const Error& reason) {
@@ -69,17 +138,9 @@ BakeScene load_still(validate::ValidatedAsset asset, const BakeOptions& options,
 
 }  // namespace
 
-BakeOptions Clip::options_of(std::uint32_t frame) const {
-  BakeOptions options = options_;
-  options.animation = std::exchange(options.clip, {});
-  options.time = frame / rate_of_clip(options);
-  return options;
-}
-
-BakeScene Clip::scene_of(std::uint32_t frame, const preview::Subject& subject,
-                         const Vec3d& origin) const {
-  const BakeOptions options = options_of(frame);
-  BakeScene scene = build_bake_scene(asset_, {}, options, origin);
+BakeScene Clip::scene_of(std::uint32_t frame, const preview::Subject& subject) const {
+  const BakeOptions options = options_at(options_, frame);
+  BakeScene scene = build_bake_scene(asset_, {}, options, &stage_);
   if (scene.scene) scene.subject = scene.framed = subject;
   return prepare_bake_scene(std::move(scene), options);
 }
@@ -96,26 +157,20 @@ BakeScene load_clip(validate::ValidatedAsset asset, const BakeOptions& options) 
   }
   const auto frames = animation ? count_frames(asset.asset(), **animation, options)
                                 : Result<std::uint32_t>(animation.error());
-  if (!frames) {
-    BakeScene failed;
-    failed.report.path = failed.report.validation.path = asset.asset().name();
-    failed.report.problem = BakeProblem::refused;
-    failed.report.error = frames.error().message;
-    return failed;
+  if (!frames) return refused(asset.asset().name(), frames.error());
+  const BakeOptions start = options_at(options, 0);
+  BakeScene begun = begin_bake_scene(asset, asset.report(), start);
+  if (begun.report.problem != BakeProblem::none) return begun;
+  auto staging = find_staging(asset, options, *frames);
+  if (!staging) return refused(asset.asset().name(), staging.error());
+  BakeScene first = build_bake_scene(asset, asset.report(), start, &staging->stage);
+  if (!first.scene) return first;
+  first.subject = std::move(staging->extent.all);
+  first.framed = std::move(staging->extent.framed);
+  first = prepare_bake_scene(std::move(first), start);
+  if (first.ready()) {
+    first.clip = std::make_shared<const Clip>(std::move(asset), options, *frames, staging->stage);
   }
-  auto clip = std::make_shared<const Clip>(std::move(asset), options, *frames);
-  BakeScene first = load_bake_scene_of(clip->asset(), clip->options_of(0));
-  if (!first.ready()) return first;
-  const std::uint32_t steps = std::min(kFramed, *frames);
-  for (std::uint32_t i = 1; i < steps; ++i) {
-    const BakeOptions moment = clip->options_of(i * (*frames - 1) / (steps - 1));
-    BakeScene later = build_bake_scene(clip->asset(), {}, moment, first.origin);
-    if (first.framed && later.scene && !later.scene->framed.empty()) {
-      enlarge(first.framed, preview::find_subject(*later.scene, preview::Which::framed));
-    }
-    enlarge(first.subject, std::move(later.subject));
-  }
-  first.clip = std::move(clip);
   return first;
 }
 

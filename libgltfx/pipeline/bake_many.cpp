@@ -10,6 +10,7 @@
 #include "pipeline/bake_asset.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "pipeline/bake_views.hpp"
 #include "pipeline/cached_picture.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/picture_file.hpp"

@@ -16,6 +16,7 @@
 #include "pipeline/bake_names.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_strip.hpp"
+#include "pipeline/bake_views.hpp"
 #include "pipeline/picture_file.hpp"
 #include "pipeline/thumbnail.hpp"
 #include "preview/picture.hpp"
@@ -146,7 +147,7 @@ class Baker {
   bool move_on(std::uint32_t moment) {
     loaded_.bvh = std::nullopt;  // before its scene
     loaded_.scene.reset();
-    BakeScene next = loaded_.clip->scene_of(moment, *loaded_.subject, loaded_.origin);
+    BakeScene next = loaded_.clip->scene_of(moment, *loaded_.subject);
     if (!next.ready()) return fail(next.report.problem, std::move(next.report.error));
     loaded_.scene = std::move(next.scene);
     loaded_.bvh = std::move(next.bvh);

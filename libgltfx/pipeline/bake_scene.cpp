@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -22,10 +21,8 @@
 #include "pipeline/open_asset.hpp"
 #include "pipeline/scene_builder.hpp"
 #include "pipeline/scene_pose.hpp"
-#include "preview/interior.hpp"
 #include "preview/markers.hpp"
 #include "preview/overlay.hpp"
-#include "preview/view_choice.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -108,10 +105,11 @@ Result<SceneOptions> scene_options(const model::OpenedAsset& opened, const BakeO
 }
 
 Result<BuiltScene> build(const validate::ValidatedAsset& asset, const BakeOptions& options,
-                         const std::optional<Vec3d>& origin, BakeNotes& notes) {
+                         const std::optional<Vec3d>& origin, bool outline, BakeNotes& notes) {
   auto wanted = scene_options(asset.asset(), options, notes);
   if (!wanted) return wanted.error();
   wanted->origin = origin;
+  wanted->outline = outline;
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
   return build_scene(asset, *schemas, *wanted);
 }
@@ -136,9 +134,7 @@ std::optional<Error> light(render::Scene& scene, const BakeOptions& options) {
 // Points and lines are to be seen in a picture of all that is there.
 void give_markers_size(BuiltScene& built, const BakeSize& size) {
   render::Scene& scene = built.scene;
-  const bool any = std::any_of(scene.meshes.begin(), scene.meshes.end(),
-                               [](const auto& mesh) { return !mesh.marker_directions.empty(); });
-  if (!any) return;
+  if (!preview::has_markers(scene)) return;
   const auto subject = preview::find_subject(scene, preview::Which::framed);
   if (!subject) return;
   preview::give_markers_size(scene,
@@ -153,73 +149,6 @@ BakeScene empty_scene(const std::string& path) {
   return scene;
 }
 
-// A side of the asset, or a camera of its own.
-using CameraChoice = std::variant<preview::Direction, const render::Camera*>;
-
-std::vector<std::string> camera_names(const render::Scene& scene) {
-  std::vector<std::string> names;
-  for (const render::Camera& camera : scene.cameras) names.push_back(camera.name);
-  return names;
-}
-
-// What is framed alone has other things around it.
-preview::Direction direction_of(const BakeScene& loaded) {
-  if (loaded.framed) return preview::usual_direction(*loaded.framed);
-  return preview::best_direction(*loaded.scene, *loaded.subject, *loaded.bvh);
-}
-
-Result<CameraChoice> choose_camera(const BakeScene& loaded, const std::string& camera) {
-  const render::Scene& scene = *loaded.scene;
-  if (const auto angles = parse_angles(camera)) {
-    return CameraChoice(preview::Direction{angles->first, angles->second});
-  }
-  const auto named = find_named("camera", camera, camera_names(scene));
-  if (named && *named) return CameraChoice(&scene.cameras[**named]);
-  if (named) return CameraChoice(direction_of(loaded));
-  if (const auto preset = find_preset(camera)) {
-    return CameraChoice(preview::Direction{preset->first, preset->second});
-  }
-  return Error{named.error().message +
-               "; front, back, left, right, top, bottom, iso and AZIMUTH,ELEVATION in degrees "
-               "work for any asset"};
-}
-
-// What a camera of the asset cannot do.
-std::optional<Error> find_conflict(const render::Camera& camera, const BakeOptions& options) {
-  if (options.turntable > 0) {
-    return Error{"a turntable goes around the asset, not through a camera of its own"};
-  }
-  if (!options.frame.empty()) {
-    return Error{"a camera of the asset has a fixed place; use another camera to frame a node"};
-  }
-  if (camera.perspective && options.projection != BakeProjection::perspective) {
-    return Error{"a camera of the asset has its own projection"};
-  }
-  return std::nullopt;
-}
-
-bool stands_inside(const BakeScene& loaded, const BakeOptions& options, bool usual_camera) {
-  if (options.interior != BakeInterior::automatic) return options.interior == BakeInterior::on;
-  const bool usual = usual_camera && options.turntable == 0 && options.frame.empty() &&
-                     options.projection == BakeProjection::perspective;
-  return usual && preview::is_closed_room(*loaded.scene, *loaded.subject, *loaded.bvh);
-}
-
-// A turntable turns the camera in its place.
-std::vector<render::View> views_inside(const BakeScene& loaded, const BakeOptions& options,
-                                       const std::optional<preview::Direction>& wanted,
-                                       double aspect) {
-  preview::Standpoint from =
-      preview::find_standpoint(*loaded.scene, *loaded.subject, *loaded.bvh, wanted, aspect);
-  std::vector<render::View> views;
-  const std::uint32_t count = std::max(options.turntable, 1U);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    views.push_back(preview::look_around(from, aspect));
-    from.direction.azimuth += 360.0 / count;
-  }
-  return views;
-}
-
 }  // namespace
 
 void BakeScene::follow(const preview::Subject& other, const Vec3d& other_origin) {
@@ -227,11 +156,6 @@ void BakeScene::follow(const preview::Subject& other, const Vec3d& other_origin)
   subject->forget_faces();
   subject->least = other.least + other_origin - origin;
   subject->greatest = other.greatest + other_origin - origin;
-}
-
-render::View moved(render::View view, const Vec3d& from_origin, const Vec3d& to_origin) {
-  view.origin = view.origin + (from_origin - to_origin);
-  return view;
 }
 
 validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options) {
@@ -242,8 +166,8 @@ validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOp
   return {std::move(asset), wanted};
 }
 
-BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
-                           const BakeOptions& options, const std::optional<Vec3d>& origin) {
+BakeScene begin_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
+                           const BakeOptions& options) {
   BakeScene result = empty_scene(asset.asset().name());
   if (auto refusal = find_refusal(options)) {
     return failed(std::move(result), BakeProblem::refused, *std::move(refusal));
@@ -253,17 +177,35 @@ BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport rep
   if (errors > 0 && (options.strict || forbids_picture(result.report.validation))) {
     return failed(std::move(result), BakeProblem::invalid, "it has errors");
   }
+  return result;
+}
+
+Result<BuiltScene> build_outline(const validate::ValidatedAsset& asset, const BakeOptions& options,
+                                 const std::optional<Vec3d>& origin) {
+  BakeNotes notes;  // are those of the scene itself
+  return build(asset, options, origin, true, notes);
+}
+
+BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
+                           const BakeOptions& options, const ClipStage* stage) {
+  BakeScene result = begin_bake_scene(asset, std::move(report), options);
+  if (result.report.problem != BakeProblem::none) return result;
   BakeNotes notes;
-  auto made = build(asset, options, origin, notes);
+  auto made =
+      build(asset, options, stage ? std::optional(stage->origin) : std::nullopt, false, notes);
   if (!made) return failed(std::move(result), BakeProblem::refused, made.error().message);
   if (auto trouble = light(made->scene, options)) {
     return failed(std::move(result), BakeProblem::unreadable, std::move(trouble->message));
   }
-  give_markers_size(*made, options.sizes.front());
+  if (stage != nullptr) {
+    preview::give_markers_size(made->scene, stage->marker_radius);
+  } else {
+    give_markers_size(*made, options.sizes.front());
+  }
   result.report.notes = std::move(notes);
   result.report.notes.insert(result.report.notes.end(), made->scene.notes.begin(),
                              made->scene.notes.end());
-  if (errors > 0) {
+  if (const std::uint64_t errors = result.report.validation.counts.errors; errors > 0) {
     result.report.notes.push_back(
         fmt::format("it has {} error{}, which gltfx validate names; what can be drawn is drawn",
                     errors, errors == 1 ? "" : "s"));
@@ -329,38 +271,6 @@ BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
   if (!asset) return failed(empty_scene(path), BakeProblem::unreadable, asset.error().message);
   codec::Client::shared().prepare_images();  // for textures, and the picture itself
   return load_bake_scene(validate_to_bake(*std::move(asset), options), options);
-}
-
-std::optional<Error> find_camera_error(const BakeScene& loaded, const std::string& camera) {
-  const auto choice = choose_camera(loaded, camera);
-  return choice ? std::nullopt : std::optional(choice.error());
-}
-
-Result<std::vector<render::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
-                                               double aspect, const std::string& camera) {
-  const preview::Subject& subject = loaded.framed ? *loaded.framed : *loaded.subject;
-  const auto choice = choose_camera(loaded, camera);
-  if (!choice) return choice.error();
-  if (const auto* own = std::get_if<const render::Camera*>(&*choice)) {
-    if (auto trouble = find_conflict(**own, options)) return *std::move(trouble);
-    render::View view = render::view_of(**own, aspect);
-    view.inside = options.interior == BakeInterior::on;
-    return std::vector<render::View>{view};
-  }
-  const auto& side = std::get<preview::Direction>(*choice);
-  if (stands_inside(loaded, options, camera.empty())) {
-    const auto wanted = camera.empty() ? std::nullopt : std::optional(side);
-    return views_inside(loaded, options, wanted, aspect);
-  }
-  std::vector<render::View> views;
-  const std::uint32_t count = std::max(options.turntable, 1U);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const preview::Direction turned{side.azimuth + 360.0 * i / count, side.elevation};
-    views.push_back(options.projection == BakeProjection::perspective
-                        ? preview::frame(subject, turned, aspect)
-                        : preview::frame_orthographic(subject, turned, aspect, *loaded.subject));
-  }
-  return views;
 }
 
 }  // namespace gltfx

@@ -7,12 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
+#include "base/result.hpp"
+#include "pipeline/scene_builder.hpp"
 #include "preview/framing.hpp"
 #include "render/bvh.hpp"
 #include "render/scene.hpp"
-#include "render/view.hpp"
 #include "rules/validated_asset.hpp"
 
 namespace gltfx {
@@ -49,25 +49,25 @@ BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& opt
 /// The same for an asset that is needed further on.
 BakeScene load_bake_scene_of(const validate::ValidatedAsset& asset, const BakeOptions& options);
 
-/// The view in another scene, whose origin may differ.
-render::View moved(render::View view, const Vec3d& from_origin, const Vec3d& to_origin);
-
 /// Validates as baking does.
 validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options);
 
-/// The two steps of it: all but the hierarchy, and that. Where `subject` is set in between, it and
-/// `framed` stay. `origin`: that of the scene, see BuiltScene; nothing: one that suits it.
+/// The scene as far as framing needs it; markers have no size.
+Result<BuiltScene> build_outline(const validate::ValidatedAsset& asset, const BakeOptions& options,
+                                 const std::optional<Vec3d>& origin);
+
+/// What all scenes of a clip have in common.
+struct ClipStage {
+  Vec3d origin;              ///< see BuiltScene
+  double marker_radius = 0;  ///< see preview::give_markers_size()
+};
+
+/// The steps of it: what is checked first; all but the hierarchy, and that. Where `subject` is set
+/// before the last one, it and `framed` stay. `stage`: of a clip; null: one that suits the scene.
+BakeScene begin_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
+                           const BakeOptions& options);
 BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
-                           const BakeOptions& options, const std::optional<Vec3d>& origin = {});
+                           const BakeOptions& options, const ClipStage* stage = nullptr);
 BakeScene prepare_bake_scene(BakeScene built, const BakeOptions& options);
-
-/// Why there is no such camera; nothing where there is. Precondition: the scene is ready.
-std::optional<Error> find_camera_error(const BakeScene& loaded, const std::string& camera);
-
-/// The views of one of the cameras that the options may name, "" for the usual one: one, or all of
-/// a turntable. An Error when there is no such camera, or it cannot do what is asked for.
-/// Precondition: the scene is ready.
-Result<std::vector<render::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,
-                                               double aspect, const std::string& camera = {});
 
 }  // namespace gltfx

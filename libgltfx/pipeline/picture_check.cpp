@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "pipeline/bake_picture.hpp"
+#include "pipeline/bake_views.hpp"
 
 namespace gltfx {
 namespace {

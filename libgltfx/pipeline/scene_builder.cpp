@@ -177,8 +177,10 @@ class SceneBuilder {
     std::optional<preview::Subject> subject = preview::find_subject(scene_);
     const double pixel =
         subject && options_.picture_side > 0 ? subject->size() / options_.picture_side : 0;
-    textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel);
-    light(roots);
+    if (!options_.outline) {
+      textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel);
+      light(roots);
+    }
     return {std::move(scene_), std::move(subject), {origin_[0], origin_[1], origin_[2]}, true};
   }
 
@@ -354,7 +356,9 @@ BuiltScene build_scene(const validate::ValidatedAsset& validated, const schema::
   const model::Views& views = opened.views();
   container::OpenedFiles files(opened.resolver());
   const model::SceneRoots roots = model::choose_scene(asset, views, options.scene);
-  const std::vector<bool> images = images_in_use(asset, roots.scene);
+  const std::vector<bool> images = options.outline
+                                       ? std::vector<bool>(asset.count(RootArray::images))
+                                       : images_in_use(asset, roots.scene);
   model::LoadedResources loaded =
       model::load_resources(opened.container(), files, asset, views, options.jobs, &images);
   for (const model::MissingData& missing : loaded.missing) notes.add(missing.sentence());

@@ -22,6 +22,7 @@ struct SceneOptions {
   std::optional<std::uint32_t> variant;    ///< of materials
   std::optional<std::uint32_t> frame;      ///< node whose subtree the picture is of; else all
   bool uvs = false;                        ///< texture coordinates also where no texture is
+  bool outline = false;  ///< what framing needs: without pixels and light from all around
   /// BuiltScene::origin; nothing: one that suits the scene.
   std::optional<Vec3d> origin;
   unsigned jobs = 0;  ///< threads; 0: as many as are worth it

@@ -115,6 +115,11 @@ render::Mesh line_markers(const render::Mesh& vertices,
   return markers.take();
 }
 
+bool has_markers(const render::Scene& scene) {
+  return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                     [](const render::Mesh& mesh) { return !mesh.marker_directions.empty(); });
+}
+
 void give_markers_size(render::Scene& scene, double radius) {
   for (const render::Instance& instance : scene.instances) {
     const double scale = std::cbrt(std::fabs(render::determinant(instance.to_world)));

@@ -27,6 +27,9 @@ render::Mesh point_markers(const render::Mesh& vertices, std::span<const std::ui
 render::Mesh line_markers(const render::Mesh& vertices,
                           std::span<const std::array<std::uint32_t, 2>> segments);
 
+/// Whether a scene has markers without a size.
+bool has_markers(const render::Scene& scene);
+
 /// Makes all markers of a scene `radius` thick, in the scene's unit: exact for the first instance
 /// of a mesh if that is scaled uniformly.
 void give_markers_size(render::Scene& scene, double radius);

@@ -13,6 +13,7 @@
 #include "base/pages.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "pipeline/bake_views.hpp"
 
 namespace {
 

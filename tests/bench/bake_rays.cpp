@@ -14,6 +14,7 @@
 #include "base/parallel.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_scene.hpp"
+#include "pipeline/bake_views.hpp"
 #include "render/embree.hpp"
 #include "render/sampler.hpp"
 #include "render/surface.hpp"

@@ -119,6 +119,36 @@ TEST_F(Frames, AClipMovesBeforeACameraThatStays) {
   EXPECT_LT(last, 0.9) << "the last one is not beside the picture";
 }
 
+// Its material turns from nothing to opaque.
+TEST_F(Frames, AClipMayBeginWithNothing) {
+  const auto fade = [this](float before, float after) {
+    AssetText asset = moving_cube();
+    asset.json()["materials"][0]["alphaMode"] = "MASK";
+    asset.uses("KHR_animation_pointer");
+    const int input =
+        asset.accessor("SCALAR", 5126, 2, floats({0, 1}), {{"min", {0}}, {"max", {1}}});
+    const int output = asset.accessor("VEC4", 5126, 2, floats({1, 1, 1, before, 1, 1, 1, after}));
+    Json target{{"path", "pointer"}};
+    target["extensions"]["KHR_animation_pointer"]["pointer"] =
+        "/materials/0/pbrMetallicRoughness/baseColorFactor";
+    Json& animation = asset.json()["animations"][0];
+    animation["channels"].push_back({{"sampler", 1}, {"target", target}});
+    animation["samplers"].push_back({{"input", input}, {"output", output}});
+    return asset;
+  };
+  options.clip = "slide";
+  options.fps = 4;
+  asset_ = fade(0, 1);
+  EXPECT_EQ(names_of(bake_to("a.png")).size(), 4U);
+  EXPECT_EQ(middle_of(png("a-000.png")), -1) << "nothing is seen";
+  EXPECT_EQ(middle_of(png("a-001.png")), -1);
+  const double middle = middle_of(png("a-003.png"));
+  EXPECT_GT(middle, 0.6) << "all frames that show it are in view";
+  EXPECT_LT(middle, 0.9);
+  asset_ = fade(0, 0);
+  EXPECT_EQ(bake_to("b.png").problem, BakeProblem::nothing_to_see);
+}
+
 TEST_F(Frames, WebPIsAnAnimation) {
   options.clip = "0";
   EXPECT_THAT(names_of(bake_to("a.webp")), ElementsAre("a.webp"));

@@ -123,5 +123,28 @@ TEST_F(Markers, LinesOfLengthZeroAreNothingToSee) {
   EXPECT_EQ(report(asset).problem, BakeProblem::nothing_to_see);
 }
 
+// The scene grows, but nothing changes its thickness.
+TEST_F(Markers, HaveOneSizeInAllFramesOfAClip) {
+  const int mesh = add_mesh(kPoints, {{0, 0, 0}});
+  asset.node({{"mesh", mesh}});
+  const int moved = asset.node({{"mesh", mesh}});
+  asset.orthographic(1, 3);
+  const int input = asset.accessor("SCALAR", 5126, 2, floats({0, 1}), {{"min", {0}}, {"max", {1}}});
+  const int output = asset.accessor("VEC3", 5126, 2, floats({0.5F, 0, 0, 0.5F, 0, -50}));
+  const Json channel{{"sampler", 0}, {"target", {{"node", moved}, {"path", "translation"}}}};
+  asset.add("animations", {{"channels", Json::array({channel})},
+                           {"samplers", Json::array({{{"input", input}, {"output", output}}})}});
+  options.cameras = {"0"};
+  options.clip = "0";
+  options.fps = 3;
+  options.output = (folder.path() / "picture.exr").native();
+  const BakeReport done = report(asset);
+  ASSERT_EQ(done.written.size(), 3U) << done.error;
+  const double first = covered(read_numbers(done.written[0]));
+  EXPECT_GT(first, 0.01);
+  EXPECT_NEAR(covered(read_numbers(done.written[1])), first, 0.1 * first);
+  EXPECT_NEAR(covered(read_numbers(done.written[2])), first, 0.1 * first);
+}
+
 }  // namespace
 }  // namespace gltfx::test
