@@ -31,7 +31,7 @@ BakeOptions options_of(const BakeOptions& options, const BakeInput& input, std::
   return each;
 }
 
-/// Two files, drawn alike.
+/// Two files, drawn alike. Precondition: the output, if there is one, has a format for bytes.
 class Comparison {
  public:
   Comparison(const std::string& first, const std::string& second, const BakeOptions& options)
@@ -48,8 +48,8 @@ class Comparison {
   void compare() {
     const BakeSize size = options_.sizes.front();
     const double aspect = static_cast<double>(size.width) / size.height;
-    const std::string camera = options_.cameras.empty() ? std::string() : options_.cameras.front();
-    const auto views = choose_views(first_, options_, aspect, camera);
+    const auto cameras = named_cameras(first_, options_, first_.report.notes);
+    const auto views = choose_views(first_, options_, aspect, cameras.front().word);
     if (!views) {
       first_.report.problem = BakeProblem::refused;
       first_.report.error = views.error().message;
@@ -69,8 +69,10 @@ class Comparison {
                            : std::numeric_limits<double>::infinity();
     ssim_ = prove::structural_similarity(left, right, a, b);
     if (options_.output.empty()) return;
-    auto trouble = write_picture(prove::difference(left, right), options_.output);
-    if (trouble) error_ = std::move(trouble->message);
+    const auto format = output_format_of_bytes(options_);
+    const auto image = encode_picture(prove::difference(left, right), *format);
+    const auto trouble = image ? write_image(*image, options_.output) : image.error();
+    if (trouble) error_ = trouble->message;
   }
 
   render::Framebuffer draw(const BakeScene& loaded, const render::View& view, double before) const {
@@ -160,15 +162,22 @@ std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& 
 
 BakeComparison bake_comparison(const std::string& first, const std::string& second,
                                const BakeOptions& options) {
+  const auto failed = [&](BakeProblem problem, std::string error) {
+    BakeComparison none;
+    none.first.path = first;
+    none.second.path = second;
+    none.first.problem = problem;
+    none.first.error = std::move(error);
+    return none;
+  };
+  if (!options.output.empty()) {
+    const auto format = output_format_of_bytes(options);
+    if (!format) return failed(BakeProblem::refused, format.error().message);
+  }
   try {
     return Comparison(first, second, options).run();
   } catch (const std::bad_alloc&) {
-    BakeComparison failed;
-    failed.first.path = first;
-    failed.second.path = second;
-    failed.first.problem = BakeProblem::unreadable;
-    failed.first.error = "there is not enough memory to draw the files";
-    return failed;
+    return failed(BakeProblem::unreadable, "there is not enough memory to draw the files");
   }
 }
 

@@ -116,6 +116,10 @@ std::optional<std::pair<double, double>> find_preset(std::string_view word) {
   return std::nullopt;
 }
 
+bool is_for_any_asset(const std::string& camera) {
+  return parse_angles(camera) || find_preset(camera);
+}
+
 std::vector<std::string> camera_file_parts(const std::vector<std::string>& cameras) {
   std::vector<std::string> parts;
   for (std::string part : cameras) {

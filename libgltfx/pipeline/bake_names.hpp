@@ -42,6 +42,9 @@ std::optional<std::pair<double, double>> parse_angles(const std::string& word);
 /// "bottom" or "iso", as azimuth and elevation in degrees; or nothing.
 std::optional<std::pair<double, double>> find_preset(std::string_view word);
 
+/// Whether a camera is one of these.
+bool is_for_any_asset(const std::string& camera);
+
 /// The part of the names of files that stands for each camera: letters of ASCII, digits, '-', '_'
 /// and ',' of its word, '_' for all else, and another '_' at the end where two would be the same.
 std::vector<std::string> camera_file_parts(const std::vector<std::string>& cameras);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <functional>
 #include <optional>
+#include <set>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,11 +13,11 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "pipeline/bake_clip.hpp"
-#include "pipeline/bake_names.hpp"
 #include "pipeline/bake_picture.hpp"
 #include "pipeline/bake_strip.hpp"
 #include "pipeline/bake_views.hpp"
 #include "pipeline/picture_file.hpp"
+#include "pipeline/picture_names.hpp"
 #include "pipeline/thumbnail.hpp"
 #include "preview/picture.hpp"
 
@@ -39,8 +39,8 @@ class Baker {
       : options_(options), loaded_(std::move(loaded)), report_(loaded_.report), kept_(kept) {}
 
   BakeReport run() {
-    if (loaded_.ready() && check_output() && choose_shots() && check_layout() && draw_all() &&
-        options_.embed) {
+    if (loaded_.ready() && check_output() && choose_shots() && check_layout() && check_names() &&
+        draw_all() && options_.embed) {
       embed();
     }
     return std::move(report_);
@@ -63,32 +63,14 @@ class Baker {
                 "JPEG cannot have a transparent background; PNG, WebP and OpenEXR can");
   }
 
-  // Without those that the asset lacks, if that is no mistake.
-  std::vector<std::string> cameras_of_asset() {
-    std::vector<std::string> cameras;
-    for (const std::string& camera : options_.cameras) {
-      const auto error = options_.if_present ? find_camera_error(loaded_, camera) : std::nullopt;
-      if (!error) cameras.push_back(camera);
-      if (error && !loaded_.scene->cameras.empty()) report_.notes.push_back(error->message);
-    }
-    if (cameras.empty()) cameras.emplace_back();
-    return cameras;
-  }
-
   bool choose_shots() {
-    const std::vector<std::string> cameras = cameras_of_asset();
-    const std::vector<std::string> parts = camera_file_parts(cameras);
+    const std::vector<NamedCamera> cameras = named_cameras(loaded_, options_, report_.notes);
     for (const BakeSize& size : options_.sizes) {
-      for (std::size_t i = 0; i < cameras.size(); ++i) {
+      for (const auto& [camera, part] : cameras) {
         const double aspect = static_cast<double>(size.width) / size.height;
-        auto views = choose_views(loaded_, options_, aspect, cameras[i]);
+        auto views = choose_views(loaded_, options_, aspect, camera);
         if (!views) return fail(BakeProblem::refused, views.error().message);
-        Shot shot{size, {}, *std::move(views), {}};
-        if (options_.cameras.size() > 1 && !parts[i].empty()) shot.suffix = "." + parts[i];
-        if (options_.sizes.size() > 1) {
-          shot.suffix += fmt::format("-{}x{}", size.width, size.height);
-        }
-        shots_.push_back(std::move(shot));
+        shots_.push_back({size, shot_suffix(options_, part, size), *std::move(views), {}});
       }
     }
     choose_backdrop(loaded_, shots_.front().views.front(), options_);
@@ -100,12 +82,7 @@ class Baker {
   bool has_frames() const { return options_.turntable > 0 || loaded_.clip; }
 
   bool check_layout() {
-    layout_ = options_.layout;
-    if (!options_.clip.empty() && !loaded_.clip) layout_ = BakeLayout::files;  // the asset lacks it
-    if (layout_ == BakeLayout::automatic) {
-      const bool webp = format_ == codec::EncodedFormat::webp;
-      layout_ = webp && has_frames() ? BakeLayout::animation : BakeLayout::files;
-    }
+    layout_ = layout_of(options_, has_frames(), format_ == codec::EncodedFormat::webp);
     if (layout_ == BakeLayout::files) return true;
     if (!has_frames()) {
       return fail(BakeProblem::refused, "a layout needs the frames of a turntable or clip");
@@ -128,6 +105,36 @@ class Baker {
                               frames, shot.size.width, shot.size.height, kMostSide, kMostInAll));
     }
     return true;
+  }
+
+  // A layer of one camera may be called like another camera.
+  bool check_names() {
+    std::set<std::string> names;
+    const auto add = [&](const std::string& suffix) {
+      if (names.insert(suffix).second) return true;
+      const std::string name =
+          options_.output.empty() ? suffix : with_suffix(options_.output, suffix);
+      return fail(BakeProblem::refused,
+                  fmt::format("two pictures would have the name {}", quoted(name, 200)));
+    };
+    for (const Shot& shot : shots_) {
+      const std::size_t files =
+          layout_ == BakeLayout::files ? shot.views.size() * clip_frames() : 1;
+      for (std::size_t i = 0; i < files; ++i) {
+        const std::string name = picture_suffix(shot, i);
+        const auto taken = [&](BakeLayer layer) { return !add(name + layer_suffix(layer)); };
+        if (!add(name) || std::any_of(options_.layers.begin(), options_.layers.end(), taken)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  // Of a picture among those of a shot.
+  std::string picture_suffix(const Shot& shot, std::size_t number) const {
+    const bool numbered = has_frames() && layout_ == BakeLayout::files;
+    return numbered ? shot.suffix + frame_suffix(number) : shot.suffix;
   }
 
   bool draw_all() {
@@ -159,11 +166,7 @@ class Baker {
       const render::Framebuffer drawn =
           draw_picture(loaded_, shot.views[i], shot.size, options_, layers_of(options_), part());
       ++done_;
-      std::string suffix = shot.suffix;
-      if (has_frames() && layout_ == BakeLayout::files) {
-        suffix += fmt::format("-{:03}", i + moment);
-      }
-      if (!take(drawn, shot, suffix)) return false;
+      if (!take(drawn, shot, picture_suffix(shot, i + moment))) return false;
     }
     return true;
   }
@@ -188,8 +191,7 @@ class Baker {
     for (const BakeLayer layer : options_.layers) {
       preview::Picture seen =
           preview::layer_picture(drawn, static_cast<preview::Layer>(layer), numbers);
-      const std::string ending = fmt::format("{}-{}", suffix, bake_layer_name(layer));
-      if (!put(std::move(seen), shot, ending)) return false;
+      if (!put(std::move(seen), shot, suffix + layer_suffix(layer))) return false;
     }
     return true;
   }
@@ -213,23 +215,14 @@ class Baker {
     return true;
   }
 
-  // The layer of one camera may be called like another camera.
-  static std::string same_name(const std::string& name) {
-    return fmt::format("two pictures would have the name {}", quoted(name, 200));
-  }
-
   bool write(const Result<codec::EncodedImage>& image, const std::string& suffix) {
     if (!image) return fail(BakeProblem::not_written, image.error().message);
     if (kept_ != nullptr) {
       const auto* text = reinterpret_cast<const char*>(image->bytes.data());
-      const bool is_new = kept_->emplace(suffix, std::string(text, image->bytes.size())).second;
-      return is_new || fail(BakeProblem::not_written, same_name(suffix));
+      kept_->emplace(suffix, std::string(text, image->bytes.size()));
+      return true;
     }
     const std::string path = with_suffix(options_.output, suffix);
-    const auto& written = report_.written;
-    if (std::find(written.begin(), written.end(), path) != written.end()) {
-      return fail(BakeProblem::not_written, same_name(path));
-    }
     if (auto trouble = write_image(*image, path)) {
       return fail(BakeProblem::not_written, std::move(trouble->message));
     }

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "pipeline/bake_names.hpp"
+#include "pipeline/picture_names.hpp"
 #include "preview/framing.hpp"
 #include "preview/interior.hpp"
 #include "preview/view_choice.hpp"
@@ -87,9 +88,21 @@ render::View moved(render::View view, const Vec3d& from_origin, const Vec3d& to_
   return view;
 }
 
-std::optional<Error> find_camera_error(const BakeScene& loaded, const std::string& camera) {
-  const auto choice = choose_camera(loaded, camera);
-  return choice ? std::nullopt : std::optional(choice.error());
+std::vector<NamedCamera> named_cameras(const BakeScene& loaded, const BakeOptions& options,
+                                       std::vector<std::string>& notes) {
+  std::vector<NamedCamera> cameras;
+  const std::vector<std::string> parts = camera_parts(options);
+  for (std::size_t i = 0; i < options.cameras.size(); ++i) {
+    const std::string& word = options.cameras[i];
+    if (options.if_present) {
+      const auto choice = choose_camera(loaded, word);
+      if (!choice && !loaded.scene->cameras.empty()) notes.push_back(choice.error().message);
+      if (!choice) continue;
+    }
+    cameras.push_back({word, parts[i]});
+  }
+  if (cameras.empty()) cameras.emplace_back();
+  return cameras;
 }
 
 Result<std::vector<render::View>> choose_views(const BakeScene& loaded, const BakeOptions& options,

@@ -4,7 +4,6 @@
 
 #include <gltfx/bake.hpp>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +16,15 @@ namespace gltfx {
 /// The view in another scene, whose origin may differ.
 render::View moved(render::View view, const Vec3d& from_origin, const Vec3d& to_origin);
 
-/// Why there is no such camera; nothing where there is. Precondition: the scene is ready.
-std::optional<Error> find_camera_error(const BakeScene& loaded, const std::string& camera);
+/// A camera that the options name.
+struct NamedCamera {
+  std::string word;       ///< "": the usual one
+  std::string file_part;  ///< of the names of its pictures; may be empty
+};
+/// With `if_present` without those that the asset lacks, which are noted where it has others. The
+/// usual one if there are none. Precondition: the scene is ready.
+std::vector<NamedCamera> named_cameras(const BakeScene& loaded, const BakeOptions& options,
+                                       std::vector<std::string>& notes);
 
 /// The views of one of the cameras that the options may name, "" for the usual one: one, or all of
 /// a turntable. An Error when there is no such camera, or it cannot do what is asked for.

@@ -81,6 +81,12 @@ Result<EncodedFormat> output_format(const BakeOptions& options) {
   return EncodedFormat::png;
 }
 
+Result<EncodedFormat> output_format_of_bytes(const BakeOptions& options) {
+  auto format = output_format(options);
+  if (!format || !holds_floats(*format)) return format;
+  return Error{"the picture has 8 bits for each channel, which OpenEXR does not hold"};
+}
+
 bool holds_floats(EncodedFormat format) { return format == EncodedFormat::exr; }
 
 bool holds_alpha(EncodedFormat format) { return format != EncodedFormat::jpeg; }

@@ -21,6 +21,9 @@ Result<codec::EncodedFormat> picture_format(const std::string& path);
 /// The format of the pictures at `output`; an Error where nothing says it.
 Result<codec::EncodedFormat> output_format(const BakeOptions& options);
 
+/// The same where they have 8 bits a channel.
+Result<codec::EncodedFormat> output_format_of_bytes(const BakeOptions& options);
+
 /// Whether a format holds floats instead of bytes.
 bool holds_floats(codec::EncodedFormat format);
 /// Whether it holds alpha.

@@ -254,6 +254,20 @@ TEST_F(Frames, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_THAT(error("a.png"), HasSubstr("fps: neither 0 nor from 0.01 to 1000"));
 }
 
+TEST_F(Frames, TwoPicturesWithOneNameAreRefusedBeforeAnythingIsDrawn) {
+  asset_.orthographic(1, 3);
+  asset_.orthographic(1, 4);
+  asset_.json()["cameras"][0]["name"] = "x";
+  asset_.json()["cameras"][1]["name"] = "x-depth";
+  options.cameras = {"x", "x-depth"};
+  options.layers = {BakeLayer::depth};
+  const BakeReport done = bake_to("a.png");
+  EXPECT_EQ(done.problem, BakeProblem::refused);
+  EXPECT_THAT(done.error, HasSubstr("a.x-depth.png"));
+  EXPECT_TRUE(done.pixels.bytes.empty());
+  EXPECT_FALSE(fs::exists(folder.path() / "a.x.png"));
+}
+
 TEST_F(Frames, WhatAnAssetLacksIsLeftOutIfAsked) {
   options.if_present = true;
   options.clip = "run";

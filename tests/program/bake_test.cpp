@@ -120,6 +120,24 @@ TEST_F(BakeTest, CompareSaysHowMuchDiffers) {
               testing::ContainsRegex("^PSNR [0-9]+\\.[0-9][0-9] dB, SSIM 0\\.[0-9]{4}\n$"));
 }
 
+TEST_F(BakeTest, ADifferenceIsWrittenInTheFormatThatIsNamed) {
+  const std::string bowl = fixture("good/bowl.glb");
+  const Outcome named =
+      bake({bowl, "--compare", bowl, "-f", "png", "-o", "diff", "--camera", "eye", "--if-present"});
+  EXPECT_EQ(named.code, 0) << named.err;
+  EXPECT_THAT(content("diff"), testing::StartsWith("\x89PNG"));
+  const auto refused = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"gone.glb", "--compare", bowl});
+    const Outcome outcome = bake(words);
+    EXPECT_EQ(outcome.code, 2) << "before anything is read";
+    return outcome.err;
+  };
+  EXPECT_THAT(refused({"-o", "diff.exr"}), HasSubstr("which OpenEXR does not hold"));
+  EXPECT_THAT(refused({"-o", "other", "-f", "exr"}), HasSubstr("which OpenEXR does not hold"));
+  EXPECT_THAT(refused({"-o", "diff.png", "-f", "webp"}), HasSubstr("that of another format"));
+  EXPECT_THAT(refused({"-o", "./", "-f", "png"}), HasSubstr("is a folder"));
+}
+
 TEST_F(BakeTest, WrongWordsAreNamed) {
   const std::string leaf = fixture("good/leaf.gltf");
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases{

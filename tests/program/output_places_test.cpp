@@ -118,5 +118,61 @@ TEST_F(OutputPlaces, ALayerIsNoPictureOfAnotherAsset) {
   EXPECT_FALSE(is_there("out"));
 }
 
+TEST_F(OutputPlaces, SeveralViewsOfOneAssetAreNoPicturesOfAnother) {
+  add_bowls({"in/bowl.glb", "in/bowl.top.glb"});
+  std::vector<std::string> words = draw({"in", "-o", "out", "--camera", "top", "--camera", "iso"});
+  EXPECT_EQ(run_here(words).code, 0) << "all of them have two";
+  words = draw({"in", "-o", "other", "--camera", "top", "--camera", "0", "--if-present"});
+  EXPECT_EQ(run_here(words).code, 0);
+  fs::rename(folder_.path() / "in/bowl.top.glb", folder_.path() / "in/bowl.0.glb");
+  const Outcome outcome =
+      run_here(draw({"in", "-o", "gone", "--camera", "0", "--camera", "1", "--if-present"}));
+  EXPECT_EQ(outcome.code, 2) << "an asset without these cameras has a picture without their names";
+  EXPECT_THAT(outcome.err, HasSubstr("two inputs would be written to 'gone/bowl.0.png'"));
+  EXPECT_FALSE(is_there("gone"));
+}
+
+TEST_F(OutputPlaces, TheSheetIsNoneOfSeveralPictures) {
+  add_bowls({"bowl.glb"});
+  const auto code = [&](const std::vector<std::string>& words, const std::string& sheet) {
+    std::vector<std::string> all = draw({"bowl.glb", "-o", "out/a.png", "--sheet", sheet});
+    all.insert(all.end(), words.begin(), words.end());
+    const Outcome outcome = run_here(all);
+    if (outcome.code != 0) {
+      EXPECT_THAT(outcome.err, HasSubstr("--sheet: "));
+    }
+    return outcome.code;
+  };
+  EXPECT_EQ(code({}, "out/a.png"), 2);
+  EXPECT_EQ(code({"--camera", "top", "--camera", "iso"}, "out/a.iso.png"), 2);
+  EXPECT_EQ(code({"--size", "8", "--size", "4"}, "out/a-4x4.png"), 2);
+  EXPECT_EQ(code({"--turntable", "2"}, "out/a-001.png"), 2);
+  EXPECT_EQ(code({"--turntable", "2", "--layer", "depth"}, "out/a-001-depth.png"), 2);
+  EXPECT_EQ(code({}, "out/sheet.exr"), 2) << "it has 8 bits a channel";
+  EXPECT_FALSE(is_there("out"));
+  EXPECT_EQ(code({"--turntable", "2"}, "out/a.png"), 0);
+  EXPECT_EQ(code({"--camera", "top", "--camera", "iso"}, "out/a.png"), 0);
+}
+
+TEST_F(OutputPlaces, FramesAndLayersOfAnAssetAreNoPicturesOfAnother) {
+  add_bowls({"in/bowl.glb", "in/bowl-depth.glb", "in/bowl-000.glb"});
+  const Outcome apart = run_here(draw({"in", "-o", "out", "--turntable", "2", "--layer", "depth"}));
+  EXPECT_EQ(apart.code, 0) << apart.err;
+  EXPECT_TRUE(is_there("out/bowl-000-depth.png"));
+  EXPECT_TRUE(is_there("out/bowl-depth-000.png"));
+  const Outcome still = run_here(draw({"in", "-o", "gone", "--clip", "walk", "--if-present"}));
+  EXPECT_EQ(still.code, 2) << "one may have the clip, the other lack it";
+  EXPECT_THAT(still.err, HasSubstr("two inputs would be written to 'gone/bowl-#.png'"));
+  EXPECT_FALSE(is_there("gone"));
+}
+
+TEST_F(OutputPlaces, TwoPicturesOfAnAssetAreNotOneFile) {
+  add_bowls({"bowl.glb"});
+  const Outcome outcome = run_here(draw({"bowl.glb", "-o", "a.png", "--layer", "depth", "--camera",
+                                         "x", "--camera", "x-depth", "--if-present"}));
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("two pictures of 'bowl.glb' would be written to"));
+}
+
 }  // namespace
 }  // namespace gltfx::program

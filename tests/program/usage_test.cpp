@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{{"validate", "a.gltf", "--format", "json=x", "--write-baseline", "./x"},
                             "--write-baseline: './x' is where --format json writes."},
                     Mistake{{"bake", "a.gltf", "-o", "a.png", "--sheet", "./a.png"},
-                            "--sheet: './a.png' is where --output writes."},
+                            "is a picture of 'a.gltf', too; name another file."},
                     Mistake{{"bake", "a.gltf", "b.gltf", "-o", "a.png"},
                             "'a.png' looks like one picture, but there may be several assets"},
                     Mistake{{"rules", "UNUSED_OBJECT"}, "unexpected argument 'UNUSED_OBJECT'"},

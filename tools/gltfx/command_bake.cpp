@@ -117,11 +117,9 @@ class BakeRun {
       complain("--compare: name one file to compare with.");
       return ExitCode::usage;
     }
-    if (!options_.output.empty()) {
-      if (const std::string wrong = check_picture_name(options_.output); !wrong.empty()) {
-        complain(fmt::format("--output: {}.", wrong));
-        return ExitCode::usage;
-      }
+    if (const auto wrong = check_difference_name(request_)) {
+      complain(wrong->message);
+      return ExitCode::usage;
     }
     const BakeComparison compared =
         bake_comparison(named.paths.front(), request_.compare, options_);

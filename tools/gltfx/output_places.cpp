@@ -12,6 +12,7 @@
 
 #include "base/text.hpp"
 #include "output.hpp"
+#include "pipeline/picture_names.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 fs::path real_path(fs::path path) {
   while (!path.has_filename() && path.has_relative_path()) path = path.parent_path();  // "out/"
   std::error_code error;
-  fs::path real = fs::weakly_canonical(path, error);
+  fs::path real = fs::weakly_canonical(fs::absolute(path, error), error);
   return error ? path : real;
 }
 
@@ -177,18 +178,73 @@ std::vector<std::string> picture_names(const Inputs& inputs, const std::string& 
   return names;
 }
 
-// The outputs of an asset: its picture, and one for each layer. Those of several sizes or of a
-// turntable have similar endings, so that none has the name of a picture of another asset.
-std::vector<std::string> with_layers(const std::string& place, const BakeOptions& options) {
-  std::vector<std::string> pictures{place};
-  const fs::path picture(place);
-  for (const BakeLayer layer : options.layers) {
-    const std::string name = fmt::format("{}-{}{}", picture.stem().native(), bake_layer_name(layer),
-                                         picture.extension().native());
-    pictures.push_back((picture.parent_path() / name).native());
+/// The files of all pictures of a run.
+class PictureFiles {
+ public:
+  /// `sheet`: of all pictures, or empty.
+  PictureFiles(const Inputs& inputs, const BakeOptions& options, const std::string& sheet,
+               bool webp)
+      : inputs_(inputs),
+        suffixes_(possible_suffixes(options, webp)),
+        assets_(real_paths(inputs.paths)) {
+    if (!sheet.empty()) sheet_ = real_path(sheet);
   }
-  return pictures;
-}
+
+  /// Adds those of an input; `place` is that of a picture without a suffix. The Error names a
+  /// conflict.
+  std::optional<Error> add(std::size_t input, const std::string& place) {
+    for (const std::string& suffix : suffixes_.single) {
+      const std::string picture = with_suffix(place, suffix);
+      if (auto conflict = add(input, picture, real_path(picture))) return conflict;
+      if (suffixes_.numbered.empty()) continue;
+      const fs::path number = any_number(real_path(picture));
+      const auto frame = owners_.find(number);
+      if (frame != owners_.end() && frame->second != input) return same_output(picture);
+      like_frames_.emplace(number, input);
+    }
+    for (const std::string& suffix : suffixes_.numbered) {
+      const std::string picture = with_suffix(place, suffix);
+      const fs::path frame = real_path(picture);
+      if (auto conflict = add(input, picture, frame)) return conflict;
+      const auto other = like_frames_.find(frame);
+      if (other != like_frames_.end() && other->second != input) return same_output(picture);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static std::string with_suffix(const std::string& place, const std::string& suffix) {
+    const fs::path path(place);
+    return (path.parent_path() / (path.stem().native() + suffix + path.extension().native()))
+        .native();
+  }
+  static fs::path any_number(const fs::path& path) {
+    return path.parent_path() / (with_any_number(path.stem().native()) + path.extension().native());
+  }
+
+  std::optional<Error> add(std::size_t input, const std::string& picture, const fs::path& real) {
+    const std::string name = quoted(picture, 200);
+    const std::string asset = quoted(inputs_.paths[input], 200);
+    if (!sheet_.empty() && (real == sheet_ || real == any_number(sheet_))) {
+      return Error{fmt::format("--sheet: {} is a picture of {}, too; name another file.",
+                               quoted(sheet_.native(), 200), asset)};
+    }
+    if (assets_.contains(real)) {
+      return Error{fmt::format("--output: {} is an asset of this run.", name)};
+    }
+    const auto [owner, fresh] = owners_.emplace(real, input);
+    if (fresh) return std::nullopt;
+    if (owner->second != input) return same_output(picture);
+    return Error{fmt::format("--output: two pictures of {} would be written to {}.", asset, name)};
+  }
+
+  const Inputs& inputs_;
+  const PossibleSuffixes suffixes_;
+  const std::set<fs::path> assets_;
+  fs::path sheet_;
+  std::map<fs::path, std::size_t> owners_;       // inputs by picture
+  std::map<fs::path, std::size_t> like_frames_;  // of pictures that may be frames of others
+};
 
 bool is_folder(const Inputs& inputs, const std::string& output) {
   std::error_code error;
@@ -214,6 +270,11 @@ std::optional<Error> check_output_name(const BakeRequest& request) {
   }
   return Error{
       fmt::format("--format: the ending of {} is that of another format.", quoted(name, 200))};
+}
+
+Error no_floats(const char* option, const std::string& name) {
+  return {fmt::format("{}: {} would have 8 bits for each channel, which OpenEXR does not hold.",
+                      option, quoted(name, 200))};
 }
 
 }  // namespace
@@ -259,6 +320,18 @@ Result<std::vector<EditInput>> place_outputs(const Inputs& inputs, const std::st
   return placed;
 }
 
+std::optional<Error> check_difference_name(const BakeRequest& request) {
+  const std::string& name = request.bake.output;
+  if (name.empty()) return std::nullopt;
+  std::error_code error;
+  if (name.ends_with('/') || fs::is_directory(name, error)) {
+    return Error{fmt::format("--output: {} is a folder; name a file.", quoted(name, 200))};
+  }
+  if (auto wrong = check_output_name(request)) return wrong;
+  const bool exr = request.bake.format ? request.format == "exr" : ending_of(name) == ".exr";
+  return exr ? std::optional(no_floats("--output", name)) : std::nullopt;
+}
+
 Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& request) {
   const std::string& output = request.bake.output;
   PicturePlaces places;
@@ -280,30 +353,22 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
     if (const auto wrong = check_output_name(request)) return *wrong;
   }
   if (const auto wrong = check_name("--sheet", request.sheet)) return *wrong;
-  if (!folder && !request.sheet.empty() && same_place(request.sheet, output)) {
-    return Error{fmt::format("--sheet: {} is where --output writes.", quoted(request.sheet, 200))};
-  }
+  if (ending_of(request.sheet) == ".exr") return no_floats("--sheet", request.sheet);
   const bool all = request.paths.shard.count <= 1 && !inputs.paths.empty();
   if (folder && all && inputs.several && places.sheet.empty()) {
     places.sheet = (fs::path(output) / "contact-sheet.png").native();
   }
-  std::set<fs::path> targets;
-  const fs::path sheet = places.sheet.empty() ? fs::path() : real_path(places.sheet);
   const std::vector<std::string> names = picture_names(inputs, request.format);
+  const bool webp =
+      folder || request.bake.format ? request.format == "webp" : ending_of(output) == ".webp";
+  PictureFiles files(inputs, request.bake, places.sheet, webp);
   for (std::size_t i = 0; i < inputs.paths.size(); ++i) {
     const std::string place = folder ? (fs::path(output) / names[i]).native() : output;
-    if (folder) {
-      for (const std::string& picture : with_layers(place, request.bake)) {
-        const fs::path target = real_path(picture);
-        if (target == sheet) {
-          return Error{fmt::format("--sheet: {} is a picture of {}, too; name another file.",
-                                   quoted(picture, 200), quoted(inputs.paths[i], 200))};
-        }
-        if (!targets.insert(target).second) return same_output(picture);
+    if (!place.empty()) {
+      if (fs::equivalent(place, inputs.paths[i], error)) {
+        return Error{fmt::format("--output: {} is the asset itself.", quoted(place, 200))};
       }
-    }
-    if (!place.empty() && fs::equivalent(place, inputs.paths[i], error)) {
-      return Error{fmt::format("--output: {} is the asset itself.", quoted(place, 200))};
+      if (auto conflict = files.add(i, place)) return *std::move(conflict);
     }
     places.inputs.push_back({inputs.paths[i], place});
   }

@@ -5,6 +5,7 @@
 #include <gltfx/pipeline.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,5 +40,9 @@ struct PicturePlaces {
 /// of the path before it as distinguishes them. Otherwise it is the file. A run of one shard makes
 /// no contact sheet by default. The Error describes the conflict.
 Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& request);
+
+/// Why the difference of two pictures cannot be written to the output; nothing: it can, or there is
+/// none.
+std::optional<Error> check_difference_name(const BakeRequest& request);
 
 }  // namespace gltfx::tool
