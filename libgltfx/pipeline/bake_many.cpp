@@ -55,7 +55,7 @@ class Comparison {
       first_.report.error = views.error().message;
       return;
     }
-    choose_backdrop(first_, views->front(), options_);
+    first_.dim_backdrop = needs_dim_backdrop(first_, views->front(), options_);
     const render::Framebuffer a = draw(first_, views->front(), 0);
     first_.forget_faces();
     second_.follow(*first_.subject, first_.origin);

@@ -115,10 +115,11 @@ BakeReport guarded(const std::string& path, const std::function<BakeReport()>& w
   }
 }
 
-void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOptions& options) {
+bool needs_dim_backdrop(const BakeScene& loaded, const render::View& view,
+                        const BakeOptions& options) {
   constexpr double kLeast = 16;
   constexpr std::uint32_t kSide = 48;
-  if (!loaded.subject->flat || !has_backdrop(*loaded.scene, options)) return;
+  if (!loaded.subject->flat || !has_backdrop(*loaded.scene, options)) return false;
   BakeOptions small = options;
   small.quality = BakeQuality::draft;
   small.samples.reset();
@@ -132,7 +133,7 @@ void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOpti
   };
   const render::Framebuffer drawn =
       draw_picture(loaded, view, {side(aspect), side(1 / aspect)}, small, {.alpha = true}, {});
-  loaded.dim_backdrop = preview::edge_contrast(drawn, curve_of(options)) < kLeast;
+  return preview::edge_contrast(drawn, curve_of(options)) < kLeast;
 }
 
 bool is_transparent(const BakeOptions& options) {

@@ -20,9 +20,10 @@ BakeReport unreadable(const std::string& path, std::string why);
 /// What `work` says of the file; the library does not throw.
 BakeReport guarded(const std::string& path, const std::function<BakeReport()>& work);
 
-/// Dims the backdrop where a flat scene is as bright at its edges: less than 16 steps of lightness
-/// (CIE L*) from it. Precondition: the scene is ready.
-void choose_backdrop(BakeScene& loaded, const render::View& view, const BakeOptions& options);
+/// Whether a flat scene is as bright at its edges as the backdrop: less than 16 steps of lightness
+/// (CIE L*) from it. Precondition: the scene is ready, and its backdrop not dimmed.
+bool needs_dim_backdrop(const BakeScene& loaded, const render::View& view,
+                        const BakeOptions& options);
 
 /// Whether pictures have an alpha channel.
 bool is_transparent(const BakeOptions& options);

@@ -29,6 +29,7 @@ struct Shot {
   BakeSize size;
   std::string suffix;  ///< of the names of its files
   std::vector<render::View> views;
+  bool dim_backdrop = false;                 ///< as its first view asks for
   std::map<std::string, FrameStrip> strips;  ///< by suffix, of pictures that become one file
 };
 
@@ -70,10 +71,10 @@ class Baker {
         const double aspect = static_cast<double>(size.width) / size.height;
         auto views = choose_views(loaded_, options_, aspect, camera);
         if (!views) return fail(BakeProblem::refused, views.error().message);
-        shots_.push_back({size, shot_suffix(options_, part, size), *std::move(views), {}});
+        const bool dim = needs_dim_backdrop(loaded_, views->front(), options_);
+        shots_.push_back({size, shot_suffix(options_, part, size), *std::move(views), dim, {}});
       }
     }
-    choose_backdrop(loaded_, shots_.front().views.front(), options_);
     loaded_.forget_faces();
     return true;
   }
@@ -90,21 +91,34 @@ class Baker {
     if (layout_ == BakeLayout::animation && format_ != codec::EncodedFormat::webp) {
       return fail(BakeProblem::refused, "only WebP files can be animations");
     }
+    return check_strips();
+  }
+
+  // Frames of one file are in memory until it is written, those of a clip until all files are.
+  bool check_strips() {
     constexpr std::uint32_t kMostSide = 16383;
     constexpr std::uint64_t kMostInAll = 8192ULL * 16384;
+    const std::uint64_t each = (1 + options_.layers.size()) * (holds_floats(format_) ? 4 : 1);
+    std::uint64_t held = 0;  // pixels of 8 bits a channel
     for (const Shot& shot : shots_) {
       const auto frames = static_cast<std::uint32_t>(shot.views.size()) * clip_frames();
       const FrameGrid grid = layout_ == BakeLayout::sprites ? grid_of(frames) : FrameGrid();
       const std::uint64_t width = std::uint64_t{shot.size.width} * grid.columns;
       const std::uint64_t height = std::uint64_t{shot.size.height} * grid.rows;
       const std::uint64_t all = std::uint64_t{shot.size.width} * shot.size.height * frames;
+      held = loaded_.clip ? held + all * each : std::max(held, all * each);
       if (std::max(width, height) <= kMostSide && all <= kMostInAll) continue;
       return fail(BakeProblem::refused,
                   fmt::format("{} frames of {}x{} pixels are too many for one file: a side has at "
                               "most {} pixels, all frames together {}",
                               frames, shot.size.width, shot.size.height, kMostSide, kMostInAll));
     }
-    return true;
+    if (held <= kMostInAll) return true;
+    return fail(BakeProblem::refused,
+                fmt::format("frames of {} pixels would be in memory at the same time, but at most "
+                            "{} may be (in OpenEXR a quarter); draw cameras, sizes or layers one "
+                            "by one",
+                            held, kMostInAll));
   }
 
   // A layer of one camera may be called like another camera.
@@ -162,6 +176,7 @@ class Baker {
   }
 
   bool draw(Shot& shot, std::uint32_t moment) {
+    loaded_.dim_backdrop = shot.dim_backdrop;
     for (std::size_t i = 0; i < shot.views.size(); ++i) {
       const render::Framebuffer drawn =
           draw_picture(loaded_, shot.views[i], shot.size, options_, layers_of(options_), part());

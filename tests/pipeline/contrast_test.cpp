@@ -63,6 +63,37 @@ TEST_F(Contrast, SidesOfAWhiteCubeDiffer) {
   expect_apart(asset, {{0.35, 0.55}, {0.8, 0.5}, {0.55, 0.13}}, 6);
 }
 
+// Also where another camera comes first, for which the backdrop is bright.
+TEST_F(Contrast, EachCameraHasTheBackdropThatItNeeds) {
+  AssetText asset;
+  render::Mesh square;
+  square.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  square.triangles = {{0, 1, 2}, {0, 2, 3}};
+  Json material = dielectric({1, 1, 1, 1}, 1);
+  material["doubleSided"] = true;
+  asset.draw(square, material);
+  options.samples = 4;
+  options.sizes = {{32, 32}};
+  std::map<std::string, std::string> alone;
+  const std::vector<std::string> cameras{"front", "60,0", "30,60"};
+  for (const std::string& camera : cameras) {
+    options.cameras = {camera};
+    options.output = (folder.path() / "alone.png").native();
+    EXPECT_EQ(report(asset).problem, BakeProblem::none);
+    alone[camera] = file_content(options.output);
+  }
+  for (const std::string& first : cameras) {
+    for (const std::string& second : cameras) {
+      if (first == second) continue;
+      options.cameras = {first, second};
+      const BakeReport done = report(asset);
+      ASSERT_EQ(done.written.size(), 2U) << done.error;
+      EXPECT_TRUE(file_content(done.written[0]) == alone[first]) << first << ", " << second;
+      EXPECT_TRUE(file_content(done.written[1]) == alone[second]) << first << ", " << second;
+    }
+  }
+}
+
 TEST_F(Contrast, FlatSquaresStandOutFromTheBackdrop) {
   for (const double grey : {1.0, 0.75, 0.6, 0.5, 0.2, 0.0}) {
     for (const bool level : {false, true}) {

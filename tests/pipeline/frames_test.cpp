@@ -246,6 +246,12 @@ TEST_F(Frames, WhatDoesNotGoTogetherIsRefused) {
   options.layout = BakeLayout::sprites;
   options.sizes = {{4000, 4000}};
   EXPECT_THAT(error("a.png"), HasSubstr("24 frames of 4000x4000 pixels are too many"));
+  options.sizes = {{1600, 1600}};
+  options.cameras = {"front", "back", "top"};
+  EXPECT_THAT(error("a.png"), HasSubstr("frames of 184320000 pixels would be in memory"));
+  options.cameras.clear();
+  options.layers = {BakeLayer::albedo, BakeLayer::depth};
+  EXPECT_THAT(error("a.png"), HasSubstr("frames of 184320000 pixels would be in memory"));
   options.sizes = {{8, 8}};
   options.turntable = 3;
   EXPECT_THAT(error("a.png"), HasSubstr("a clip cannot be combined with a turntable"));
