@@ -84,7 +84,7 @@ bool is_far(const PositionBox& box) {
   constexpr double kFar = 8;  // in extents
   constexpr double kFarthest = 1e12;
   const double reach = box.reach();
-  return box.size() > 0 && reach > kFar * box.size() && reach < kFarthest;
+  return reach > kFar * box.size() && reach < kFarthest;
 }
 
 class GeometryReader {
@@ -142,7 +142,7 @@ class GeometryReader {
     const PositionBox box = box_of(geometry_.positions);
     const bool rounded = stored == ComponentType::float32 || stored == ComponentType::float64;
     const double step = step_at(box.reach());
-    if (rounded && step > box.size() / 1000) geometry_.coarse_step = step;
+    if (rounded && box.size() > 0 && step > box.size() / 1000) geometry_.coarse_step = step;
     if (!is_far(box)) return;
     geometry_.origin = box.middle();
     for (auto& position : geometry_.positions) {

@@ -14,7 +14,6 @@ namespace {
 using render::cube;
 using testing::Contains;
 using testing::HasSubstr;
-using testing::IsEmpty;
 
 using Place = std::array<double, 3>;
 constexpr Place kUtm{500000.25, 4649776.5, 120.125};
@@ -35,7 +34,7 @@ class FarFromOrigin : public Baking {
     fill(asset, place);
     const BakeReport done = report(asset);
     EXPECT_EQ(done.problem, BakeProblem::none) << done.error;
-    EXPECT_THAT(done.notes, IsEmpty());
+    EXPECT_TRUE(done.notes.empty() || coarse_) << done.notes.front();
     return done.pixels.bytes;
   }
 
@@ -48,6 +47,8 @@ class FarFromOrigin : public Baking {
     for (std::size_t i = 0; i < near.size(); ++i) sum += std::abs(int{near[i]} - int{far[i]});
     return sum / static_cast<double>(near.size());
   }
+
+  bool coarse_ = false;  ///< positions are rounded to more than a thousandth of their extent
 };
 
 // A large cube and a small one beside it, in the space of their parent.
@@ -152,6 +153,32 @@ TEST_F(FarFromOrigin, VerticesMayBeFar) {
     }
   };
   EXPECT_LT(difference(here, {500000, 4649776, 64}), 1);
+}
+
+// Displacements are small beside the steps of their vertices; a vertex may even be nothing else.
+TEST_F(FarFromOrigin, MorphTargetsAreThereToo) {
+  const auto morphed = [](float half, float displacement) -> Fill {
+    return [=](AssetText& asset, const Place& place) {
+      const render::Mesh shape = cube(1);
+      render::Mesh base = cube(half);
+      for (Float3& p : base.positions) {
+        for (std::size_t i = 0; i < 3; ++i) p[i] += static_cast<float>(place[i]);
+      }
+      std::vector<Float3> moves(shape.positions.begin(), shape.positions.end());
+      for (Float3& move : moves) {
+        for (std::size_t i = 0; i < 3; ++i) move[i] *= displacement * static_cast<float>(i + 1);
+      }
+      const int mesh = asset.mesh(base, asset.material(plastic()));
+      Json& primitive = asset.json()["meshes"][0]["primitives"][0];
+      primitive["targets"] = {{{"POSITION", asset.positions(moves)}}};
+      asset.json()["meshes"][0]["weights"] = {0.75};
+      asset.node({{"mesh", mesh}});
+    };
+  };
+  coarse_ = true;
+  const Place place{1000000, 500000, 64};
+  EXPECT_LT(difference(morphed(0.125F, 0.03F), place), 1);
+  EXPECT_LT(difference(morphed(0, 0.05F), place), 1);
 }
 
 TEST_F(FarFromOrigin, WhatPositionsDoNotHoldIsNoted) {
