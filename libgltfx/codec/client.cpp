@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/fork.hpp"
+#include "base/work_count.hpp"
 #include "codec/draco_source.hpp"
 #include "codec/limited_job.hpp"
 #include "codec/pool.hpp"
@@ -199,6 +200,7 @@ ImageResult Client::decode_image(const ImageRequest& request) {
   if (resized && !in_image_worker(request.format)) return resize_elsewhere(request);
   Job job = image_job(state_->settings, request);
   if (resized) add_resize(job, request.resize, request.max_pixels);
+  ++work_count.decoded;
   return result_of<Image>(state_->decoders_of(request.format), job, request.bytes, request.origin,
                           request.pixels);
 }

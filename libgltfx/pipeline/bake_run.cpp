@@ -166,7 +166,8 @@ class Baker {
 
   // To a later frame of the clip.
   bool move_on(std::uint32_t moment) {
-    loaded_.bvh = std::nullopt;  // before its scene
+    const auto textures = loaded_.scene->textures;  // their pixels are those of the next one
+    loaded_.bvh = std::nullopt;                     // before its scene
     loaded_.scene.reset();
     BakeScene next = loaded_.clip->scene_of(moment, *loaded_.subject);
     if (!next.ready()) return fail(next.report.problem, std::move(next.report.error));

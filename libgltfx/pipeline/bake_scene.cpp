@@ -79,6 +79,10 @@ Result<std::optional<std::uint32_t>> choose_animation(const model::Asset& asset,
   return find_pose(asset, views);
 }
 
+bool is_clay(const BakeOptions& options) {
+  return options.overlay == BakeOverlay::clay || options.overlay == BakeOverlay::wireframe;
+}
+
 Result<SceneOptions> scene_options(const model::OpenedAsset& opened, const BakeOptions& options,
                                    BakeNotes& notes) {
   const model::Asset asset(opened.document());
@@ -109,21 +113,21 @@ Result<BuiltScene> build(const validate::ValidatedAsset& asset, const BakeOption
   auto wanted = scene_options(asset.asset(), options, notes);
   if (!wanted) return wanted.error();
   wanted->origin = origin;
-  wanted->outline = outline;
+  wanted->textures = !outline && !is_clay(options);
+  // Another one takes its place.
+  wanted->environment =
+      !outline && options.environment.empty() && options.lights != BakeLights::studio;
   const auto schemas = options.schemas ? options.schemas : schema::builtin_set();
   return build_scene(asset, *schemas, *wanted);
 }
 
 std::optional<Error> light(render::Scene& scene, const BakeOptions& options) {
-  if (options.lights == BakeLights::studio) scene.environment.reset();
   if (!options.environment.empty()) {
     auto environment = read_environment(options.environment);
     if (!environment) return environment.error();
     scene.environment = *std::move(environment);
   }
-  const bool clay =
-      options.overlay == BakeOverlay::clay || options.overlay == BakeOverlay::wireframe;
-  if (clay) preview::make_clay(scene);
+  if (is_clay(options)) preview::make_clay(scene);
   // Other lights follow when it is known what they shine on.
   for (render::SceneMaterial& each : scene.materials) {
     each.factors.emissive *= std::exp2(options.exposure);

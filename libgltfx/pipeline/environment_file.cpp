@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <variant>
 
 #include <fmt/format.h>
 
+#include "base/fork.hpp"
+#include "base/hash.hpp"
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "container/container.hpp"
@@ -22,6 +26,8 @@ namespace gltfx {
 namespace {
 
 constexpr std::uint32_t kWidest = 4096;
+
+using SharedEnvironment = std::shared_ptr<const render::EnvironmentImage>;
 
 // By the first bytes; by the ending if they are unknown, so that the decoder names the defect.
 std::optional<codec::ImageFormat> format_of(const std::string& path,
@@ -84,16 +90,12 @@ render::EnvironmentImage shrunk(const codec::Image& image) {
   return result;
 }
 
-}  // namespace
-
-Result<render::EnvironmentImage> read_environment(const std::string& path) {
+Result<SharedEnvironment> decode(const std::string& path, const container::Bytes& bytes) {
   const std::string name = quoted(path, 200);
-  const auto file = container::open_file(path);
-  if (!file) return Error{fmt::format("the environment {}: {}", name, file.error().message)};
-  const auto format = format_of(path, file->bytes);
+  const auto format = format_of(path, bytes);
   if (!format) return Error{fmt::format("the environment {} has no known image format", name)};
   codec::ImageRequest request;
-  request.bytes = file->bytes.view();
+  request.bytes = bytes.view();
   request.format = *format;
   request.pixels = true;
   request.floats = true;
@@ -102,7 +104,44 @@ Result<render::EnvironmentImage> read_environment(const std::string& path) {
   if (const auto* error = std::get_if<codec::DecodeError>(&decoded)) {
     return Error{fmt::format("the environment {} cannot be read: {}", name, error->message)};
   }
-  return shrunk(*std::get_if<codec::Image>(&decoded));
+  return std::make_shared<const render::EnvironmentImage>(
+      shrunk(*std::get_if<codec::Image>(&decoded)));
+}
+
+/// What was read last. Any number of threads may call: those who want the same wait for it.
+class LastEnvironment {
+ public:
+  Result<SharedEnvironment> read(const std::string& path, const container::Bytes& bytes) {
+    const std::lock_guard lock(mutex_);
+    HashParts parts;
+    parts.add(hash_bytes(bytes.text()));
+    parts.add(ending_of(path));
+    const Hash128 key = parts.finish();
+    if (image_ && key == key_) return image_;
+    auto image = decode(path, bytes);
+    if (!image) return image;
+    key_ = key;
+    image_ = *image;
+    return image;
+  }
+
+  static LastEnvironment& shared() {
+    static constinit PerProcess<LastEnvironment> last;
+    return last.get();
+  }
+
+ private:
+  std::mutex mutex_;
+  Hash128 key_;
+  SharedEnvironment image_;
+};
+
+}  // namespace
+
+Result<SharedEnvironment> read_environment(const std::string& path) {
+  const auto file = container::open_file(path);
+  if (file) return LastEnvironment::shared().read(path, file->bytes);
+  return Error{fmt::format("the environment {}: {}", quoted(path, 200), file.error().message)};
 }
 
 }  // namespace gltfx

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -177,10 +178,10 @@ class SceneBuilder {
     std::optional<preview::Subject> subject = preview::find_subject(scene_);
     const double pixel =
         subject && options_.picture_side > 0 ? subject->size() / options_.picture_side : 0;
-    if (!options_.outline) {
+    if (options_.textures) {
       textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel);
-      light(roots);
     }
+    if (options_.environment) light(roots);
     return {std::move(scene_), std::move(subject), {origin_[0], origin_[1], origin_[2]}, true};
   }
 
@@ -195,7 +196,9 @@ class SceneBuilder {
   void light(const model::SceneRoots& roots) {
     if (!roots.scene) return;
     const auto light = model::environment_light_of(asset_, *roots.scene, &animated_);
-    if (light) scene_.environment = environment_of(*light, resources_, pixel_budget_, notes_);
+    if (!light) return;
+    scene_.environment = std::make_shared<const render::EnvironmentImage>(
+        environment_of(*light, resources_, pixel_budget_, notes_));
   }
 
   void animate(const schema::Set& schemas) {
@@ -335,13 +338,15 @@ class SceneBuilder {
 };
 
 // By index: those of textures, and of the light from all around.
-std::vector<bool> images_in_use(const model::Asset& asset, std::optional<std::uint32_t> scene) {
+std::vector<bool> images_in_use(const model::Asset& asset, std::optional<std::uint32_t> scene,
+                                const SceneOptions& options) {
   std::vector<bool> used(asset.count(RootArray::images));
   for (const json::NodeId texture : asset.elements(RootArray::textures)) {
-    if (texture == json::kNoNode) continue;
+    if (texture == json::kNoNode || !options.textures) continue;
     for (const std::uint32_t image : model::read_texture(asset, texture).images) used[image] = true;
   }
-  const auto light = scene ? model::environment_light_of(asset, *scene) : std::nullopt;
+  const auto light =
+      scene && options.environment ? model::environment_light_of(asset, *scene) : std::nullopt;
   for (std::size_t i = 0; light && i < light->faces.size(); ++i) used[light->faces[i]] = true;
   return used;
 }
@@ -356,9 +361,7 @@ BuiltScene build_scene(const validate::ValidatedAsset& validated, const schema::
   const model::Views& views = opened.views();
   container::OpenedFiles files(opened.resolver());
   const model::SceneRoots roots = model::choose_scene(asset, views, options.scene);
-  const std::vector<bool> images = options.outline
-                                       ? std::vector<bool>(asset.count(RootArray::images))
-                                       : images_in_use(asset, roots.scene);
+  const std::vector<bool> images = images_in_use(asset, roots.scene, options);
   model::LoadedResources loaded =
       model::load_resources(opened.container(), files, asset, views, options.jobs, &images);
   for (const model::MissingData& missing : loaded.missing) notes.add(missing.sentence());

@@ -22,7 +22,8 @@ struct SceneOptions {
   std::optional<std::uint32_t> variant;    ///< of materials
   std::optional<std::uint32_t> frame;      ///< node whose subtree the picture is of; else all
   bool uvs = false;                        ///< texture coordinates also where no texture is
-  bool outline = false;  ///< what framing needs: without pixels and light from all around
+  bool textures = true;                    ///< else their images are not decoded
+  bool environment = true;                 ///< else the scene has none
   /// BuiltScene::origin; nothing: one that suits the scene.
   std::optional<Vec3d> origin;
   unsigned jobs = 0;  ///< threads; 0: as many as are worth it

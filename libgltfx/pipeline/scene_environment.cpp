@@ -15,6 +15,7 @@
 #include "codec/client.hpp"
 #include "model/image_codec.hpp"
 #include "model/node.hpp"
+#include "pipeline/scene_images.hpp"
 #include "render/environment.hpp"
 #include "render/texture.hpp"
 
@@ -121,7 +122,7 @@ std::variant<Face, std::string> read_face(const model::ResourceData& resources, 
   if (!budget.take(bytes)) return fmt::format("image {} needs too much memory", index);
   codec::ImageRequest request = model::image_request(resources, index);
   request.pixels = true;
-  const codec::ImageResult result = codec::Client::shared().decode_image(request);
+  const codec::ImageResult result = SceneImages::shared().decode(codec::Client::shared(), request);
   if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
     return fmt::format("image {} cannot be decoded ({})", index, printable(error->message));
   }

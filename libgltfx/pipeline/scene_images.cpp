@@ -11,9 +11,36 @@
 namespace gltfx {
 namespace {
 
-constexpr std::uint64_t kMostPixelBytes = std::uint64_t{128} << 20U;
+constexpr std::size_t kMostEntries = 4096;
 
 }  // namespace
+
+std::optional<codec::Image> SceneImages::find(const Key& key) {
+  const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                  [&](const Entry& each) { return each.key == key; });
+  if (known == entries_.end()) return std::nullopt;
+  codec::Image image = known->image;
+  image.owner = known->owner.lock();
+  if (known->image.owner) bytes_ -= image.pixels.size();
+  entries_.erase(known);
+  if (!image.owner) return std::nullopt;
+  add(key, image);
+  return image;
+}
+
+void SceneImages::add(const Key& key, const codec::Image& image) {
+  entries_.push_back({key, image, image.owner});
+  bytes_ += image.pixels.size();
+  const auto let_go = [this](Entry& entry) {
+    if (entry.image.owner) bytes_ -= entry.image.pixels.size();
+    entry.image.owner.reset();
+  };
+  if (entries_.size() > kMostEntries) {
+    let_go(entries_.front());
+    entries_.pop_front();
+  }
+  for (auto entry = entries_.begin(); bytes_ > most_bytes_; ++entry) let_go(*entry);
+}
 
 codec::ImageResult SceneImages::decode(codec::Client& client, const codec::ImageRequest& request) {
   const std::string_view text(reinterpret_cast<const char*>(request.bytes.data()),
@@ -21,23 +48,13 @@ codec::ImageResult SceneImages::decode(codec::Client& client, const codec::Image
   const Key key{hash_bytes(text), request.origin, request.format, request.halvings};
   {
     const std::lock_guard lock(mutex_);
-    const auto known = std::find_if(entries_.begin(), entries_.end(),
-                                    [&](const Entry& each) { return each.key == key; });
-    if (known != entries_.end()) {
-      std::rotate(known, known + 1, entries_.end());
-      return entries_.back().image;
-    }
+    if (auto known = find(key)) return *std::move(known);
   }
   codec::ImageResult result = client.decode_image(request);
   const auto* image = std::get_if<codec::Image>(&result);
-  if (image == nullptr || image->pixels.size() > kMostPixelBytes) return result;
+  if (image == nullptr || !image->owner) return result;
   const std::lock_guard lock(mutex_);
-  bytes_ += image->pixels.size();
-  entries_.push_back({key, *image});
-  while (bytes_ > kMostPixelBytes) {
-    bytes_ -= entries_.front().image.pixels.size();
-    entries_.pop_front();
-  }
+  add(key, *image);
   return result;
 }
 

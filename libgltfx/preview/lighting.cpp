@@ -206,7 +206,7 @@ render::World make_world(const render::Scene& scene, const Subject& subject,
                          const render::View& view, const LightingOptions& options) {
   render::World world;
   const double exposure = std::exp2(options.exposure);
-  const bool own = scene.environment.has_value();
+  const bool own = scene.environment != nullptr;
   const bool studio = !own && (options.lamps != Lamps::asset || !is_emissive(scene));
   world.background = options.background.value_or(own ? render::Background::environment
                                                      : render::Background::backdrop);

@@ -138,8 +138,9 @@ Rgb color_at(const render::Scene& scene, Diagram diagram, const render::Hit& hit
   return facing_color(front);
 }
 
+// `surfaces`: with the features that need the material.
 render::PathSample diagram_sample(const render::TraceContext& context, Diagram diagram,
-                                  const render::CameraSample& camera,
+                                  bool surfaces, const render::CameraSample& camera,
                                   const std::optional<render::Hit>& hit) {
   if (!hit) {
     render::PathSample beside;
@@ -147,10 +148,12 @@ render::PathSample diagram_sample(const render::TraceContext& context, Diagram d
     return beside;
   }
   render::PathSample sample;
-  const render::Surface surface = render::surface_at(context.scene, *hit, camera.ray);
   sample.alpha = 1;
-  sample.features.albedo = surface.material.base_color;
-  sample.features.normal = surface.frame.normal;
+  if (surfaces) {
+    const render::Surface surface = render::surface_at(context.scene, *hit, camera.ray);
+    sample.features.albedo = surface.material.base_color;
+    sample.features.normal = surface.frame.normal;
+  }
   sample.features.depth = hit->distance;
   sample.features.material = context.scene.meshes[hit->mesh].material;
   const Vec3d area = corners_of(context.scene, *hit).area();
@@ -209,12 +212,13 @@ render::Framebuffer draw_diagram(const render::TraceContext& context, const rend
   const std::uint32_t height = options.render.height;
   render::Framebuffer picture(width, height, options.layers);
   render::Film film(width, height, {});
+  const bool surfaces = options.layers.albedo || options.layers.normal;
   const auto draw = [&](std::uint32_t x, std::uint32_t y) {
     const std::size_t pixel = std::size_t{y} * width + x;
     const render::PixelSamples samples(width, height, options.render.seed, x, y);
     const auto add = [&](const render::CameraSample& camera,
                          const std::optional<render::Hit>& hit) {
-      film.add(pixel, diagram_sample(context, diagram, camera, hit));
+      film.add(pixel, diagram_sample(context, diagram, surfaces, camera, hit));
     };
     if (diagram != Diagram::facing) {
       render::visit_camera_samples(context.bvh, 0, kSamples, view, samples, add);

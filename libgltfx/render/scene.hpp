@@ -187,7 +187,7 @@ struct Scene {
   std::vector<std::uint32_t> framed;  ///< indices of the framed instances; empty: all
   std::vector<Light> lights;
   std::vector<Camera> cameras;
-  std::optional<EnvironmentImage> environment;
+  std::shared_ptr<const EnvironmentImage> environment;  ///< null: none
   /// Warnings about parts that are rendered differently or not at all, one sentence each.
   std::vector<std::string> notes;
 };

@@ -295,19 +295,19 @@ TEST(EnvironmentFile, RadianceAndOpenExrAreRead) {
   for (int i = 0; i < 8; ++i) hdr += std::string(i < 4 ? "\x80\0\0\x81" : "\x80\0\0\x83", 4);
   const auto image = read_environment(folder.write("sky.hdr", hdr).native());
   ASSERT_TRUE(image) << image.error().message;
-  EXPECT_EQ(image->width, 4U);
-  EXPECT_EQ(image->height, 2U);
-  EXPECT_NEAR(image->radiance[0][0], 1, 0.01);
-  EXPECT_NEAR(image->radiance[7][0], 4, 0.05);
-  EXPECT_EQ(image->radiance[0][1], 0);
+  EXPECT_EQ((*image)->width, 4U);
+  EXPECT_EQ((*image)->height, 2U);
+  EXPECT_NEAR((*image)->radiance[0][0], 1, 0.01);
+  EXPECT_NEAR((*image)->radiance[7][0], 4, 0.05);
+  EXPECT_EQ((*image)->radiance[0][1], 0);
 
   preview::Picture picture{2, 1, 3, {}, {0.5F, 1, 70000, -1, NAN, 3}};
   const std::string path = (folder.path() / "sky.exr").native();
   EXPECT_FALSE(write_picture(picture, path));
   const auto floats = read_environment(path);
   ASSERT_TRUE(floats) << floats.error().message;
-  EXPECT_THAT(floats->radiance[0], ElementsAre(0.5F, 1, 70000));
-  EXPECT_THAT(floats->radiance[1], ElementsAre(0, 0, 3));
+  EXPECT_THAT((*floats)->radiance[0], ElementsAre(0.5F, 1, 70000));
+  EXPECT_THAT((*floats)->radiance[1], ElementsAre(0, 0, 3));
   EXPECT_FALSE(read_environment(folder.write("bad.hdr", "hello").native()));
 }
 
@@ -317,14 +317,14 @@ TEST(EnvironmentFile, IntegersAreDecodedFromSrgb) {
   EXPECT_FALSE(write_picture(preview::Picture{2, 1, 3, {0, 188, 255, 188, 188, 188}, {}}, path));
   const auto image = read_environment(path);
   ASSERT_TRUE(image) << image.error().message;
-  EXPECT_NEAR(image->radiance[0][1], 0.503, 0.001);
-  EXPECT_EQ(image->radiance[0][0], 0);
-  EXPECT_EQ(image->radiance[0][2], 1);
+  EXPECT_NEAR((*image)->radiance[0][1], 0.503, 0.001);
+  EXPECT_EQ((*image)->radiance[0][0], 0);
+  EXPECT_EQ((*image)->radiance[0][2], 1);
   const std::string misnamed = (folder.path() / "sky.hdr").native();
   std::filesystem::copy(path, misnamed);
   const auto again = read_environment(misnamed);
   ASSERT_TRUE(again) << again.error().message;
-  EXPECT_EQ(again->radiance, image->radiance);
+  EXPECT_EQ((*again)->radiance, (*image)->radiance);
 }
 
 TEST(BakeNames, ByNameThenByIndex) {
