@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kFewThings = 6;
 constexpr int kRaysAlong = 32;  // across and down a picture
+constexpr int kFineRaysAlong = 64;
 
 // What is seen in a picture.
 struct Shown {
@@ -21,12 +22,13 @@ struct Shown {
   double worth = 0;
 };
 
-Shown shown_from(const Subject& subject, const render::Bvh& bvh, const Direction& direction) {
+Shown shown_from(const Subject& subject, const render::Bvh& bvh, const Direction& direction,
+                 int along = kRaysAlong) {
   const render::View view = frame(subject, direction, 1);
   std::unordered_map<std::uint64_t, int> seen;
-  for (int y = 0; y < kRaysAlong; ++y) {
-    for (int x = 0; x < kRaysAlong; ++x) {
-      const auto hit = bvh.intersect(view.ray((x + 0.5) / kRaysAlong, (y + 0.5) / kRaysAlong), 0);
+  for (int y = 0; y < along; ++y) {
+    for (int x = 0; x < along; ++x) {
+      const auto hit = bvh.intersect(view.ray((x + 0.5) / along, (y + 0.5) / along), 0);
       if (hit) ++seen[hit->body()];
     }
   }
@@ -65,12 +67,24 @@ std::vector<Candidate> candidates_for(const Subject& subject, const Direction& u
   return candidates;
 }
 
+// Whether a wide hall shows little but its ceiling to the usual view. Things in it are small.
+bool hides_below_ceiling(const Subject& subject, const render::Bvh& bvh, const Direction& usual,
+                         const Direction& low) {
+  constexpr std::size_t kMoreThings = 2;
+  constexpr double kMoreWorth = 1.1;
+  if (usual.elevation <= low.elevation) return false;
+  const Shown above = shown_from(subject, bvh, usual, kFineRaysAlong);
+  const Shown below = shown_from(subject, bvh, low, kFineRaysAlong);
+  return below.things >= kMoreThings * above.things && below.worth >= kMoreWorth * above.worth;
+}
+
 }  // namespace
 
 Direction best_direction(const render::Scene& scene, const Subject& subject,
                          const render::Bvh& bvh) {
   const Direction usual = usual_direction(subject);
-  if (count_things(scene) < kFewThings) return usual;
+  const std::size_t all = count_things(scene);
+  if (all < kFewThings) return usual;
   const Shown today = shown_from(subject, bvh, usual);
   for (const Candidate& each : candidates_for(subject, usual)) {
     const Shown shown = shown_from(subject, bvh, each.direction);
@@ -80,7 +94,9 @@ Direction best_direction(const render::Scene& scene, const Subject& subject,
       return each.direction;
     }
   }
-  return usual;
+  const Direction low{usual.azimuth, 5};
+  const bool few = 2 * today.things <= all;
+  return few && hides_below_ceiling(subject, bvh, usual, low) ? low : usual;
 }
 
 }  // namespace gltfx::preview

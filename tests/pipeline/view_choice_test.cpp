@@ -73,5 +73,28 @@ TEST_F(ViewChoice, OpenRoomsAreShownFromAbove) {
   EXPECT_TRUE(is_shown_from("32,45", furniture(true)));
 }
 
+// Boxes below a ceiling.
+AssetText hall(float half) {
+  AssetText asset;
+  const int grey = asset.material(dielectric({0.8, 0.8, 0.8, 1}, 0.9));
+  for (const float y : {-0.2F, 2.6F}) {
+    asset.node({{"mesh", asset.mesh(box({-half, y, -half}, {half, y + 0.2F, half}), grey)}});
+  }
+  const int thing = asset.mesh(render::cube(0.4F), asset.material(plastic()));
+  for (int i = 0; i < 25; ++i) {
+    const float step = half / 2.5F;
+    asset.node(
+        {{"mesh", thing},
+         {"translation",
+          {static_cast<float>(i % 5 - 2) * step, 0.4, static_cast<float>(i / 5 - 2) * step}}});
+  }
+  return asset;
+}
+
+TEST_F(ViewChoice, HallsWithoutWallsAreShownFromBelowTheirCeiling) {
+  EXPECT_TRUE(is_shown_from("32,5", hall(12)));
+  EXPECT_TRUE(is_shown_from(kUsual, hall(3))) << "all of it is seen below the ceiling";
+}
+
 }  // namespace
 }  // namespace gltfx::test
