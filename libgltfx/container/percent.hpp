@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/hex.hpp"
 #include "base/text.hpp"
 
 namespace gltfx::container {
@@ -18,13 +19,6 @@ constexpr bool is_unreserved(char c) {
 /// RFC 3986 section 3.3: allowed unescaped in a path, '/' included.
 constexpr bool is_path_character(char c) {
   return is_unreserved(c) || std::string_view("!$&'()*+,;=:@/").find(c) != std::string_view::npos;
-}
-
-/// 0 to 15, or -1.
-constexpr int hex_value(char c) {
-  if (is_digit(c)) return c - '0';
-  const char low = ascii_lower(c);
-  return low >= 'a' && low <= 'f' ? low - 'a' + 10 : -1;
 }
 
 /// Whether `text` has a whole percent escape at `at`.

@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "model/keyframes.hpp"
 #include "pipeline/bake_names.hpp"
+#include "preview/framing_faces.hpp"
 #include "preview/markers.hpp"
 
 namespace gltfx {
@@ -47,13 +48,11 @@ void enlarge(std::optional<preview::Subject>& all, std::optional<preview::Subjec
   }
   all->points.insert(all->points.end(), more->points.begin(), more->points.end());
   all->faces.insert(all->faces.end(), more->faces.begin(), more->faces.end());
-  const auto widen = [](Vec3d& least, Vec3d& greatest, const Vec3d& point) {
-    least = {std::min(least.x, point.x), std::min(least.y, point.y), std::min(least.z, point.z)};
-    greatest = {std::max(greatest.x, point.x), std::max(greatest.y, point.y),
-                std::max(greatest.z, point.z)};
-  };
-  widen(all->least, all->greatest, more->least);
-  widen(all->least, all->greatest, more->greatest);
+  preview::FaceBox box{all->least, all->greatest};
+  box.add(more->least);
+  box.add(more->greatest);
+  all->least = box.least;
+  all->greatest = box.greatest;
   all->flat = all->flat && more->flat;
 }
 

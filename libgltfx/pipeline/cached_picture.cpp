@@ -153,10 +153,9 @@ std::optional<std::string> pack_pictures(const BakeReport& report, const BakeOpt
   std::string png;
   if (!holds_exactly(*format, options)) {
     const BakedPixels& pixels = report.pixels;
-    const auto encoded = encode_picture(
-        {pixels.width, pixels.height, pixels.channels, pixels.bytes, {}}, EncodedFormat::png);
+    auto encoded = encode_png({pixels.width, pixels.height, pixels.channels, pixels.bytes, {}});
     if (!encoded) return std::nullopt;
-    png.assign(reinterpret_cast<const char*>(encoded->bytes.data()), encoded->bytes.size());
+    png = *std::move(encoded);
   }
   append_text(kept, png);
   for (const std::string& path : report.written) {

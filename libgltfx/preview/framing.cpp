@@ -170,14 +170,10 @@ std::optional<Subject> find_subject(const render::Scene& scene, Which which) {
   if (subject.points.empty()) return std::nullopt;
   drop_surroundings(subject);
   drop_strays(subject);
-  subject.least = subject.greatest = to_vec(subject.points.front());
-  for (const Float3& point : subject.points) {
-    const Vec3d p = to_vec(point);
-    subject.least = {std::min(subject.least.x, p.x), std::min(subject.least.y, p.y),
-                     std::min(subject.least.z, p.z)};
-    subject.greatest = {std::max(subject.greatest.x, p.x), std::max(subject.greatest.y, p.y),
-                        std::max(subject.greatest.z, p.z)};
-  }
+  FaceBox box;
+  for (const Float3& point : subject.points) box.add(to_vec(point));
+  subject.least = box.least;
+  subject.greatest = box.greatest;
   subject.flat = is_flat(subject);
   return subject;
 }

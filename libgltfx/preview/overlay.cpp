@@ -15,6 +15,7 @@
 #include "render/camera_packet.hpp"
 #include "render/film.hpp"
 #include "render/surface.hpp"
+#include "render/texture.hpp"
 #include "render/transform.hpp"
 
 namespace gltfx::preview {
@@ -97,12 +98,10 @@ double texels_of(const render::Mesh& mesh, const render::Hit& hit, const render:
                  const render::Texture& texture) {
   std::array<Vec3d, 3> at;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Float2& uv = mesh.uvs[use.uv_set][mesh.triangles[hit.triangle][i]];
-    const auto along = [&](std::size_t row) {
-      const Float3& m = use.transform[row];
-      return static_cast<double>(m[0] * uv[0] + m[1] * uv[1] + m[2]);
-    };
-    at[i] = {along(0) * texture.width, along(1) * texture.height, 0};
+    const Float2 uv =
+        render::transform_uv(use, mesh.uvs[use.uv_set][mesh.triangles[hit.triangle][i]]);
+    at[i] = {static_cast<double>(uv[0]) * texture.width,
+             static_cast<double>(uv[1]) * texture.height, 0};
   }
   return length(cross(at[1] - at[0], at[2] - at[0]));
 }

@@ -2,6 +2,7 @@
 // Parses an expression into a program.
 #include <algorithm>
 
+#include "base/hex.hpp"
 #include "base/text.hpp"
 #include "schema/pattern.hpp"
 
@@ -73,12 +74,6 @@ void add_complement(Pattern::CharacterSet& set, char name) {
 
 bool is_class_name(char c) { return std::string_view("dwsDWS").find(c) != std::string_view::npos; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-int hex_digit(char c) {
-  if (is_digit(c)) return c - '0';
-  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-  return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-}
 
 }  // namespace
 
@@ -267,7 +262,7 @@ class PatternParser {
   char32_t hex(int digits) {
     char32_t value = 0;
     for (int i = 0; i < digits; ++i) {
-      const int digit = at_ < text_.size() ? hex_digit(text_[at_]) : -1;
+      const int digit = at_ < text_.size() ? hex_value(text_[at_]) : -1;
       if (digit < 0) return fail("too few hexadecimal digits"), 0;
       value = value * 16 + static_cast<char32_t>(digit);
       ++at_;

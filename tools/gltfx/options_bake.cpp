@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/hex.hpp"
 #include "base/text.hpp"
 #include "option_parts.hpp"
 #include "option_values.hpp"
@@ -99,12 +100,6 @@ Binding layers(std::vector<BakeLayer>& member) {
   });
 }
 
-int hex_digit(char digit) {
-  if (digit >= '0' && digit <= '9') return digit - '0';
-  const char lower = static_cast<char>(digit | 0x20);
-  return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
-}
-
 // "#f80", "ff8800"; without '#', which begins a comment in a shell.
 std::optional<std::array<std::uint8_t, 3>> parse_color(std::string_view text) {
   if (text == "black") return std::array<std::uint8_t, 3>{0, 0, 0};
@@ -114,8 +109,8 @@ std::optional<std::array<std::uint8_t, 3>> parse_color(std::string_view text) {
   const std::size_t digits = text.size() / 3;
   std::array<std::uint8_t, 3> color{};
   for (std::size_t c = 0; c < 3; ++c) {
-    const int first = hex_digit(text[c * digits]);
-    const int last = hex_digit(text[c * digits + digits - 1]);
+    const int first = hex_value(text[c * digits]);
+    const int last = hex_value(text[c * digits + digits - 1]);
     if (first < 0 || last < 0) return std::nullopt;
     color[c] = static_cast<std::uint8_t>(first * 16 + last);
   }
