@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/tone_curve.hpp"
 
+#include <cmath>
 #include <limits>
+#include <numbers>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -56,6 +59,34 @@ TEST(ToneCurve, EachStaysGreyAndGrowsWithTheLight) {
       last = shown[0];
     }
     EXPECT_GT(last, 0.98F) << "very bright light is white";
+  }
+}
+
+// The distance of linear light from grey, and its hue in degrees.
+std::pair<double, double> chroma_and_hue(const Float3& c) {
+  const double x = 2 * static_cast<double>(c[0]) - static_cast<double>(c[1] + c[2]);
+  const double y = std::sqrt(3.0) * static_cast<double>(c[1] - c[2]);
+  return {std::hypot(x, y) / 2, std::atan2(y, x) * 180 / std::numbers::pi};
+}
+
+// What docs/bake.md says of them: only a lower exposure keeps the color of such light.
+TEST(ToneCurve, VeryBrightColorsTurnWhiteWithTheirHueOrAnother) {
+  const auto turn = [](ToneCurve curve, float strength, const Float3& color) {
+    const Float3 bright{color[0] * strength, color[1] * strength, color[2] * strength};
+    const auto [chroma, hue] = chroma_and_hue(tone_map(bright, curve));
+    if (strength >= 20) {
+      EXPECT_LT(chroma, 0.3) << "nearly white";
+    }
+    return std::fabs(std::remainder(hue - chroma_and_hue(color).second, 360));
+  };
+  for (const float strength : {2.0F, 4.0F, 20.0F}) {
+    for (const Float3& color : {Float3{1, 0.02F, 0.02F}, Float3{1, 0.35F, 0.02F}}) {
+      const double neutral = turn(ToneCurve::neutral, strength, color);
+      const double agx = turn(ToneCurve::agx, strength, color);
+      EXPECT_LT(neutral, 1);
+      EXPECT_LT(agx, turn(ToneCurve::aces, strength, color));
+      EXPECT_LT(agx, 25);
+    }
   }
 }
 
