@@ -49,6 +49,7 @@ class Source {
   const model::Asset& asset() const { return opened_.asset; }
   const model::Views& views() const { return opened_.views; }
   const model::ResourceData& resources() const { return opened_.resources; }
+  unsigned jobs() const { return opened_.jobs; }
 
   /// All references, with the texture slots.
   const graph::Graph& graph() const;

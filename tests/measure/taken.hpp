@@ -2,18 +2,10 @@
 /// Measures of small assets.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
-#include "container/container.hpp"
-#include "container/opened_files.hpp"
-#include "json/parse.hpp"
-#include "measure/take.hpp"
-#include "model/views.hpp"
-#include "schema/compile.hpp"
+#include "measure/measured.hpp"
 
 namespace gltfx::test {
 
@@ -27,20 +19,8 @@ inline measure::Request with_pixels() {
 /// Measures of an asset that needs no other file.
 class Taken {
  public:
-  explicit Taken(std::string bytes, const measure::Request& request = with_pixels()) {
-    const container::Container container =
-        container::open_bytes(container::Bytes::from_string(std::move(bytes)), "a.gltf");
-    const json::Parsed parsed = json::parse(*container.json);
-    const model::Asset asset(parsed.document);
-    const model::Views views(asset);
-    const container::Resolver resolver;
-    container::OpenedFiles files(resolver);
-    const auto loaded = model::load_resources(container, files, asset, views, 1);
-    const std::string name = "a.gltf";
-    const measure::Source source(name, container, files, asset, views, loaded.data,
-                                 *schema::builtin_set(), 1);
-    values_ = measure::take(source, request);
-  }
+  explicit Taken(const std::string& bytes, const measure::Request& request = with_pixels())
+      : values_(measure::test::measured(bytes, request)) {}
 
   const MeasureValue& value(MeasureScope on, std::string_view name, std::size_t element = 0) const {
     return values_.find(on, name)->values[element];
