@@ -10,8 +10,8 @@
 namespace gltfx {
 
 /// For each of the records of `size` bytes, the number of the first record with the same bytes.
-/// Takes n log n steps for any bytes. Preconditions: `size` is not 0, and there are at most
-/// UINT32_MAX records.
+/// Takes a few steps for each, on average, for any bytes. Preconditions: `size` is not 0, and there
+/// are at most UINT32_MAX records.
 std::vector<std::uint32_t> first_equal_records(std::string_view bytes, std::size_t size);
 
 }  // namespace gltfx
