@@ -48,16 +48,6 @@ std::uint64_t sets_of(const Primitive& primitive, SemanticKind kind) {
                     [&](const model::Attribute& each) { return each.semantic.kind == kind; }));
 }
 
-// Bytes of one vertex as it is stored: all attributes, without morph targets.
-std::uint64_t vertex_bytes(const model::Views& views, const Primitive& primitive) {
-  std::uint64_t bytes = 0;
-  for (const model::Attribute& attribute : primitive.attributes) {
-    if (!attribute.accessor) continue;
-    bytes += model::packed_stride(views.accessors[*attribute.accessor].format);
-  }
-  return bytes;
-}
-
 std::vector<std::string> attribute_names(const Primitive& primitive) {
   std::vector<std::string> names;
   for (const model::Attribute& attribute : primitive.attributes) names.emplace_back(attribute.name);
@@ -79,7 +69,7 @@ void take_primitive(Taking& taking, const Primitive& primitive, std::size_t elem
   set(Name::vertices, [&] { return counts.vertices; });
   set(Name::uv_sets, [&] { return sets_of(primitive, SemanticKind::texcoord); });
   set(Name::color_sets, [&] { return sets_of(primitive, SemanticKind::color); });
-  set(Name::vertex_bytes, [&] { return vertex_bytes(views, primitive); });
+  set(Name::vertex_bytes, [&] { return model::vertex_bytes(views, primitive); });
   set(Name::attributes, [&] { return MeasureValue(attribute_names(primitive)); });
   if (primitive.mode) {
     set(Name::mode, [&] { return MeasureValue(std::string(model::mode_name(*primitive.mode))); });

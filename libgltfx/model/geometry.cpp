@@ -7,6 +7,7 @@
 
 #include "base/checked.hpp"
 #include "model/deformation.hpp"
+#include "model/meshopt_view.hpp"
 #include "model/skin.hpp"
 
 namespace gltfx::model {
@@ -102,7 +103,7 @@ class GeometryReader {
     read_elements(*positions, geometry_.positions);
     if (request_.near_origin) move_near_origin(positions->format().component);
     read_attributes();
-    read_topology();
+    assemble(data_, static_cast<std::uint32_t>(count_), geometry_);
     morph(data_, request_.weights, request_.tex_coords, geometry_);
     if (!request_.joints.empty()) geometry_.skinned = skin(data_, request_.joints, geometry_);
     finish();
@@ -113,13 +114,6 @@ class GeometryReader {
   // Of normals, tangents and colors.
   bool reads(SemanticKind kind) const {
     return request_.surface && data_.primitive().find(kind) != nullptr;
-  }
-
-  std::uint64_t index_count() const {
-    if (data_.packed() != nullptr) return data_.packed()->indices.size();
-    const auto& indices = data_.primitive().indices;
-    if (!indices) return count_;
-    return data_.source().views.accessors[*indices].count.value_or(0);
   }
 
   // Bytes of all data that will be read. Morph targets and sets of joints are not kept, but count
@@ -134,7 +128,7 @@ class GeometryReader {
     vertex += sizeof(float) * static_cast<std::uint64_t>(moving);
     if (!request_.joints.empty()) vertex += sizeof(float) * joint_sets(data_.primitive());
     const Checked vertices = checked_mul(count_, vertex);
-    const Checked triangles = checked_mul(index_count(), sizeof(Triangle));
+    const Checked triangles = checked_mul(index_count(data_, count_), sizeof(Triangle));
     return vertices && triangles ? checked_add(*triangles, *vertices) : std::nullopt;
   }
 
@@ -187,39 +181,6 @@ class GeometryReader {
     if (!read(SemanticKind::color, 0, 3, geometry_.colors)) geometry_.colors.clear();
   }
 
-  void read_topology() {
-    const auto vertices = static_cast<std::uint32_t>(count_);
-    if (const codec::DracoMesh* mesh = data_.packed()) {
-      PrimitiveAssembly assembly(Mode::triangles, vertices, kNoRestart, geometry_);
-      geometry_.triangles.reserve(mesh->indices.size() / 3);
-      for (const std::uint32_t index : mesh->indices) assembly.add(index);
-      return;
-    }
-    const Mode mode = *data_.primitive().mode;
-    if (data_.primitive().indices_node == json::kNoNode) {
-      PrimitiveAssembly assembly(mode, vertices, kNoRestart, geometry_);
-      for (std::uint32_t i = 0; i < vertices; ++i) assembly.add(i);
-      assembly.finish();
-      return;
-    }
-    const auto indices = data_.open(data_.primitive().indices);
-    if (indices && can_index_elements(indices->format().component)) read_indices(*indices, mode);
-  }
-
-  void read_indices(const AccessorData& indices, Mode mode) {
-    const auto restart = static_cast<std::uint32_t>(value_range(indices.format().component).most);
-    PrimitiveAssembly assembly(mode, static_cast<std::uint32_t>(count_), restart, geometry_);
-    with_component_type(indices.format().component, [&](auto zero) {
-      using T = decltype(zero);
-      if constexpr (std::is_unsigned_v<T>) {
-        indices.visit<T>([&](const T* values, std::size_t elements, std::uint64_t) {
-          for (std::size_t i = 0; i < elements * indices.components(); ++i) assembly.add(values[i]);
-        });
-      }
-    });
-    assembly.finish();
-  }
-
   void finish() {
     for (auto& normal : geometry_.normals) normalize_direction(normal);
     for (auto& tangent : geometry_.tangents) {
@@ -252,8 +213,12 @@ class GeometryReader {
 }  // namespace
 
 void PrimitiveAssembly::emit(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  const bool there = std::max({a, b, c}) < vertices_;
-  if (there && a != b && b != c && c != a) to_.triangles.push_back({a, b, c});
+  if (std::max({a, b, c}) >= vertices_) return;
+  if (a != b && b != c && c != a) {
+    to_.triangles.push_back({a, b, c});
+  } else {
+    ++to_.collapsed;
+  }
 }
 
 void PrimitiveAssembly::emit(std::uint32_t a, std::uint32_t b) {
@@ -298,6 +263,38 @@ void PrimitiveAssembly::add_to_triangles(std::uint32_t index) {
   if (mode_ == Mode::triangles) count_ = 0;
   if (mode_ == Mode::triangle_strip) held_[0] = b;
   if (mode_ != Mode::triangles) held_[1] = index;
+}
+
+std::uint64_t index_count(const PrimitiveData& data, std::uint64_t vertices) {
+  if (data.packed() != nullptr) return data.packed()->indices.size();
+  const auto& indices = data.primitive().indices;
+  if (!indices) return vertices;
+  return data.source().views.accessors[*indices].count.value_or(0);
+}
+
+std::uint32_t restart_index(const PrimitiveData& data) {
+  const auto& indices = data.primitive().indices;
+  if (data.packed() != nullptr || !indices) return kNoRestart;
+  const ComponentType type = data.source().views.accessors[*indices].format.component;
+  return can_index_elements(type) ? static_cast<std::uint32_t>(value_range(type).most) : kNoRestart;
+}
+
+bool assemble(const PrimitiveData& data, std::uint32_t vertices, Geometry& to) {
+  const codec::DracoMesh* packed = data.packed();
+  const Mode mode = packed != nullptr ? Mode::triangles : *data.primitive().mode;
+  PrimitiveAssembly assembly(mode, vertices, restart_index(data), to);
+  if (packed != nullptr) to.triangles.reserve(to.triangles.size() + packed->indices.size() / 3);
+  if (!for_each_index(data, vertices, [&](std::uint32_t index) { assembly.add(index); })) {
+    return false;
+  }
+  assembly.finish();
+  return true;
+}
+
+bool has_compressed_geometry(const json::Document& document) {
+  const auto uses = [&](std::string_view name) { return document.key_id(name) != json::kNoKey; };
+  return uses(kDracoExtension) ||
+         std::any_of(kMeshoptExtensions.begin(), kMeshoptExtensions.end(), uses);
 }
 
 PrimitiveData::PrimitiveData(const GeometrySource& source, const Primitive& primitive)

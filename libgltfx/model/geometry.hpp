@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "model/draco.hpp"
@@ -81,6 +82,7 @@ struct Geometry {
   std::vector<Triangle> triangles;
   std::vector<Segment> segments;
   std::vector<std::uint32_t> points;
+  std::uint64_t collapsed = 0;  ///< triangles that are left out because they have a vertex twice
 
   /// Whether there is nothing to draw.
   bool empty() const { return triangles.empty() && segments.empty() && points.empty(); }
@@ -114,6 +116,22 @@ class PrimitiveAssembly {
   std::array<std::uint32_t, 2> held_{};
 };
 
+/// The number of indices of a primitive with so many vertices.
+std::uint64_t index_count(const PrimitiveData& data, std::uint64_t vertices);
+/// The index that is no vertex, but begins a new strip, fan or loop.
+std::uint32_t restart_index(const PrimitiveData& data);
+/// Calls `use` with each index of a primitive in order; without indices, with the number of each
+/// vertex. False, and no call: they cannot be read.
+template <typename Use>
+bool for_each_index(const PrimitiveData& data, std::uint32_t vertices, Use use);
+
+/// Makes the triangles, segments or points of a primitive with so many vertices. False: its indices
+/// cannot be read. Precondition: it has a mode.
+bool assemble(const PrimitiveData& data, std::uint32_t vertices, Geometry& to);
+
+/// Whether the asset may have compressed geometry, of which a byte is worth many.
+bool has_compressed_geometry(const json::Document& document);
+
 enum class GeometryError : std::uint8_t {
   none,
   no_positions,  ///< no bytes, or unreadable ones
@@ -129,5 +147,28 @@ std::string_view error_text(GeometryError error);
 GeometryError read_geometry(const GeometrySource& source, const Primitive& primitive,
                             const GeometryRequest& request, MemoryBudget& budget,
                             Geometry& geometry);
+
+template <typename Use>
+bool for_each_index(const PrimitiveData& data, std::uint32_t vertices, Use use) {
+  if (const codec::DracoMesh* mesh = data.packed()) {
+    for (const std::uint32_t index : mesh->indices) use(index);
+    return true;
+  }
+  if (data.primitive().indices_node == json::kNoNode) {
+    for (std::uint32_t i = 0; i < vertices; ++i) use(i);
+    return true;
+  }
+  const auto indices = data.open(data.primitive().indices);
+  if (!indices || !can_index_elements(indices->format().component)) return false;
+  with_component_type(indices->format().component, [&](auto zero) {
+    using T = decltype(zero);
+    if constexpr (std::is_unsigned_v<T>) {
+      indices->visit<T>([&](const T* values, std::size_t elements, std::uint64_t) {
+        for (std::size_t i = 0; i < elements * indices->components(); ++i) use(values[i]);
+      });
+    }
+  });
+  return true;
+}
 
 }  // namespace gltfx::model

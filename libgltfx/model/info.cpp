@@ -73,6 +73,14 @@ PrimitiveSize primitive_size(const Views& views, const Primitive& primitive) {
   return size;
 }
 
+std::uint64_t vertex_bytes(const Views& views, const Primitive& primitive) {
+  std::uint64_t bytes = 0;
+  for (const Attribute& attribute : primitive.attributes) {
+    if (attribute.accessor) bytes += packed_stride(views.accessors[*attribute.accessor].format);
+  }
+  return bytes;
+}
+
 AssetInfo asset_info(const Asset& asset, const Views& views) {
   AssetInfo info;
   const json::Document& document = asset.document();

@@ -18,6 +18,9 @@ struct PrimitiveSize {
 };
 PrimitiveSize primitive_size(const Views& views, const Primitive& primitive);
 
+/// Bytes of one vertex, uncompressed and without padding: all attributes, without morph targets.
+std::uint64_t vertex_bytes(const Views& views, const Primitive& primitive);
+
 /// The `info` block of the Khronos report, counted as in that validator; `resources` stays empty,
 /// because it needs the files. Malformed members count as absent. Linear in the document.
 AssetInfo asset_info(const Asset& asset, const Views& views);

@@ -150,6 +150,14 @@ std::optional<container::Bytes> ResourceData::part(const json::Document& documen
   return bytes->part(static_cast<std::size_t>(*begin), static_cast<std::size_t>(length));
 }
 
+std::uint64_t ResourceData::buffer_bytes() const {
+  std::uint64_t bytes = 0;
+  for (const auto& buffer : buffers) {
+    if (buffer) bytes = saturating_add(bytes, buffer->size());
+  }
+  return bytes;
+}
+
 const DecodedView* ResourceData::decoded(const BufferView& view) const {
   const auto found = decoded_views.find(view.node);
   return found == decoded_views.end() ? nullptr : &found->second;

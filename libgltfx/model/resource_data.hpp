@@ -54,6 +54,9 @@ struct ResourceData {
   std::optional<container::Bytes> part(const json::Document& document, const BufferView& view,
                                        std::uint64_t offset, std::uint64_t length) const;
 
+  /// The bytes of all buffers.
+  std::uint64_t buffer_bytes() const;
+
   /// The decoded data of a buffer view, or null.
   const DecodedView* decoded(const BufferView& view) const;
 };

@@ -18,7 +18,6 @@
 #include "model/instancing.hpp"
 #include "model/keyframes.hpp"
 #include "model/light.hpp"
-#include "model/meshopt_view.hpp"
 #include "model/resource_data.hpp"
 #include "model/texture.hpp"
 #include "pipeline/scene_environment.hpp"
@@ -105,14 +104,6 @@ render::Camera to_camera(const model::Camera& from, const Affine& world) {
   return camera;
 }
 
-std::uint64_t buffer_bytes(const model::ResourceData& resources) {
-  std::uint64_t bytes = 0;
-  for (const auto& buffer : resources.buffers) {
-    if (buffer) bytes = saturating_add(bytes, buffer->size());
-  }
-  return bytes;
-}
-
 std::uint64_t image_bytes(const model::ResourceData& resources) {
   std::uint64_t bytes = 0;
   for (const auto& image : resources.images) {
@@ -125,20 +116,15 @@ std::uint64_t worth(std::uint64_t bytes, std::uint64_t each) {
   return checked_mul(bytes, each).value_or(std::numeric_limits<std::uint64_t>::max());
 }
 
-bool is_compressed(const json::Document& document) {
-  const auto uses = [&](std::string_view name) { return document.key_id(name) != json::kNoKey; };
-  return uses(model::kDracoExtension) ||
-         std::any_of(model::kMeshoptExtensions.begin(), model::kMeshoptExtensions.end(), uses);
-}
-
 std::uint64_t geometry_budget(const model::Asset& asset, const model::ResourceData& resources,
                               const SceneOptions& options) {
-  const std::uint64_t each = is_compressed(asset.document()) ? kPackedWorth : kPlainWorth;
-  return saturating_add(options.free_bytes, worth(buffer_bytes(resources), each));
+  const std::uint64_t each =
+      model::has_compressed_geometry(asset.document()) ? kPackedWorth : kPlainWorth;
+  return saturating_add(options.free_bytes, worth(resources.buffer_bytes(), each));
 }
 
 std::uint64_t pixel_budget(const model::ResourceData& resources, const SceneOptions& options) {
-  const std::uint64_t bytes = saturating_add(buffer_bytes(resources), image_bytes(resources));
+  const std::uint64_t bytes = saturating_add(resources.buffer_bytes(), image_bytes(resources));
   return saturating_add(options.free_pixel_bytes, worth(bytes, kPackedWorth));
 }
 
