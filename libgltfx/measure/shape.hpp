@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The geometry of a mesh in its own space: as it is stored, without morph targets and skins.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/packed.hpp"
+#include "measure/source.hpp"
+#include "model/geometry.hpp"
+#include "model/memory_budget.hpp"
+
+namespace gltfx::measure {
+
+/// Bytes that measures may take for the geometry of an asset: more than its buffers can be worth.
+std::uint64_t geometry_bytes(const Source& source);
+
+/// Reasons why geometry cannot be read, one sentence.
+inline constexpr std::string_view kTooLarge =
+    "The geometry asks for more memory than its bytes are worth.";
+inline constexpr std::string_view kNoIndices = "A primitive has no indices that can be read.";
+/// Of a primitive without positions that can be read.
+std::string_view missing_positions(const model::PrimitiveData& data);
+
+/// The bitstream and the POSITION accessor of a primitive, or 0: primitives with equal ones have
+/// the same vertices.
+using VertexKey = std::pair<std::uint64_t, std::uint64_t>;
+VertexKey vertex_key(const Source& source, const model::Primitive& primitive);
+
+/// The triangles of all primitives of a mesh.
+struct Shape {
+  std::vector<Float3> positions;           ///< those of an accessor once
+  std::vector<model::Triangle> triangles;  ///< every vertex exists
+  std::uint64_t collapsed = 0;  ///< triangles that are left out because they have a vertex twice
+};
+
+/// Empty, or why the shape cannot be read, one sentence. Takes from the budget what the shape and
+/// its Surface need.
+std::string_view read_shape(const Source& source, const model::Mesh& mesh,
+                            model::MemoryBudget& budget, Shape& shape);
+
+/// What a mesh is made from: meshes with equal ones have equal shapes.
+std::vector<std::uint64_t> shape_key(const Source& source, const model::Mesh& mesh);
+
+}  // namespace gltfx::measure
