@@ -6,50 +6,13 @@
 #include <vector>
 
 #include "measure/take.hpp"
+#include "measure/texture_uses.hpp"
 #include "model/fields.hpp"
-#include "model/texture.hpp"
 
 namespace gltfx::measure {
 namespace {
 
 using model::RootArray;
-
-struct MaterialTextures {
-  std::uint64_t slots = 0;
-  std::uint32_t longest_side = 0;
-  bool unread = false;  // the header of an image could not be read
-};
-
-std::uint32_t longest_side(const model::ImageData& image) {
-  if (image.header) return std::max(image.header->width, image.header->height);
-  return image.ktx2 ? std::max(image.ktx2->width, image.ktx2->height) : 0;
-}
-
-// The texture slots of all materials, those in extensions included.
-std::vector<MaterialTextures> read_textures(const Source& source) {
-  const model::Asset& asset = source.asset();
-  std::vector<std::vector<std::uint32_t>> images;  // by texture
-  for (const json::NodeId texture : asset.elements(RootArray::textures)) {
-    images.push_back(texture == json::kNoNode ? std::vector<std::uint32_t>()
-                                              : model::read_texture(asset, texture).images);
-  }
-  std::vector<MaterialTextures> materials(asset.count(RootArray::materials));
-  const graph::Tree& tree = source.graph().tree();
-  for (const schema::SlotUse& use : source.graph().checked().slots) {
-    const json::NodeId root = tree.root_element(use.texture_info);
-    if (root == json::kNoNode || tree.name(tree.parent(root)) != "materials") continue;
-    MaterialTextures& material = materials[tree.position(root)];
-    ++material.slots;
-    const auto texture = asset.index(use.texture_info, "index", RootArray::textures);
-    if (!texture) continue;
-    for (const std::uint32_t image : images[*texture]) {
-      const std::uint32_t side = longest_side(source.resources().images[image]);
-      material.longest_side = std::max(material.longest_side, side);
-      material.unread = material.unread || side == 0;
-    }
-  }
-  return materials;
-}
 
 std::vector<std::string> extensions_of(const json::Document& document, json::NodeId object) {
   std::vector<std::string> names;
@@ -62,20 +25,31 @@ std::vector<std::string> extensions_of(const json::Document& document, json::Nod
   return names;
 }
 
+// The longest side of the textures; nothing: the header of an image could not be read.
+std::optional<std::uint64_t> longest_side(const Source& source, const MaterialTextures& textures) {
+  std::uint64_t longest = 0;
+  for (const TextureUse& use : textures.uses) {
+    const auto size = size_of_texture(source, *use.read.texture);
+    if (!size) return std::nullopt;
+    longest = std::max<std::uint64_t>({longest, size->width, size->height});
+  }
+  return longest;
+}
+
 void take_textures(Taking& taking) {
   Column* slots = taking.column(MeasureScope::material, Name::textures);
   Column* sides = taking.column(MeasureScope::material, Name::texture_size);
   if (slots == nullptr && sides == nullptr) return;
-  const auto materials = read_textures(taking.source());
+  const auto materials = material_textures(taking.source());
   for (std::size_t i = 0; i < materials.size(); ++i) {
-    if (slots != nullptr) slots->set(i, materials[i].slots);
+    if (slots != nullptr) slots->set(i, std::uint64_t{materials[i].uses.size()});
     if (sides == nullptr) continue;
-    if (materials[i].slots == 0) {
+    if (materials[i].uses.empty()) {
       sides->does_not_apply(i, "The material has no texture.");
-    } else if (materials[i].unread) {
-      sides->could_not_be_taken(i, "The header of an image could not be read.");
+    } else if (const auto side = longest_side(taking.source(), materials[i])) {
+      sides->set(i, *side);
     } else {
-      sides->set(i, std::uint64_t{materials[i].longest_side});
+      sides->could_not_be_taken(i, "The header of an image could not be read.");
     }
   }
 }

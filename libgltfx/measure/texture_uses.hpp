@@ -2,9 +2,11 @@
 /// The textures of materials: which coordinates they read, and how large they are.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "measure/source.hpp"
