@@ -6,6 +6,7 @@
 #include <gltfx/diagnostic.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,6 +37,7 @@ struct Finding {
   /// Distinguishes findings of one code at one place, for example by the member that an object
   /// lacks: findings that differ here are not repeats of each other.
   std::string about = {};
+  std::shared_ptr<const CheckedLimit> requirement = {};  ///< that is not met; null: of no limit
 };
 
 /// Not thread-safe: each thread of a phase fills its own.

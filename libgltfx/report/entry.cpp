@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -56,6 +57,11 @@ class JsonOut {
   void severity(std::string_view name, Severity value) {
     writer_.member(name, severity_name(value));
   }
+  void verdict(std::string_view name, Verdict value) { writer_.member(name, verdict_name(value)); }
+  void value(std::string_view name, const MeasureValue& value) {
+    writer_.key(name);
+    write_measure_value(writer_, value);
+  }
   void texts(std::string_view name, const std::vector<std::string>& values) {
     if (!values.empty()) write_long_values(writer_, name, values);
   }
@@ -98,6 +104,24 @@ class JsonOut {
 };
 
 }  // namespace
+
+void write_measure_value(json::Writer& writer, const MeasureValue& value) {
+  struct Write {
+    json::Writer& writer;
+    void operator()(std::monostate) const { writer.null(); }
+    void operator()(double number) const { writer.number(number); }
+    void operator()(bool flag) const { writer.boolean(flag); }
+    void operator()(const std::string& text) const { writer.string(long_value(text)); }
+    void operator()(const std::vector<std::string>& texts) const {
+      write_long_values(writer, texts);
+    }
+  };
+  std::visit(Write{writer}, value);
+}
+
+void write_checked_limit(json::Writer& writer, const CheckedLimit& limit) {
+  JsonOut(writer, Detail::plain, true, false).element(limit);
+}
 
 void write_asset_info(json::Writer& writer, const AssetInfo& info) {
   JsonOut(writer, Detail::plain, true, false).element(info);

@@ -13,6 +13,11 @@ namespace gltfx::report {
 /// Writes `info` as one object: members of the Khronos report, in its order, without empty ones.
 void write_asset_info(json::Writer& writer, const AssetInfo& info);
 
+/// null, a number, true or false, a text, or an array of texts.
+void write_measure_value(json::Writer& writer, const MeasureValue& value);
+/// One object, as a finding has it.
+void write_checked_limit(json::Writer& writer, const CheckedLimit& limit);
+
 /// Raised when a reader of the previous format could misread the next.
 inline constexpr std::uint64_t kJsonFormat = 1;
 

@@ -11,7 +11,8 @@ namespace gltfx::report {
 /// written to JSON; what is read may lack any member, which keeps its value then.
 ///
 ///   text, long_text, bytes    strings; long ones are cut, bytes may be invalid UTF-8
-///   number, flag, code, severity, texts
+///   number, flag, code, severity, verdict, texts
+///   value                     of a measure
 ///   optional                  a value, text or object that may be missing
 ///   object, list              of values with a fields() of their own
 
@@ -56,6 +57,32 @@ void fields(Form& form, typename Form::template Of<ProposedFix>& fix) {
   form.list("replacements", fix.replacements);
 }
 
+/// `name`: the member for the name of the measure.
+template <class Form, class Limit>
+void limit_fields(Form& form, std::string_view name, Limit& limit) {
+  form.text(name, limit.measure);
+  form.text("on", limit.on);
+  form.value("value", limit.value);
+  form.text("op", limit.op);
+  form.value("limit", limit.limit);
+  form.text("unit", limit.unit, !limit.unit.empty());
+  form.text("from", limit.from);
+}
+
+template <class Form>
+void fields(Form& form, typename Form::template Of<CheckedLimit>& limit) {
+  limit_fields(form, "name", limit);
+}
+
+template <class Form>
+void fields(Form& form, typename Form::template Of<Requirement>& requirement) {
+  limit_fields(form, "measure", requirement);
+  form.long_text("pointer", requirement.pointer, !requirement.pointer.empty());
+  form.long_text("object", requirement.object_name, !requirement.object_name.empty());
+  form.verdict("verdict", requirement.verdict);
+  form.severity("severity", requirement.severity);
+}
+
 template <class Form>
 void fields(Form& form, typename Form::template Of<Diagnostic>& finding) {
   const Location& at = finding.location;
@@ -74,6 +101,7 @@ void fields(Form& form, typename Form::template Of<Diagnostic>& finding) {
   form.long_text("lastPointer", finding.last_pointer, finding.count > 1);
   form.object("excerpt", finding.excerpt, full && finding.excerpt.width > 0);
   form.optional("fix", finding.fix, full);
+  form.optional("measure", finding.requirement);
 }
 
 template <class Form>
@@ -85,6 +113,7 @@ void fields(Form& form, typename Form::template Of<Repeat>& repeat) {
   form.long_text("object", repeat.object_name, !repeat.object_name.empty());
   form.object("location", repeat.location, repeat.location.length > 0);
   form.number("count", repeat.count, repeat.count > 1);
+  form.optional("measure", repeat.requirement);
 }
 
 template <class Form>
@@ -154,6 +183,9 @@ void fields(Form& form, typename Form::template Of<FileReport>& report) {
   form.list("findings", report.diagnostics);
   form.list("repeats", report.repeats, form.is_full() && !report.repeats.empty());
   form.optional("info", report.info);
+  const std::uint64_t unlisted = report.unlisted_requirements;
+  form.list("requirements", report.requirements, !report.requirements.empty());
+  form.number("unlistedRequirements", report.unlisted_requirements, unlisted > 0);
 }
 
 template <class Form>

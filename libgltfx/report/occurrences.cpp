@@ -22,6 +22,7 @@ Diagnostic repeat_of(const Diagnostic& finding, const Repeat& repeat) {
   one.object_name = repeat.object_name;
   one.location = repeat.location;
   one.count = repeat.count;
+  one.requirement = repeat.requirement;
   if (one.count > 1) one.last_pointer = one.pointer;
   return one;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "report/packed.hpp"
 
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "report/fields.hpp"
@@ -42,6 +44,21 @@ class Packer : public PackedForm {
   }
   void severity(std::string_view name, Severity value) {
     number(name, static_cast<std::uint64_t>(value));
+  }
+  void verdict(std::string_view name, Verdict value) {
+    number(name, static_cast<std::uint64_t>(value));
+  }
+  void value(std::string_view name, const MeasureValue& value) {
+    number(name, value.index());
+    if (const auto* amount = std::get_if<double>(&value)) {
+      number(name, std::bit_cast<std::uint64_t>(*amount));
+    } else if (const auto* truth = std::get_if<bool>(&value)) {
+      flag(name, *truth);
+    } else if (const auto* words = std::get_if<std::string>(&value)) {
+      text(name, *words);
+    } else if (const auto* set = std::get_if<std::vector<std::string>>(&value)) {
+      texts(name, *set);
+    }
   }
   void texts(std::string_view name, const std::vector<std::string>& values) {
     number(name, values.size());
@@ -104,6 +121,12 @@ class Unpacker : public PackedForm {
     whole_ = whole_ && number <= static_cast<std::uint64_t>(Severity::hint);
     if (whole_) value = static_cast<Severity>(number);
   }
+  void verdict(std::string_view /*name*/, Verdict& value) {
+    const std::uint64_t number = next();
+    whole_ = whole_ && number <= static_cast<std::uint64_t>(Verdict::not_measured);
+    if (whole_) value = static_cast<Verdict>(number);
+  }
+  void value(std::string_view name, MeasureValue& value);
   void texts(std::string_view /*name*/, std::vector<std::string>& values) {
     for (std::uint64_t left = length(); left > 0 && whole_; --left)
       values.emplace_back(next_text());
@@ -158,6 +181,24 @@ class Unpacker : public PackedForm {
   std::span<const RuleDescription> rules_;
   bool whole_ = true;
 };
+
+void Unpacker::value(std::string_view name, MeasureValue& value) {
+  switch (next()) {
+    case 0:
+      return;
+    case 1:
+      value = std::bit_cast<double>(next());
+      return;
+    case 2:
+      return flag(name, value.emplace<bool>());
+    case 3:
+      return text(name, value.emplace<std::string>());
+    case 4:
+      return texts(name, value.emplace<std::vector<std::string>>());
+    default:
+      whole_ = false;
+  }
+}
 
 std::uint64_t Unpacker::next() {
   std::uint64_t value = 0;

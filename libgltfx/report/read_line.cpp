@@ -75,6 +75,14 @@ class JsonIn {
     if (!known) return blame(name);
     value = *known;
   }
+  void verdict(std::string_view name, Verdict& value) {
+    std::string word;
+    text(name, word);
+    const auto known = verdict_from_name(word);
+    if (!known) return blame(name);
+    value = *known;
+  }
+  void value(std::string_view name, MeasureValue& value);
   void texts(std::string_view name, std::vector<std::string>& values) {
     each(name, [&](NodeId element) {
       if (!document_.is_string(element)) return blame(name);
@@ -150,6 +158,20 @@ void JsonIn::bytes(std::string_view name, std::string& value) {
   };
   for (std::size_t at = 0; at + 1 < digits.size(); at += 2) {
     value += static_cast<char>(digit(digits[at]) << 4U | digit(digits[at + 1]));
+  }
+}
+
+void JsonIn::value(std::string_view name, MeasureValue& value) {
+  const NodeId node = find(name);
+  if (node == json::kNoNode || document_.kind(node) == json::Kind::null) return;
+  if (document_.is_string(node)) {
+    value = document_.string(node);
+  } else if (document_.is_boolean(node)) {
+    value = document_.kind(node) == json::Kind::true_value;
+  } else if (document_.is_number(node)) {
+    value = document_.number(node).value;
+  } else {
+    texts(name, value.emplace<std::vector<std::string>>());
   }
 }
 

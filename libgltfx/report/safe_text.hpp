@@ -38,13 +38,18 @@ inline std::string long_value(const std::string& text) {
   return shown == text.size() ? text : text.substr(0, shown) + "…";
 }
 
-/// A member whose value is an array of such texts.
-inline void write_long_values(json::Writer& writer, std::string_view name,
-                              const std::vector<std::string>& texts) {
-  writer.key(name);
+/// An array of such texts.
+inline void write_long_values(json::Writer& writer, const std::vector<std::string>& texts) {
   writer.begin_array();
   for (const std::string& text : texts) writer.string(long_value(text));
   writer.end_array();
+}
+
+/// A member whose value is such an array.
+inline void write_long_values(json::Writer& writer, std::string_view name,
+                              const std::vector<std::string>& texts) {
+  writer.key(name);
+  write_long_values(writer, texts);
 }
 
 }  // namespace gltfx::report

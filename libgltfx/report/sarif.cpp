@@ -11,6 +11,7 @@
 
 #include "base/hash.hpp"
 #include "json/writer.hpp"
+#include "report/entry.hpp"
 #include "report/file_uri.hpp"
 #include "report/occurrences.hpp"
 #include "report/safe_text.hpp"
@@ -219,11 +220,17 @@ class SarifWriter final : public ReportWriter {
     write_repeats(writer, finding);
     write_fingerprint(writer, identity);
     if (finding.fix && !is_binary(report)) write_fix(writer, report, uri, *finding.fix);
-    if (!finding.object_name.empty()) {
-      writer.key("properties");
-      writer.begin_object();
-      writer.member("object", long_value(finding.object_name));
-      writer.end_object();
+    if (!finding.object_name.empty() || finding.requirement) write_properties(writer, finding);
+    writer.end_object();
+  }
+
+  static void write_properties(json::Writer& writer, const Diagnostic& finding) {
+    writer.key("properties");
+    writer.begin_object();
+    if (!finding.object_name.empty()) writer.member("object", long_value(finding.object_name));
+    if (finding.requirement) {
+      writer.key("measure");
+      write_checked_limit(writer, *finding.requirement);
     }
     writer.end_object();
   }

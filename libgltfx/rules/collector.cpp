@@ -267,6 +267,7 @@ Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding fin
   if (finding.count > 1) entry.diagnostic.last_pointer = pointer;
   entry.diagnostic.pointer = std::move(pointer);
   entry.diagnostic.count = finding.count;
+  entry.diagnostic.requirement = std::move(finding.requirement);
   return entry;
 }
 
@@ -305,6 +306,7 @@ void Collector::move_to(FileReport& report, std::vector<Entry>& entries) const {
       repeat.object_name = std::move(from.object_name);
       repeat.location = from.location;
       repeat.count = from.count;
+      repeat.requirement = std::move(from.requirement);
       report.repeats.push_back(std::move(repeat));
     }
     report.diagnostics.push_back(std::move(entry.diagnostic));

@@ -61,6 +61,37 @@ TEST(JsonReport, GivesOffsetOrPointerOrNeither) {
   EXPECT_EQ(files[4]["findings"][0]["pointer"], "/nodes/1");
 }
 
+TEST(JsonReport, NamesTheLimitThatAFindingIsAbout) {
+  const json parsed = json::parse(json_text({file("leaf.gltf", {over_budget()})}));
+  EXPECT_EQ(parsed["files"][0]["findings"][0]["measure"], json::parse(R"({
+    "name": "triangles", "on": "mesh", "value": 31204, "op": "max", "limit": 20000,
+    "from": "gltfx.toml:14"})"));
+}
+
+TEST(JsonReport, ListsTheRequirements) {
+  FileReport report = file("leaf.gltf");
+  EXPECT_FALSE(json::parse(json_text({report}))["files"][0].contains("requirements"));
+  report.requirements = requirements();
+  report.unlisted_requirements = 12;
+  const json parsed = json::parse(json_text({report}))["files"][0];
+  EXPECT_EQ(parsed["unlistedRequirements"], 12);
+  EXPECT_EQ(parsed["requirements"], json::parse(R"-([
+    {"measure": "triangles", "on": "mesh", "value": 31204, "op": "max", "limit": 20000,
+     "from": "gltfx.toml:14", "pointer": "/meshes/0", "object": "Body", "verdict": "fail",
+     "severity": "error"},
+    {"measure": "size-y", "on": "asset", "value": 0.25, "op": "min", "limit": 0.01, "unit": "m",
+     "from": "preset shop/mobile (1.0.0, 2020-10-20)", "verdict": "pass", "severity": "error"},
+    {"measure": "root-transform", "on": "asset", "value": false, "op": "equal", "limit": true,
+     "from": "preset shop/mobile (1.0.0, 2020-10-20)", "verdict": "fail", "severity": "warning"},
+    {"measure": "name", "on": "mesh", "value": "Body", "op": "match", "limit": "^SM_",
+     "from": "gltfx.toml:20", "pointer": "/meshes/0", "verdict": "fail", "severity": "error"},
+    {"measure": "extensions", "on": "asset", "value": ["KHR_a", "KHR_b"], "op": "allow",
+     "limit": ["KHR_*"], "from": "gltfx.toml:7", "verdict": "pass", "severity": "error"},
+    {"measure": "value-max", "on": "image", "value": null, "op": "max", "limit": 243,
+     "from": "preset shop/mobile (1.0.0, 2020-10-20)", "pointer": "/images/0",
+     "verdict": "not-measured", "severity": "error"}])-"));
+}
+
 TEST(JsonReport, CarriesWhatWasLeftOut) {
   const json parsed = json::parse(json_text(sample_run()));
   const json& big = parsed["files"][4];
@@ -113,6 +144,9 @@ json full_run() {
   image.image = ResourceInfo::Image{4, 8, 16, "rgba", "srgb", "linear"};
   info.resources = {image, ResourceInfo{"/buffers/0", "", "", "", {}, {}}};
   reports[0].info = info;
+  reports[0].diagnostics.push_back(over_budget());
+  reports[0].requirements = requirements();
+  reports[0].unlisted_requirements = 12;
   return json::parse(json_text(reports));
 }
 
@@ -127,9 +161,10 @@ TEST(JsonReportSchema, AcceptsWhatIsWritten) {
 TEST(JsonReportSchema, DescribesEveryMember) {
   // additionalProperties is false throughout, so a member that is not described is refused.
   json report = full_run();
-  for (const char* pointer : {"", "/summary", "/files/0", "/files/0/counts", "/files/0/info",
-                              "/files/0/findings/0", "/files/0/findings/0/location",
-                              "/files/0/info/resources/0", "/files/0/info/resources/0/image"}) {
+  for (const char* pointer :
+       {"", "/summary", "/files/0", "/files/0/counts", "/files/0/info", "/files/0/findings/0",
+        "/files/0/findings/0/location", "/files/0/findings/2/measure", "/files/0/requirements/0",
+        "/files/0/info/resources/0", "/files/0/info/resources/0/image"}) {
     json changed = report;
     changed[json::json_pointer(pointer)]["surprise"] = 1;
     EXPECT_THAT(published_schema().errors(changed),
@@ -147,6 +182,12 @@ TEST(JsonReportSchema, RefusesWrongValues) {
       {"/files/0/findings/0/location/line", 0},
       {"/files/2/findings/0/offset", -1},
       {"/files/0/info/resources/0/storage", "cloud"},
+      {"/files/0/findings/2/measure/op", "about"},
+      {"/files/0/requirements/0/verdict", "good"},
+      {"/files/0/requirements/0/value", json::object()},
+      {"/files/0/requirements/0/limit", nullptr},
+      {"/files/0/requirements/4/value/0", 1},
+      {"/files/0/unlistedRequirements", 0},
       {"/summary/errors", 1.5}};
   for (const auto& [pointer, value] : wrong) {
     json changed = full_run();

@@ -16,7 +16,7 @@ namespace {
 // All that formats can show of a report.
 std::string shown(const FileReport& report) {
   return run(ReportFormat::jsonl, {report}) + run(ReportFormat::text, {report}) +
-         run(ReportFormat::khronos, {report});
+         run(ReportFormat::khronos, {report}) + run(ReportFormat::sarif, {report});
 }
 
 FileReport with_everything() {
@@ -50,6 +50,14 @@ FileReport with_everything() {
   info.resources = {resource, {}};
   info.max_uvs = 2;
   info.has_skins = true;
+  report.diagnostics.push_back(over_budget());
+  Diagnostic other = over_budget();
+  CheckedLimit limit = *other.requirement;
+  limit.value = 40000.0;
+  other.requirement = std::make_shared<const CheckedLimit>(std::move(limit));
+  keep_repeat(report, other);
+  report.requirements = requirements();
+  report.unlisted_requirements = 12;
   return report;
 }
 
@@ -129,6 +137,10 @@ TEST(ReportLines, SayWhatIsWrongWithThem) {
   EXPECT_THAT(problem("{\"path\": \"a\", \"counts\": []}"), ::testing::HasSubstr("'counts'"));
   EXPECT_THAT(problem("{\"path\": \"a\", \"suppressed\": -1}"),
               ::testing::HasSubstr("'suppressed'"));
+  EXPECT_THAT(problem("{\"path\": \"a\", \"requirements\": [{\"verdict\": \"good\"}]}"),
+              ::testing::HasSubstr("'verdict'"));
+  EXPECT_THAT(problem("{\"path\": \"a\", \"requirements\": [{\"value\": {}}]}"),
+              ::testing::HasSubstr("'value'"));
   EXPECT_THAT(problem("{\"path\": \"a\""), ::testing::HasSubstr("cut off"));
   EXPECT_THAT(problem("{}"), ::testing::HasSubstr("no line of a report"));
 }

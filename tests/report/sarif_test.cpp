@@ -83,6 +83,13 @@ TEST(Sarif, ResultNamesRuleLevelPlaceAndRepeats) {
   EXPECT_EQ(one["properties"]["object"], "Leaf");
 }
 
+TEST(Sarif, AResultNamesTheLimitThatItIsAbout) {
+  EXPECT_EQ(result(over_budget())["properties"], json::parse(R"({"object": "Body", "measure": {
+      "name": "triangles", "on": "mesh", "value": 31204, "op": "max", "limit": 20000,
+      "from": "gltfx.toml:14"}})"));
+  EXPECT_FALSE(result(wrong_type())["properties"].contains("measure"));
+}
+
 TEST(Sarif, ColumnsAreUtf16CodeUnits) {
   const std::string_view text = "{\"\U0001F342\U0001F342é\": 1}";
   const json one = result(on(finding("X", Severity::error, "M."), text, "1"));

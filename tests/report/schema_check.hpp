@@ -38,7 +38,7 @@ class SchemaCheck {
       if (known.count(item.key()) == 0) errors_.push_back("unknown keyword " + item.key());
     }
     if (schema.contains("$ref")) check(value, target(schema["$ref"]), at);
-    if (schema.contains("type") && !has_type(value, schema["type"])) fail(at, "type");
+    if (schema.contains("type") && !has_a_type(value, schema["type"])) fail(at, "type");
     if (schema.contains("const") && value != schema["const"]) fail(at, "const");
     if (schema.contains("enum") && !one_of(value, schema["enum"])) fail(at, "enum");
     if (schema.contains("minimum") && value < schema["minimum"]) fail(at, "minimum");
@@ -71,12 +71,19 @@ class SchemaCheck {
     return root_.at(Json::json_pointer(reference.substr(1)));
   }
 
+  static bool has_a_type(const Json& value, const Json& types) {
+    if (!types.is_array()) return has_type(value, types);
+    return std::any_of(types.begin(), types.end(),
+                       [&](const Json& type) { return has_type(value, type); });
+  }
+
   static bool has_type(const Json& value, const std::string& type) {
     if (type == "object") return value.is_object();
     if (type == "array") return value.is_array();
     if (type == "string") return value.is_string();
     if (type == "boolean") return value.is_boolean();
     if (type == "number") return value.is_number();
+    if (type == "null") return value.is_null();
     return type == "integer" && value.is_number_integer();
   }
 

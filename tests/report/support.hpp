@@ -4,6 +4,7 @@
 
 #include <gltfx/report.hpp>
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -54,6 +55,7 @@ inline void keep_repeat(FileReport& report, const Diagnostic& repeat) {
   kept.object_name = repeat.object_name;
   kept.location = repeat.location;
   kept.count = repeat.count;
+  kept.requirement = repeat.requirement;
   report.repeats.push_back(std::move(kept));
   Diagnostic& first = report.diagnostics.back();
   first.count += repeat.count;
@@ -119,6 +121,46 @@ inline Diagnostic out_of_range() {
   return on(finding("VALUE_NOT_IN_RANGE", Severity::warning,
                     "'roughnessFactor' is 1.75; 0 to 1 is allowed.", std::string(kRoughness)),
             kLeaf, "1.75");
+}
+
+/// Too many triangles, with what was measured.
+inline Diagnostic over_budget() {
+  CheckedLimit limit{"triangles", "mesh", 31204.0, "max", 20000.0, "", "gltfx.toml:14"};
+  Diagnostic d =
+      finding("BUDGET_TRIANGLES", Severity::error,
+              "The mesh has 31,204 triangles; the limit is 20,000 (gltfx.toml:14).", "/meshes/0");
+  d.object_name = "Body";
+  d.requirement = std::make_shared<const CheckedLimit>(std::move(limit));
+  return d;
+}
+
+/// One requirement of each type and verdict.
+inline std::vector<Requirement> requirements() {
+  const auto make = [](CheckedLimit limit, std::string pointer, Verdict verdict) {
+    Requirement requirement;
+    static_cast<CheckedLimit&>(requirement) = std::move(limit);
+    requirement.pointer = std::move(pointer);
+    requirement.verdict = verdict;
+    return requirement;
+  };
+  using Set = std::vector<std::string>;
+  const std::string preset = "preset shop/mobile (1.0.0, 2020-10-20)";
+  std::vector<Requirement> all;
+  all.push_back(make({"triangles", "mesh", 31204.0, "max", 20000.0, "", "gltfx.toml:14"},
+                     "/meshes/0", Verdict::fail));
+  all.back().object_name = "Body";
+  all.push_back(make({"size-y", "asset", 0.25, "min", 0.01, "m", preset}, "", Verdict::pass));
+  all.push_back(
+      make({"root-transform", "asset", false, "equal", true, "", preset}, "", Verdict::fail));
+  all.back().severity = Severity::warning;
+  all.push_back(make({"name", "mesh", "Body", "match", "^SM_", "", "gltfx.toml:20"}, "/meshes/0",
+                     Verdict::fail));
+  all.push_back(make(
+      {"extensions", "asset", Set{"KHR_a", "KHR_b"}, "allow", Set{"KHR_*"}, "", "gltfx.toml:7"}, "",
+      Verdict::pass));
+  all.push_back(make({"value-max", "image", {}, "max", 243.0, "", preset}, "/images/0",
+                     Verdict::not_measured));
+  return all;
 }
 
 inline Diagnostic bad_chunk() {

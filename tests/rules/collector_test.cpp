@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 // The conversion of findings into a report: severities, filters, folding, order, places and names.
+#include "rules/collector.hpp"
+
 #include <gltfx/pipeline.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "base/codes.hpp"
 #include "rules/verdict.hpp"
 
 namespace gltfx {
@@ -70,6 +75,25 @@ TEST(Collector, KeepsTheFirstRepeatsWithPlaceAndName) {
   EXPECT_EQ(repeat.location.line, 3U);
   EXPECT_EQ(text.substr(repeat.location.offset, repeat.location.length), "-2");
   EXPECT_NE(repeat.message, report.diagnostics[0].message) << "each says its own value";
+}
+
+TEST(Collector, KeepsTheLimitThatEachFindingIsAbout) {
+  const ValidateOptions options;
+  validate::Collector collector(options);
+  const Path root;
+  const Path meshes(root, "meshes");
+  for (const std::size_t index : {0U, 1U}) {
+    Finding finding(Code::BUDGET_TRIANGLES, "Too many.");
+    CheckedLimit limit{"triangles", "mesh", 100.0 + double(index), "max", 50.0, "", "gltfx.toml:1"};
+    finding.requirement = std::make_shared<const CheckedLimit>(std::move(limit));
+    collector.sink(validate::Phase::resources).report(Path(meshes, index), std::move(finding));
+  }
+  FileReport report;
+  collector.finish(report, {}, 0);
+  ASSERT_EQ(report.diagnostics.size(), 1U);
+  ASSERT_EQ(report.repeats.size(), 1U);
+  EXPECT_EQ(report.diagnostics[0].requirement->value, MeasureValue(100.0));
+  EXPECT_EQ(report.repeats[0].requirement->value, MeasureValue(101.0));
 }
 
 TEST(Collector, KeepsSomeThousandRepeatsAtMost) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace gltfx {
@@ -83,6 +84,25 @@ struct ProposedFix {
   std::vector<Replacement> replacements;  ///< in the order of the text
 };
 
+/// What a measure counts: a number, a truth value, a text or a set of texts, sorted. Nothing: it
+/// could not be taken.
+using MeasureValue =
+    std::variant<std::monostate, double, bool, std::string, std::vector<std::string>>;
+
+/// A limit on a measure, and the value that was measured.
+struct CheckedLimit {
+  std::string measure;  ///< its name: "triangles"
+  std::string on;       ///< what it was taken of: "asset", "scene", "node", "mesh" and so on
+  MeasureValue value;   ///< in `unit`
+  /// How the value is compared: "min", "max", "equal", "match", "deny-match", "unique", "allow",
+  /// "deny".
+  std::string op;
+  MeasureValue limit;  ///< in `unit`; a pattern for "match" and "deny-match"
+  std::string unit;    ///< "B", "m", "%" and so on; empty: none
+  /// Where the limit is stated: "gltfx.toml:14", or a preset with its version and date.
+  std::string from;
+};
+
 /// One finding. Owns its text, so it outlives the asset.
 struct Diagnostic {
   std::string_view code;                ///< static storage: the code of a rule
@@ -99,6 +119,7 @@ struct Diagnostic {
   std::string last_pointer;                ///< pointer of the last repeat when count > 1
   std::shared_ptr<const ProposedFix> fix;  ///< null: none, or not requested
   bool fixable = false;  ///< it has a safe fix: `gltfx fix` makes it or reports why not
+  std::shared_ptr<const CheckedLimit> requirement;  ///< that is not met; null: of no limit
 };
 
 }  // namespace gltfx
