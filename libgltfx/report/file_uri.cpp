@@ -32,15 +32,20 @@ bool leads_out(const fs::path& path) { return !path.empty() && *path.begin() == 
 
 }  // namespace
 
-FileUri file_uri(std::string_view path, std::string_view folder) {
+std::string path_below(std::string_view path, std::string_view folder) {
   fs::path plain = fs::path(path).lexically_normal();
   if (!folder.empty() && (plain.is_absolute() || leads_out(plain))) {
     plain = (fs::path(folder) / plain).lexically_normal();
     const fs::path below = plain.lexically_relative(fs::path(folder).lexically_normal());
     if (!below.empty() && !leads_out(below)) plain = below;
   }
-  if (plain.is_absolute()) return {"file://" + percent_encoded(plain.native()), false};
-  return {percent_encoded(plain.native()), true};
+  return plain.native();
+}
+
+FileUri file_uri(std::string_view path, std::string_view folder) {
+  const std::string plain = path_below(path, folder);
+  if (plain.starts_with('/')) return {"file://" + percent_encoded(plain), false};
+  return {percent_encoded(plain), true};
 }
 
 std::string folder_uri(std::string_view folder) {

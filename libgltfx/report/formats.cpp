@@ -9,8 +9,8 @@ namespace gltfx {
 namespace {
 
 /// In the order of ReportFormat.
-constexpr std::array<std::string_view, 8> kNames{"text",   "json",  "jsonl", "khronos",
-                                                 "github", "sarif", "junit", "agent"};
+constexpr std::array<std::string_view, 9> kNames{"text",   "json",  "jsonl", "khronos", "github",
+                                                 "gitlab", "sarif", "junit", "agent"};
 
 }  // namespace
 
@@ -38,6 +38,8 @@ std::unique_ptr<ReportWriter> writer_of(ReportFormat format, const FormatOptions
       return report::make_khronos_writer();
     case ReportFormat::github:
       return report::make_github_writer(options);
+    case ReportFormat::gitlab:
+      return report::make_gitlab_writer(options);
     case ReportFormat::sarif:
       return report::make_sarif_writer(options);
     case ReportFormat::junit:

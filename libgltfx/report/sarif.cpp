@@ -212,7 +212,7 @@ class SarifWriter final : public ReportWriter {
     writer.member("ruleIndex", rules_.index_of(finding.code, finding.severity));
     writer.member("level", sarif_level(finding.severity));
     writer.key("message");
-    write_sarif_message(writer, result_text(finding));
+    write_sarif_message(writer, message_with_help(finding));
     writer.key("locations");
     writer.begin_array();
     write_location(writer, report, uri, finding);
@@ -233,12 +233,6 @@ class SarifWriter final : public ReportWriter {
       write_checked_limit(writer, *finding.requirement);
     }
     writer.end_object();
-  }
-
-  static std::string result_text(const Diagnostic& finding) {
-    if (finding.help.empty()) return finding.message;
-    const bool ends = std::string_view(".!?").find(finding.help.back()) != std::string_view::npos;
-    return fmt::format("{} Help: {}{}", finding.message, finding.help, ends ? "" : ".");
   }
 
   static void write_repeats(json::Writer& writer, const Diagnostic& finding) {

@@ -38,6 +38,13 @@ std::string document_place(const Diagnostic& diagnostic) {
   return place;
 }
 
+std::string message_with_help(const Diagnostic& diagnostic) {
+  const std::string& help = diagnostic.help;
+  if (help.empty()) return diagnostic.message;
+  const bool ends = std::string_view(".!?").find(help.back()) != std::string_view::npos;
+  return fmt::format("{} Help: {}{}", diagnostic.message, help, ends ? "" : ".");
+}
+
 std::string repeat_note(const Diagnostic& diagnostic) {
   if (diagnostic.count < 2) return {};
   const bool elsewhere = diagnostic.last_pointer != diagnostic.pointer;

@@ -47,6 +47,9 @@ std::string file_place(const FileReport& report, const Diagnostic& diagnostic);
 /// Neutralised, and cut if a pointer or a name is very long.
 std::string document_place(const Diagnostic& diagnostic);
 
+/// "The value is a string. Help: remove the quotes."
+std::string message_with_help(const Diagnostic& diagnostic);
+
 /// "repeated 41 more times, last at /nodes/44", or nothing when there are no repeats.
 std::string repeat_note(const Diagnostic& diagnostic);
 

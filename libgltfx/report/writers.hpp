@@ -17,6 +17,7 @@ std::unique_ptr<ReportWriter> make_json_lines_writer(const FormatOptions& option
 /// Keeps the text of the first file until a second file or the end decides the structure.
 std::unique_ptr<ReportWriter> make_khronos_writer();
 std::unique_ptr<ReportWriter> make_github_writer(const FormatOptions& options);
+std::unique_ptr<ReportWriter> make_gitlab_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_sarif_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_junit_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_agent_writer(const FormatOptions& options);

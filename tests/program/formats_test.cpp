@@ -73,6 +73,24 @@ TEST_F(Formats, SarifTellsAllFindingsOfAFileApart) {
   EXPECT_GE(run["results"].size(), 100U);
 }
 
+TEST_F(Formats, GitlabTellsAllFindingsApartByFingerprint) {
+  const json findings = json::parse(in("gitlab").out);
+  std::set<json> met;
+  for (const json& finding : findings) {
+    EXPECT_TRUE(met.insert(finding["fingerprint"]).second) << finding;
+    EXPECT_GE(finding["location"]["lines"]["begin"], 1);
+  }
+  EXPECT_GE(findings.size(), 100U);
+}
+
+TEST_F(Formats, GitlabPathsStartAtTheRepository) {
+  folder_.write("repository/.git/HEAD", "");
+  folder_.write("repository/models/leaf.gltf", kFaulty);
+  const Outcome outcome = gltfx({"validate", "./leaf.gltf", "--format", "gitlab"},
+                                {(folder_.path() / "repository/models").native(), {}, {}});
+  EXPECT_EQ(json::parse(outcome.out)[0]["location"]["path"], "models/leaf.gltf");
+}
+
 TEST_F(Formats, AgentHasALineForEachFinding) {
   const std::string out = in("agent").out;
   std::size_t findings = 0;

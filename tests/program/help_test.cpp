@@ -77,7 +77,8 @@ const std::vector<Verb>& verbs() {
            "--allow-empty --cache "
            "--cache-key")},
       {"report",
-       words("PATH --output --title --no-thumbnails --thumbnail-size --quality --quality --fail-on "
+       words("PATH --output --title --no-thumbnails --thumbnail-size --quality "
+             "--quality --fail-on "
              "--profile "
              "--select --ignore --severity --inline-suppressions --config --isolated "
              "--unsandboxed-decoders --max-issues --pixels --max-texture-size "
@@ -122,6 +123,20 @@ TEST(Help, OfEachVerbListsEveryOptionExamplesAndExitCodes) {
                 AllOf(HasSubstr("Examples:\n  gltfx " + verb.name), HasSubstr("Exit codes"),
                       HasSubstr("Usage: gltfx " + verb.name)));
     EXPECT_EQ(gltfx({verb.name, "-h"}).out, outcome.out);
+  }
+}
+
+TEST(Help, ListsTheFormatsOfReports) {
+  const std::string list = "Formats: ";
+  for (const char* const verb : {"validate", "merge"}) {
+    const std::string text = gltfx({verb, "--help"}).out;
+    const std::size_t begin = text.find(list) + list.size();
+    std::vector<std::string> names = words(text.substr(begin, text.find('\n', begin) - begin));
+    EXPECT_EQ(names.size(), 9U);
+    for (std::string& name : names) {
+      name.pop_back();  // a comma, or the full stop
+      EXPECT_EQ(gltfx({"validate", fixture("good/stone.gltf"), "--format", name}).code, 0) << name;
+    }
   }
 }
 

@@ -45,7 +45,8 @@ TEST_F(Listing, FindingsBelowTheSeverityAreCountedNotListed) {
 }
 
 TEST_F(Listing, TheSeverityIsThatOfEveryFormat) {
-  for (const std::string format : {"json", "jsonl", "khronos", "github", "sarif", "agent"}) {
+  for (const std::string format :
+       {"json", "jsonl", "khronos", "github", "gitlab", "sarif", "agent"}) {
     const std::vector<std::string> words{"--format", format, "--sarif-notes"};
     EXPECT_THAT(validate(words).out, HasSubstr("UNUSED_OBJECT")) << format;
     std::vector<std::string> some = words;

@@ -45,7 +45,8 @@ class Merge : public testing::Test {
 
 TEST_F(Merge, ShardsTogetherSayWhatOneRunSays) {
   run_shards(3);
-  for (const std::string format : {"text", "json", "jsonl", "sarif", "junit", "github", "agent"}) {
+  for (const std::string format :
+       {"text", "json", "jsonl", "sarif", "junit", "github", "gitlab", "agent"}) {
     const Outcome one = validate({"--format", format});
     const Outcome parts = merge({"2.jsonl", "3.jsonl", "1.jsonl", "--format", format});
     EXPECT_EQ(parts.code, 0) << parts.err;

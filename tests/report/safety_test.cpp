@@ -66,8 +66,8 @@ TEST_P(Hostile, EndsInALineBreak) { EXPECT_EQ(out.back(), '\n'); }
 INSTANTIATE_TEST_SUITE_P(Formats, Hostile,
                          ::testing::Values(ReportFormat::text, ReportFormat::json,
                                            ReportFormat::khronos, ReportFormat::github,
-                                           ReportFormat::sarif, ReportFormat::junit,
-                                           ReportFormat::agent),
+                                           ReportFormat::gitlab, ReportFormat::sarif,
+                                           ReportFormat::junit, ReportFormat::agent),
                          [](const auto& format) {
                            return std::string(report_format_name(format.param));
                          });

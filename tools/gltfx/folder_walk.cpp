@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "path_pattern.hpp"
 #include "read_input.hpp"
+#include "repository.hpp"
 
 namespace gltfx::tool {
 namespace {
@@ -24,14 +25,15 @@ constexpr std::ptrdiff_t kMostStars = 16;
 
 // From the top of the repository to the folder itself; empty outside of repositories.
 std::vector<fs::path> folders_of_repository(const fs::path& folder) {
-  std::vector<fs::path> folders;
   std::error_code error;
-  for (fs::path at = fs::canonical(folder, error); !error; at = at.parent_path()) {
-    folders.insert(folders.begin(), at);
-    if (fs::exists(at / ".git", error)) return folders;
-    if (at == at.root_path()) break;
+  const fs::path whole = fs::canonical(folder, error);
+  const fs::path top = repository_of(whole);
+  if (top.empty()) return {};
+  std::vector<fs::path> folders{top};
+  for (const fs::path& name : whole.lexically_relative(top)) {
+    if (name != ".") folders.push_back(folders.back() / name);
   }
-  return {};
+  return folders;
 }
 
 }  // namespace

@@ -23,7 +23,10 @@ constexpr std::string_view kProgramExamples = R"(Examples:
   gltfx VERB --help                  show the options of a verb
 )";
 
-constexpr std::string_view kValidateExamples = R"(Examples:
+constexpr std::string_view kValidateExamples =
+    R"(Formats: text, json, jsonl, khronos, github, gitlab, sarif, junit, agent.
+
+Examples:
   gltfx validate model.gltf
   gltfx validate assets/ 'props/**/*.glb' --fail-on warning
   gltfx validate assets/ --format text --format json=report.json
@@ -105,7 +108,10 @@ Examples:
   gltfx hook validate --fail-on warning
 )";
 
-constexpr std::string_view kMergeExamples = R"(Examples:
+constexpr std::string_view kMergeExamples =
+    R"(Formats: text, json, jsonl, khronos, github, gitlab, sarif, junit, agent.
+
+Examples:
   gltfx merge 1.jsonl 2.jsonl --format sarif=report.sarif   from:
   gltfx validate library/ --shard 1/2 --format jsonl=1.jsonl
   gltfx validate library/ --shard 2/2 --format jsonl=2.jsonl

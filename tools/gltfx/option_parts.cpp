@@ -22,7 +22,7 @@ void add_table_format(Options& options, TableFormat& format) {
 }
 
 void add_report_formats(Options& options, ReportRequest& request) {
-  options.add("-f,--format", "NAME[=FILE]", "text|json|jsonl|khronos|github|sarif|junit|agent",
+  options.add("-f,--format", "NAME[=FILE]", "One of the formats below (default: text)",
               parsed_list(request.targets, parse_targets, values::report_format_choice));
 }
 

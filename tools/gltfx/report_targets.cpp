@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "repository.hpp"
 #include "terminal.hpp"
 
 namespace gltfx::tool {
@@ -31,6 +32,7 @@ FormatOptions format_options(const ReportRequest& request, const ReportTargets::
   options.rules = rules();
   std::error_code error;
   options.folder = std::filesystem::current_path(error).native();
+  options.repository = repository_of(options.folder).native();
   options.fail_on = request.fail_on;
   options.sarif_notes = request.sarif_notes;
   options.timings = request.timings;

@@ -13,6 +13,7 @@
 #include "git.hpp"
 #include "input_paths.hpp"
 #include "read_input.hpp"
+#include "repository.hpp"
 
 namespace gltfx::tool {
 
@@ -36,13 +37,7 @@ namespace fs = std::filesystem;
 bool is_tracked(const std::string& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error)) return false;
-  const fs::path whole = fs::absolute(folder, error);
-  bool in_repository = false;
-  for (fs::path at = whole; !in_repository; at = at.parent_path()) {
-    in_repository = fs::exists(at / ".git", error);
-    if (at == at.root_path() || at.empty()) break;
-  }
-  if (!in_repository) return false;
+  if (repository_of(fs::absolute(folder, error)).empty()) return false;
   const auto files = Git(folder).run({"ls-files", "-z", "--cached", "--", "."});
   return files && files->code == 0 && !files->out.empty();
 }

@@ -125,7 +125,17 @@ struct Shard {
 };
 
 /// How a report is written.
-enum class ReportFormat : std::uint8_t { text, json, jsonl, khronos, github, sarif, junit, agent };
+enum class ReportFormat : std::uint8_t {
+  text,
+  json,
+  jsonl,
+  khronos,
+  github,
+  gitlab,
+  sarif,
+  junit,
+  agent
+};
 
 /// "text", "json" and so on.
 std::string_view report_format_name(ReportFormat format);
@@ -154,8 +164,10 @@ struct FormatOptions {
   std::string pixel_level;
   /// All rules, sorted by code, for sarif and agent. Static storage.
   std::span<const RuleDescription> rules;
-  /// sarif: the absolute folder that relative paths start from; may be empty.
+  /// sarif, gitlab: the absolute folder that relative paths start from; may be empty.
   std::string folder;
+  /// gitlab: the absolute folder that paths in the report start from; empty: `folder`.
+  std::string repository;
   Shard shard;  ///< named in jsonl
   /// junit: findings of this severity or a higher one are failures; named in jsonl; nothing: never.
   std::optional<Severity> fail_on = Severity::error;
