@@ -9,8 +9,8 @@ namespace gltfx {
 namespace {
 
 /// In the order of ReportFormat.
-constexpr std::array<std::string_view, 9> kNames{"text",   "json",  "jsonl", "khronos", "github",
-                                                 "gitlab", "sarif", "junit", "agent"};
+constexpr std::array<std::string_view, 10> kNames{"text",   "json",  "jsonl", "khronos", "github",
+                                                  "gitlab", "sarif", "junit", "agent",   "csv"};
 
 }  // namespace
 
@@ -46,6 +46,8 @@ std::unique_ptr<ReportWriter> writer_of(ReportFormat format, const FormatOptions
       return report::make_junit_writer(options);
     case ReportFormat::agent:
       return report::make_agent_writer(options);
+    case ReportFormat::csv:
+      return report::make_csv_writer();
     case ReportFormat::text:
       break;
   }

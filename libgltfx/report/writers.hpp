@@ -21,6 +21,7 @@ std::unique_ptr<ReportWriter> make_gitlab_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_sarif_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_junit_writer(const FormatOptions& options);
 std::unique_ptr<ReportWriter> make_agent_writer(const FormatOptions& options);
+std::unique_ptr<ReportWriter> make_csv_writer();
 
 /// Hands reports on without findings below `least`; the counts stay.
 std::unique_ptr<ReportWriter> with_min_severity(std::unique_ptr<ReportWriter> writer,

@@ -132,7 +132,7 @@ TEST(Help, ListsTheFormatsOfReports) {
     const std::string text = gltfx({verb, "--help"}).out;
     const std::size_t begin = text.find(list) + list.size();
     std::vector<std::string> names = words(text.substr(begin, text.find('\n', begin) - begin));
-    EXPECT_EQ(names.size(), 9U);
+    EXPECT_EQ(names.size(), 10U);
     for (std::string& name : names) {
       name.pop_back();  // a comma, or the full stop
       EXPECT_EQ(gltfx({"validate", fixture("good/stone.gltf"), "--format", name}).code, 0) << name;

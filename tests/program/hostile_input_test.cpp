@@ -127,7 +127,7 @@ TEST_F(HostileInput, ReportsDoNotRepeatTextsOfMegabytes) {
                                  R"(", "emissiveFactor": [2, 2, 2], ")" + text +
                                  R"(": 1}], "extensionsUsed": [")" + text + R"("]})");
   for (const char* const format :
-       {"text", "json", "jsonl", "sarif", "junit", "github", "gitlab", "agent"}) {
+       {"text", "json", "jsonl", "sarif", "junit", "github", "gitlab", "agent", "csv"}) {
     const Outcome outcome = run({"validate", "long.gltf", "--isolated", "--format", format});
     EXPECT_EQ(outcome.code, 1) << format;
     EXPECT_LT(outcome.out.size(), std::size_t{1} << 16U) << format;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Runs that share their inputs among them, and their reports put together.
 #include <algorithm>
+#include <fstream>
 #include <set>
+#include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -46,13 +48,32 @@ class Merge : public testing::Test {
 TEST_F(Merge, ShardsTogetherSayWhatOneRunSays) {
   run_shards(3);
   for (const std::string format :
-       {"text", "json", "jsonl", "sarif", "junit", "github", "gitlab", "agent"}) {
+       {"text", "json", "jsonl", "sarif", "junit", "github", "gitlab", "agent", "csv"}) {
     const Outcome one = validate({"--format", format});
     const Outcome parts = merge({"2.jsonl", "3.jsonl", "1.jsonl", "--format", format});
     EXPECT_EQ(parts.code, 0) << parts.err;
     EXPECT_EQ(parts.out, one.out) << format;
     EXPECT_NE(one.out, "");
   }
+}
+
+TEST_F(Merge, KeepsTheRequirementsOfTheRuns) {
+  run_shards(1);
+  std::ifstream file(folder_.path() / "1.jsonl");
+  std::string lines;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("{\"position\"")) {
+      line.pop_back();
+      line += R"(,"requirements":[{"measure":"triangles","on":"mesh","value":7,"op":"max",)"
+              R"("limit":5,"from":"gltfx.toml:1","pointer":"/meshes/0","verdict":"fail",)"
+              R"("severity":"error"}]})";
+    }
+    lines += line + "\n";
+  }
+  folder_.write("1.jsonl", lines);
+  const std::string out = merge({"1.jsonl", "--format", "csv"}).out;
+  EXPECT_THAT(out, testing::HasSubstr(",mesh,/meshes/0,triangles,7,max,5,fail,gltfx.toml:1\r\n"));
+  EXPECT_THAT(merge({"1.jsonl", "--format", "jsonl"}).out, testing::HasSubstr("\"gltfx.toml:1\""));
 }
 
 TEST_F(Merge, TimesAreThoseThatTheRunsRecorded) {

@@ -49,7 +49,7 @@ TEST(RunSummary, IsTheSumOfItsReports) {
 }
 
 TEST(ReportFormats, AreFoundByTheirNames) {
-  ASSERT_EQ(report_format_names().size(), 9u);
+  ASSERT_EQ(report_format_names().size(), 10u);
   for (const std::string_view name : report_format_names()) {
     const auto format = report_format_from_name(name);
     ASSERT_TRUE(format.has_value()) << name;

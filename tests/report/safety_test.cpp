@@ -34,6 +34,12 @@ FileReport hostile_report() {
   report.info->extensions_used = {evil};
   report.info->resources.push_back({"/buffers/0", evil, "external", evil, {}, {}});
   report.truncated = true;
+  report.requirements.emplace_back();
+  Requirement& requirement = report.requirements.back();
+  requirement.measure = requirement.on = requirement.op = requirement.from = evil;
+  requirement.pointer = requirement.object_name = requirement.unit = evil;
+  requirement.value = evil;
+  requirement.limit = std::vector<std::string>{evil, evil};
   return report;
 }
 
@@ -43,7 +49,11 @@ class Hostile : public ::testing::TestWithParam<ReportFormat> {
 };
 
 TEST_P(Hostile, HasNoControlCharacterButLineBreaks) {
-  for (const char c : out) EXPECT_TRUE(c == '\n' || static_cast<unsigned char>(c) >= 0x20) << out;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const bool ends_row = out[i] == '\r' && GetParam() == ReportFormat::csv;
+    EXPECT_TRUE(!ends_row || out[i + 1] == '\n');
+    EXPECT_TRUE(out[i] == '\n' || ends_row || static_cast<unsigned char>(out[i]) >= 0x20) << out;
+  }
   EXPECT_EQ(out.find('\x7f'), std::string::npos);
 }
 
@@ -63,14 +73,12 @@ TEST_P(Hostile, IsValidUtf8) {
 
 TEST_P(Hostile, EndsInALineBreak) { EXPECT_EQ(out.back(), '\n'); }
 
-INSTANTIATE_TEST_SUITE_P(Formats, Hostile,
-                         ::testing::Values(ReportFormat::text, ReportFormat::json,
-                                           ReportFormat::khronos, ReportFormat::github,
-                                           ReportFormat::gitlab, ReportFormat::sarif,
-                                           ReportFormat::junit, ReportFormat::agent),
-                         [](const auto& format) {
-                           return std::string(report_format_name(format.param));
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Formats, Hostile,
+    ::testing::Values(ReportFormat::text, ReportFormat::json, ReportFormat::khronos,
+                      ReportFormat::github, ReportFormat::gitlab, ReportFormat::sarif,
+                      ReportFormat::junit, ReportFormat::agent, ReportFormat::csv),
+    [](const auto& format) { return std::string(report_format_name(format.param)); });
 
 TEST_P(Hostile, HasNoReorderingCharacter) { EXPECT_EQ(out.find("\u202E"), std::string::npos); }
 

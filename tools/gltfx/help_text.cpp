@@ -24,7 +24,7 @@ constexpr std::string_view kProgramExamples = R"(Examples:
 )";
 
 constexpr std::string_view kValidateExamples =
-    R"(Formats: text, json, jsonl, khronos, github, gitlab, sarif, junit, agent.
+    R"(Formats: text, json, jsonl, khronos, github, gitlab, sarif, junit, agent, csv.
 
 Examples:
   gltfx validate model.gltf
@@ -109,7 +109,7 @@ Examples:
 )";
 
 constexpr std::string_view kMergeExamples =
-    R"(Formats: text, json, jsonl, khronos, github, gitlab, sarif, junit, agent.
+    R"(Formats: text, json, jsonl, khronos, github, gitlab, sarif, junit, agent, csv.
 
 Examples:
   gltfx merge 1.jsonl 2.jsonl --format sarif=report.sarif   from:

@@ -41,6 +41,27 @@ export interface Finding {
   fixable?: true;
   count?: number;
   lastPointer?: string;
+  measure?: CheckedLimit & { name: string };
+}
+
+export type MeasureValue = number | boolean | string | string[];
+
+/** A limit on a measure, and what was measured. */
+export interface CheckedLimit {
+  on: string;
+  value: MeasureValue | null;
+  op: "min" | "max" | "equal" | "match" | "deny-match" | "unique" | "allow" | "deny";
+  limit: MeasureValue;
+  unit?: string;
+  from: string;
+}
+
+export interface Requirement extends CheckedLimit {
+  measure: string;
+  pointer?: string;
+  object?: string;
+  verdict: "pass" | "fail" | "not-measured";
+  severity: "error" | "warning" | "info" | "hint";
 }
 
 export interface Report {
@@ -50,6 +71,8 @@ export interface Report {
   counts: { errors: number; warnings: number; infos: number; hints: number };
   truncated: boolean;
   findings: Finding[];
+  requirements?: Requirement[];
+  unlistedRequirements?: number;
   info?: AssetInfo;
 }
 

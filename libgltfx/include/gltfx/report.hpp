@@ -134,7 +134,8 @@ enum class ReportFormat : std::uint8_t {
   gitlab,
   sarif,
   junit,
-  agent
+  agent,
+  csv
 };
 
 /// "text", "json" and so on.
