@@ -9,6 +9,7 @@
 #include "json/writer.hpp"
 #include "report/facts_json.hpp"
 #include "report/page_parts.hpp"
+#include "report/page_requirements.hpp"
 #include "report/page_source.hpp"
 #include "report/read_line.hpp"
 #include "report/rule_lookup.hpp"
@@ -104,6 +105,13 @@ void write_asset(Writer& writer, const PageAsset& asset, bool with_position) {
   writer.begin_array();
   for (const Diagnostic& finding : report.diagnostics) write_finding(writer, finding);
   writer.end_array();
+  if (!report.requirements.empty()) {
+    writer.key("requirements");
+    report::write_page_requirements(writer, report.requirements, asset.previous);
+  }
+  if (report.unlisted_requirements > 0) {
+    writer.member("unlistedRequirements", report.unlisted_requirements);
+  }
   member_if(writer, "error", asset.inspection.error);
   if (asset.inspection.facts) {
     writer.key("facts");

@@ -181,6 +181,29 @@ void fields(Form& form, typename Form::template Of<Shard>& shard) {
   form.number("count", shard.count);
 }
 
+/// What is read of a file and of a whole report.
+struct CheckedFile {
+  std::string path;
+  std::vector<Requirement> requirements;
+};
+
+struct CheckedFiles {
+  std::uint64_t format = 0;
+  std::vector<CheckedFile> files;
+};
+
+template <class Form>
+void fields(Form& form, typename Form::template Of<CheckedFile>& file) {
+  form.bytes("path", file.path);
+  form.list("requirements", file.requirements);
+}
+
+template <class Form>
+void fields(Form& form, typename Form::template Of<CheckedFiles>& report) {
+  form.number("format", report.format);
+  form.list("files", report.files);
+}
+
 RunHead read_head(JsonIn& in) {
   RunHead head;
   std::uint64_t format = 0;
@@ -220,6 +243,25 @@ Result<ReportLine> read_line(std::string_view line, std::span<const RuleDescript
   }
   if (!in.error().empty()) return Error{in.error()};
   return read;
+}
+
+Result<RequirementsByPath> read_requirements(std::string_view text) {
+  const json::Parsed parsed = json::parse(text);
+  if (!parsed.ok() || !parsed.document.is_object(parsed.document.root())) {
+    return Error{"it is not a JSON object"};
+  }
+  JsonIn in(parsed.document, {});
+  CheckedFiles report;
+  fields(in, report);
+  if (report.format != kJsonFormat || !parsed.document.holds(parsed.document.root(), "files")) {
+    return Error{"it is no report that --format json wrote"};
+  }
+  if (!in.error().empty()) return Error{in.error()};
+  RequirementsByPath by_path;
+  for (CheckedFile& file : report.files) {
+    by_path.emplace(std::move(file.path), std::move(file.requirements));
+  }
+  return by_path;
 }
 
 }  // namespace gltfx::report

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Reads the output of `--format jsonl`.
+/// Reads the output of `--format jsonl`, and requirements of that of `--format json`.
 #pragma once
 
 #include <gltfx/report.hpp>
 
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "base/result.hpp"
 
@@ -33,5 +35,11 @@ using ReportLine = std::variant<RunHead, FileReport, RunEnd>;
 /// `rules`: those whose codes the report may name, sorted by code, of static storage. The Error
 /// describes the mistake in the line.
 Result<ReportLine> read_line(std::string_view line, std::span<const RuleDescription> rules);
+
+/// The requirements of the files of a report, by path.
+using RequirementsByPath = std::map<std::string, std::vector<Requirement>, std::less<>>;
+
+/// `text`: output of --format json. The Error describes the mistake in it.
+Result<RequirementsByPath> read_requirements(std::string_view text);
 
 }  // namespace gltfx::report

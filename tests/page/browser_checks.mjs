@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { BREAKERS } from "./hostile.mjs";
+import { requirementChecks } from "./requirements.mjs";
 
 const shownCount = (page) => page.locator("#count").textContent();
 const rows = (page) => page.locator("#list > li").count();
@@ -24,7 +25,8 @@ async function unfold(page) {
   for (let i = 0; i < Math.min(4, await rows(page)); ++i) {
     await page.locator("#list > li").nth(i).locator("summary").first().click();
   }
-  await page.locator(".finding details > summary").first().click();
+  const finding = page.locator(".finding details > summary").first();
+  if (await finding.isVisible()) await finding.click();
 }
 
 async function isAccessible(browser, url, axeSource) {
@@ -257,11 +259,14 @@ async function showsAllInTheEnd(browser, url) {
   await context.close();
 }
 
-/** [name, check] */
-export function browserChecks(browser, url, axePath) {
+/** [name, check]. `limitsUrl`: the page with requirements. */
+export function browserChecks(browser, url, limitsUrl, axePath) {
   const axeSource = readFileSync(axePath, "utf8");
   return [
     ["accessible in both themes, at 1280 and 360 px", () => isAccessible(browser, url, axeSource)],
+    ["requirements are accessible, too", () => isAccessible(browser, `${limitsUrl}#verdict=error`, axeSource)],
+    ["so is their matrix", () => isAccessible(browser, `${limitsUrl}#view=matrix`, axeSource)],
+    ...requirementChecks(browser, limitsUrl, open),
     ["loads nothing and complains of nothing", () => loadsNothing(browser, url)],
     ["text of assets stays text", () => textStaysText(browser, url)],
     ["filters", () => filters(browser, url)],

@@ -6,13 +6,14 @@
 // MODULES is a node_modules with html-validate, playwright-core and axe-core. The browser is
 // `chromium`, or the program in the environment's CHROMIUM; without one, its checks are skipped.
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync } from "node:fs";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { browserChecks } from "./browser_checks.mjs";
 import { writeHostile } from "./hostile.mjs";
+import { withRequirements } from "./requirements.mjs";
 import { speedChecks } from "./speed.mjs";
 
 const [program, modules, ...words] = process.argv.slice(2);
@@ -58,7 +59,9 @@ async function main() {
   if (browser === null) {
     console.log("skipped: chromium is not installed, so that the page is not opened");
   } else {
-    const checks = browserChecks(browser, pathToFileURL(page).href, require.resolve("axe-core"));
+    const limits = join(folder, "limits.html");
+    writeFileSync(limits, withRequirements(readFileSync(page, "utf8")));
+    const checks = browserChecks(browser, pathToFileURL(page).href, pathToFileURL(limits).href, require.resolve("axe-core"));
     for (const one of checks) await check(one);
     const large = join(folder, "large.html");
     if (speed) for (const one of speedChecks(browser, page, large, pathToFileURL(large).href)) await check(one);

@@ -77,7 +77,7 @@ const std::vector<Verb>& verbs() {
            "--allow-empty --cache "
            "--cache-key")},
       {"report",
-       words("PATH --output --title --no-thumbnails --thumbnail-size --quality "
+       words("PATH --output --title --previous --no-thumbnails --thumbnail-size --quality "
              "--quality --fail-on "
              "--profile "
              "--select --ignore --severity --inline-suppressions --config --isolated "

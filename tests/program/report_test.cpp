@@ -193,6 +193,19 @@ TEST_F(Report, ResourcesSchemasAndBudgetsCount) {
   EXPECT_GE(budgets["rules"].size(), 3U);
 }
 
+TEST_F(Report, AnEarlierReportIsOneThatValidateWrote) {
+  write_both();
+  const auto compare = [this] {
+    return here({"in", "-o", "page.html", "--no-thumbnails", "-q", "--previous", "before.json"});
+  };
+  EXPECT_EQ(compare().code, 2);
+  EXPECT_THAT(compare().err, HasSubstr("--previous: "));
+  folder_.write("before.json", "{\"files\": [");
+  EXPECT_EQ(compare().code, 2);
+  folder_.write("before.json", gltfx({"validate", fixture("good"), "--format", "json"}).out);
+  EXPECT_EQ(compare().code, 1) << compare().err;
+}
+
 TEST_F(Report, AnOldPageStaysUntilTheNewOneIsComplete) {
   write_both();
   folder_.write("page.html", "old");

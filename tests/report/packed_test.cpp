@@ -126,6 +126,28 @@ TEST(ReportLines, ComeBackWhole) {
   }
 }
 
+TEST(EarlierRequirements, AreReadByPath) {
+  FileReport report = file("b\xff.gltf");
+  report.requirements = requirements();
+  const auto read = read_requirements(run(ReportFormat::json, {report, file("other.gltf")}));
+  ASSERT_TRUE(read) << read.error().message;
+  ASSERT_EQ(read->size(), 2U);
+  FileReport back = file("other.gltf");
+  back.requirements = read->begin()->second;
+  back.path = report.path;
+  EXPECT_EQ(run(ReportFormat::json, {back}), run(ReportFormat::json, {report}));
+  EXPECT_TRUE(read->at("other.gltf").empty());
+}
+
+TEST(EarlierRequirements, OfOtherTextsAreAnError) {
+  for (const char* const text :
+       {"", "[]", "{}", R"({"format": 1})", R"({"format": 2, "files": []})",
+        R"({"format": 1, "files": {}})", R"({"format": 1, "files": [{"path": 1}]})",
+        R"({"format": 1, "files": [{"path": "a", "requirements": [{"verdict": "good"}]}]})"}) {
+    EXPECT_FALSE(read_requirements(text)) << text;
+  }
+}
+
 TEST(ReportLines, SayWhatIsWrongWithThem) {
   const auto problem = [](std::string_view line) {
     const auto read = read_line(line, known());

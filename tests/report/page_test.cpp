@@ -126,6 +126,88 @@ TEST(Page, LongListsAreCutAndSaySo) {
   EXPECT_EQ(asset["upgradeOmitted"], 10);
 }
 
+PageAsset with_requirements() {
+  PageAsset asset;
+  asset.report = testing::file("leaf.gltf");
+  asset.report.requirements = testing::requirements();
+  return asset;
+}
+
+// Three meshes with that many triangles, of which a limit allows 100.
+std::vector<Requirement> of_meshes(std::array<double, 3> triangles) {
+  std::vector<Requirement> all;
+  for (const double value : triangles) {
+    Requirement one;
+    one.measure = "triangles";
+    one.on = "mesh";
+    one.op = "max";
+    one.limit = 100.0;
+    one.from = "gltfx.toml:3";
+    one.value = value;
+    one.pointer = "/meshes/" + std::to_string(all.size());
+    one.verdict = value > 100 ? Verdict::fail : Verdict::pass;
+    all.push_back(one);
+  }
+  return all;
+}
+
+Json requirements_on_page(const PageAsset& asset) {
+  return Json::parse(data_of(page_of({asset})))["assets"][0]["requirements"];
+}
+
+TEST(Page, ListsTheRequirements) {
+  const Json all = requirements_on_page(with_requirements());
+  ASSERT_EQ(all.size(), 6U);
+  EXPECT_EQ(all[0], Json::parse(R"({"measure": "triangles", "on": "mesh", "op": "max",
+      "limit": 20000, "from": "gltfx.toml:14", "severity": "error", "value": 31204, "count": 1,
+      "failed": 1, "elements": [{"pointer": "/meshes/0", "object": "Body", "value": 31204}]})"));
+  EXPECT_EQ(all[1]["unit"], "m");
+  EXPECT_FALSE(all[1].contains("failed"));
+  EXPECT_EQ(all[5]["notMeasured"], 1);
+  EXPECT_EQ(all[5]["value"], nullptr);
+}
+
+TEST(Page, ALimitOnManyElementsIsOneRequirement) {
+  PageAsset asset = with_requirements();
+  asset.report.requirements = of_meshes({90, 300, 120});
+  const Json all = requirements_on_page(asset);
+  ASSERT_EQ(all.size(), 1U);
+  EXPECT_EQ(all[0]["value"], 300) << "the one furthest beyond the limit";
+  EXPECT_EQ(all[0]["count"], 3);
+  EXPECT_EQ(all[0]["failed"], 2);
+  EXPECT_EQ(all[0]["elements"].size(), 2U);
+  asset.report.requirements = of_meshes({90, 30, 95});
+  const Json held = requirements_on_page(asset);
+  EXPECT_EQ(held[0]["value"], 95) << "the one nearest to the limit";
+  EXPECT_FALSE(held[0].contains("elements"));
+}
+
+TEST(Page, ElementsBeyondALimitAreCutAfterTheFirst) {
+  PageAsset asset = with_requirements();
+  asset.report.requirements.clear();
+  for (int i = 0; i < 10; ++i) {
+    for (const Requirement& one : of_meshes({200, 20, 300})) {
+      asset.report.requirements.push_back(one);
+    }
+  }
+  const Json all = requirements_on_page(asset);
+  EXPECT_EQ(all[0]["failed"], 20);
+  EXPECT_EQ(all[0]["elements"].size(), 10U);
+}
+
+TEST(Page, HasTheValuesOfAnEarlierRun) {
+  PageAsset asset = with_requirements();
+  asset.report.requirements = of_meshes({90, 300, 120});
+  asset.previous = of_meshes({80, 150, 70});
+  EXPECT_EQ(requirements_on_page(asset)[0]["before"],
+            Json::parse(R"({"value": 150, "count": 3, "failed": 1})"));
+  // The limit was another one, or there was none.
+  for (Requirement& one : asset.previous) one.limit = 1000.0;
+  EXPECT_EQ(requirements_on_page(asset)[0]["before"]["value"], 150);
+  for (Requirement& one : asset.previous) one.measure = "vertices";
+  EXPECT_FALSE(requirements_on_page(asset)[0].contains("before"));
+}
+
 TEST(Page, HasPicturesOrTheReasonWhyNot) {
   const Json asset = Json::parse(data_of(page_of({hostile()})))["assets"][0];
   EXPECT_EQ(asset["picture"], Json::parse(R"({"problem": "it is <b>dark"})"));

@@ -17,6 +17,8 @@
 #include "known_findings.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "read_input.hpp"
+#include "report/read_line.hpp"
 #include "report/wording.hpp"
 #include "validation_options.hpp"
 
@@ -39,13 +41,27 @@ PageOptions page_options(const PageRequest& request) {
   return options;
 }
 
+Result<report::RequirementsByPath> previous_requirements(const std::string& file) {
+  if (file.empty()) return report::RequirementsByPath();
+  const auto text = read_text_file(file, kLongestAsset);
+  if (!text) return Error{"--previous: " + text.error().message};
+  auto requirements = report::read_requirements(*text);
+  if (!requirements) {
+    return Error{
+        fmt::format("--previous: {}: {}", quoted(file, 200), requirements.error().message)};
+  }
+  return requirements;
+}
+
 /// A run of inputs for one page.
 class ReportRun {
  public:
-  ReportRun(const PageRequest& request, ValidateOptions options, KnownFindings known)
+  ReportRun(const PageRequest& request, ValidateOptions options, KnownFindings known,
+            report::RequirementsByPath previous)
       : request_(request),
         options_(std::move(options), request.validate.by_path),
         known_(std::move(known)),
+        previous_(std::move(previous)),
         thumbnails_(request.thumbnails),
         page_(page_options(request)),
         output_(request.output, true),
@@ -125,6 +141,8 @@ class ReportRun {
 
   void take(PageAsset& asset) {
     known_.apply(asset.report);
+    const auto previous = previous_.find(asset.report.path);
+    if (previous != previous_.end()) asset.previous = previous->second;
     summary_.add(asset.report);
     page_.asset(asset, text_);
     flush(kOutputBuffer);
@@ -148,6 +166,7 @@ class ReportRun {
   const PageRequest& request_;
   OptionsByPath options_;
   KnownFindings known_;
+  report::RequirementsByPath previous_;
   ThumbnailOptions thumbnails_;
   PageWriter page_;
   Output output_;
@@ -172,7 +191,12 @@ ExitCode run(const PageRequest& request) {
     return ExitCode::usage;
   }
   if (known->active()) options->max_issues = 0;
-  return ReportRun(request, *std::move(options), *std::move(known)).execute();
+  auto previous = previous_requirements(request.previous);
+  if (!previous) {
+    complain(previous.error().message);
+    return ExitCode::usage;
+  }
+  return ReportRun(request, *std::move(options), *std::move(known), *std::move(previous)).execute();
 }
 
 }  // namespace gltfx::tool

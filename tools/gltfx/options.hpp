@@ -102,6 +102,8 @@ struct PageRequest {
   ThumbnailOptions thumbnails;
   std::string output;  ///< file; empty: standard output
   std::string title;   ///< empty: the paths
+  /// A report of an earlier run as JSON, whose values are shown beside the new ones; may be empty.
+  std::string previous;
 };
 
 /// Merging reports of several runs.

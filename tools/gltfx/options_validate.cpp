@@ -151,6 +151,8 @@ void declare_report(Options& options, PageRequest& request) {
   options.add("-o,--output", "FILE", "Output .html file, or - for stdout",
               text(request.output, [] { return values::files({"html"}); }));
   options.add("--title", "TEXT", "Title of the page (default: the paths)", text(request.title));
+  options.add("--previous", "FILE", "JSON report of an earlier run to compare with",
+              text(request.previous, values::json_file));
   options.add("--no-thumbnails", "", "Render no previews", set_to(request.thumbnails.draw, false));
   options.add("--thumbnail-size", "PIXELS", "Preview size, 32 to 1024 (default: 160)",
               parsed(request.thumbnails.size, parse_thumbnail_size));

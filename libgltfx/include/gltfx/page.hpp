@@ -31,6 +31,8 @@ struct PageAsset {
   PagePicture picture;                  ///< its picture
   std::optional<PagePicture> upgraded;  ///< where an upgrade changes the asset
   std::vector<std::string> targets;     ///< labels of the targets that it was checked for
+  /// Of an earlier run, whose values are shown beside those of the report; may be empty.
+  std::vector<Requirement> previous;
 };
 
 /// What is on a page in addition to the assets.

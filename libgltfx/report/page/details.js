@@ -219,7 +219,7 @@ function pathLine(asset) {
 function details(asset, matches) {
   const facts = asset.facts;
   return make("div.body", {},
-    make("div.main-side", {}, pathLine(asset), findingsPart(asset, matches), upgradePart(asset),
+    make("div.main-side", {}, pathLine(asset), findingsPart(asset, matches), requirementsPart(asset), upgradePart(asset),
       facts ? listParts(facts) : null, facts ? materialsPart(facts) : null),
     make("div.fact-side", {}, picturesPart(asset), facts ? bytesPart(facts) : null,
       facts ? generalPart(facts) : make("p.soft", {}, "No facts: ", isolated(asset.error || "it could not be read")),

@@ -6,7 +6,7 @@
 file(READ ${FOLDER}/page.html page)
 file(READ ${FOLDER}/page.css style)
 set(script "")
-foreach(name dom details page)
+foreach(name dom requirements details page)
   file(READ ${FOLDER}/${name}.js text)
   string(APPEND script "${text}")
 endforeach()

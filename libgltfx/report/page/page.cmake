@@ -5,6 +5,6 @@ set(page_source ${CMAKE_CURRENT_BINARY_DIR}/page_source.cpp)
 add_custom_command(OUTPUT ${page_source}
   COMMAND ${CMAKE_COMMAND} -DOUT=${page_source} -DFOLDER=${page_folder} -P ${page_folder}/embed.cmake
   DEPENDS ${page_folder}/embed.cmake ${page_folder}/page.html ${page_folder}/page.css
-          ${page_folder}/dom.js ${page_folder}/details.js ${page_folder}/page.js
+          ${page_folder}/dom.js ${page_folder}/requirements.js ${page_folder}/details.js ${page_folder}/page.js
   COMMENT "Embedding the report page" VERBATIM)
 target_sources(gltfx_report PRIVATE ${page_source})

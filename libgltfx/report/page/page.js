@@ -4,7 +4,7 @@
 const report = JSON.parse(document.getElementById("data").textContent);
 const ROWS_AT_ONCE = 50;
 const byId = (id) => document.getElementById(id);
-const state = { text: "", path: "", verdict: "all", rule: "", order: "worst" };
+const state = { text: "", path: "", verdict: "all", rule: "", order: "worst", requirement: "", result: "", view: "list" };
 
 // --- Filter and order of the list ---
 
@@ -70,12 +70,14 @@ function assetMatches(asset) {
   if (state.path && !asset.path.toLowerCase().includes(state.path)) return false;
   if (!VERDICTS.find(([name]) => name === state.verdict)[2](asset)) return false;
   if (state.rule && !asset.findings.some(findingMatches)) return false;
+  if ((state.requirement || state.result) && !requirementMatches(asset, state.requirement, state.result)) return false;
   return !state.text || words(asset).includes(state.text);
 }
 
 // --- The list ---
 
 let shown = [];
+let limits = [];  // of all assets, with counts
 let opened = "";  // path of the asset that was opened last
 
 function stateText(asset) {
@@ -122,11 +124,33 @@ function row(asset) {
   return make("li", {}, folded);
 }
 
+/** Limits that are columns of the matrix: those of the assets that are shown. */
+let columns = [];
+
+/** The element whose children are the assets that are shown. */
+function listed() {
+  return state.view === "matrix" ? byId("matrix").querySelector("tbody") : byId("list");
+}
+
 function showMore() {
-  const list = byId("list");
+  const list = listed();
   const from = list.childElementCount;
-  list.append(...shown.slice(from, from + ROWS_AT_ONCE).map(row));
+  const next = shown.slice(from, from + ROWS_AT_ONCE);
+  list.append(...next.map((asset) => (state.view === "matrix" ? matrixRow(asset, columns) : row(asset))));
   byId("more").hidden = list.childElementCount >= shown.length;
+}
+
+/** An empty list, or the head of the matrix. */
+function clearList() {
+  const matrix = state.view === "matrix";
+  byId("list").replaceChildren();
+  byId("matrix").hidden = !matrix;
+  byId("list").hidden = matrix;
+  if (!matrix) return byId("matrix").replaceChildren();
+  const used = new Set(shown.flatMap((asset) => (asset.requirements || []).map(limitKey)));
+  columns = limits.filter((limit) => used.has(limit.key) && (state.requirement === "" || limit.key === state.requirement));
+  byId("matrix").replaceChildren(make("table", {}, make("caption.hidden", {}, "Requirements by asset"),
+    make("thead", {}, matrixHead(columns)), make("tbody")));
 }
 
 /** Why a rule has no assets, if known. */
@@ -137,7 +161,7 @@ function nothingFound() {
 
 function refresh() {
   shown = report.assets.filter(assetMatches).sort(ORDERS.find(([name]) => name === state.order)[2]);
-  byId("list").replaceChildren();
+  clearList();
   showMore();
   const all = counted(report.assets.length, "asset");
   byId("count").textContent = shown.length === report.assets.length ? all
@@ -167,21 +191,23 @@ function writeAddress() {
 function openAsset(path) {
   const place = shown.findIndex((asset) => asset.path === path);
   if (place < 0) return;
+  if (state.view === "matrix") return;
   while (byId("list").childElementCount <= place) showMore();
   const folded = byId("list").children[place].querySelector("details.asset");
   folded.open = true;
   folded.scrollIntoView();
 }
 
-/** A link to a rule works even if the rule found nothing. */
-function offerRule(code) {
-  if (Array.from(byId("rule").options).some((one) => one.value === code)) return;
-  byId("rule").append(make("option", { value: code }, visible(code) + " (0)"));
+/** A link to a rule or a limit works even if no asset has it. */
+function offer(field, value) {
+  if (!value || Array.from(byId(field).options).some((one) => one.value === value)) return;
+  byId(field).append(make("option", { value }, visible(value) + " (0)"));
 }
 
 function readAddress() {
   const words = new URLSearchParams(location.hash.slice(1).replaceAll("+", "%2B"));
-  if (words.get("rule")) offerRule(words.get("rule"));
+  offer("rule", words.get("rule"));
+  offer("requirement", words.get("requirement"));
   for (const name of Object.keys(state)) {
     const field = byId(name);
     const value = words.get(name);
@@ -190,7 +216,7 @@ function readAddress() {
   }
   readFilter();
   if (words.has("asset")) openAsset(words.get("asset"));
-  else if (words.has("rule")) byId("assets").scrollIntoView();
+  else if (words.has("rule") || words.has("requirement") || words.has("view")) byId("assets").scrollIntoView();
 }
 
 /** Another link on the page, except the one that skips to the assets. */
@@ -216,13 +242,15 @@ function fillSummary() {
   const names = { error: "with errors", unreadable: "not readable", warning: "with warnings",
     info: "with infos only", good: "without findings" };
   const parts = Object.keys(kinds).map((kind) => [kind, grouped(kinds[kind]) + " " + names[kind], kinds[kind]]);
+  const failing = report.assets.filter((asset) => requirementMatches(asset, "", "fail")).length;
   const figures = [
     ["Errors", grouped(report.summary.errors)], ["Warnings", grouped(report.summary.warnings)],
     ["Infos", grouped(report.summary.infos + report.summary.hints)],
     ["Size", sizeText(sum(size))],
     ["Triangles", shortCount(sum((asset) => count(asset, "triangles")))],
     ["Images, GPU", sizeText(sum(imageMemory))],
-    ["To upgrade", grouped(report.assets.filter((asset) => toUpgrade(asset) > 0).length)]];
+    ["To upgrade", grouped(report.assets.filter((asset) => toUpgrade(asset) > 0).length)],
+    ...(limits.length > 0 ? [["Beyond limits", grouped(failing)]] : [])];
   byId("summary").append(make("p.verdict", {}, verdict),
     ...bar(parts),
     make("dl.figures", {}, figures.map(([name, value]) => make("div", {}, make("dt", {}, name), make("dd", {}, value)))));
@@ -307,6 +335,10 @@ function fillOverview(rules) {
     overview.append(fold("Findings by rule", counted(rules.length, "rule"), table("Rules that found something",
       [["severity"], ["rule"], ["what it says"], ["findings", true], ["assets", true]], ruleRows)));
   }
+  if (limits.length > 0) {
+    overview.append(fold("Requirements", counted(limits.length, "limit"), [limitTable(limits),
+      make("p", {}, make("a", { href: "#view=matrix" }, "All assets and limits as a matrix"))]));
+  }
   if (report.targets.length > 0) {
     overview.append(fold("Targets", counted(report.targets.length, "target"), targetTable()));
   }
@@ -358,6 +390,11 @@ function fillFilter(rules) {
   byId("rule").append(option(["", "any"]),
     ...rules.slice().sort((a, b) => (a.code < b.code ? -1 : 1))
       .map((entry) => option([entry.code, entry.code + " (" + entry.assets + ")"])));
+  byId("requirement").append(option(["", "any"]), ...limits.map((limit) =>
+    option([limit.key, measureName(limit.entry) + " " + limitText({ ...limit.entry, value: null }) + " (" + limit.fail + ")"])));
+  byId("result").append(option(["", "any"]), ...RESULTS.map(([name, , words]) => option([name, words])));
+  byId("view").append(option(["list", "list"]), option(["matrix", "matrix"]));
+  byId("filter").classList.toggle("with-limits", limits.length > 0);
   byId("filter").addEventListener("input", read);
   byId("reset").addEventListener("click", reset);
 }
@@ -375,6 +412,7 @@ function start() {
   document.title = visible(report.title) + " – gltfx report";
   byId("title").textContent = visible(report.title);
   const rules = ruleCounts();
+  limits = limitCounts();
   fillSummary();
   fillOverview(rules);
   fillFilter(rules);
