@@ -137,7 +137,8 @@ std::string bake_files(const std::vector<BakeInput>& inputs, const BakeOptions& 
                        const std::string& sheet, const std::function<void(BakeReport&&)>& consume);
 
 /// Draws two files in the same way, the second with the camera of the first, and compares the
-/// pictures. `options.output` gets the picture of the difference.
+/// pictures. `options.output` gets the picture of the difference; it has 8 bits for each channel,
+/// so OpenEXR is refused.
 BakeComparison bake_comparison(const std::string& first, const std::string& second,
                                const BakeOptions& options = {});
 
