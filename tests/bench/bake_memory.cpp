@@ -19,22 +19,22 @@ namespace {
 
 using namespace gltfx;
 
-template <class T>
-std::size_t bytes_of(const std::vector<T>& values) {
-  return values.size() * sizeof(T);
-}
-
 std::size_t bytes_of(const render::Scene& scene) {
   std::size_t bytes = 0;
+  std::set<const void*> counted;  // meshes share arrays, and textures images
+  const auto add = [&](const auto& values) {
+    if (values.empty() || !counted.insert(&*values.begin()).second) return;
+    bytes += values.size() * sizeof(*values.begin());
+  };
   for (const render::Mesh& mesh : scene.meshes) {
-    bytes += bytes_of(mesh.triangles) + bytes_of(mesh.positions) + bytes_of(mesh.normals) +
-             bytes_of(mesh.tangents) + bytes_of(mesh.colors);
-    for (const auto& set : mesh.uvs) bytes += bytes_of(set);
+    add(mesh.triangles);
+    add(mesh.positions);
+    add(mesh.normals);
+    add(mesh.tangents);
+    add(mesh.colors);
+    for (const auto& set : mesh.uvs) add(set);
   }
-  std::set<const void*> images;
-  for (const render::Texture& texture : scene.textures) {
-    if (images.insert(texture.pixels.data()).second) bytes += texture.pixels.size();
-  }
+  for (const render::Texture& texture : scene.textures) add(texture.pixels);
   return bytes;
 }
 
