@@ -6,19 +6,22 @@
 namespace gltfx::measure {
 namespace {
 
-// The position of each item among all, sorted along one axis, in 16 bits.
+constexpr unsigned kDropped = 10;   // bits of a float that hardly change the order
+constexpr unsigned kRankBits = 11;  // so that both ranks take two passes of radix_sort()
+
+// The position of each item among all, sorted along one axis, in kRankBits.
 std::vector<std::uint32_t> ranks_along(std::span<const UvBox> boxes, bool vertical) {
   std::vector<Keyed<std::uint32_t>> sorted(boxes.size());
   for (std::uint32_t i = 0; i < sorted.size(); ++i) {
     const UvBox& box = boxes[i];
     const float middle =
         vertical ? box.least_v / 2 + box.most_v / 2 : box.least_u / 2 + box.most_u / 2;
-    sorted[i] = {sortable_bits(middle), i};
+    sorted[i] = {sortable_bits(middle) >> kDropped, i};
   }
   radix_sort(sorted);
   std::vector<std::uint32_t> ranks(boxes.size());
   for (std::size_t at = 0; at < sorted.size(); ++at) {
-    ranks[sorted[at].item] = static_cast<std::uint32_t>((at << 16U) / sorted.size());
+    ranks[sorted[at].item] = static_cast<std::uint32_t>((at << kRankBits) / sorted.size());
   }
   return ranks;
 }

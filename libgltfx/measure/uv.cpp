@@ -98,8 +98,14 @@ class UvMeasurer {
     const bool found = overlap.find();
     if (count != nullptr)
       set_found(*count, found, [&] { return static_cast<double>(overlap.count()); });
-    if (shared != nullptr) set_found(*shared, found, [&] { return overlap.shared_area(); });
-    if (covered != nullptr) set_found(*covered, found, [&] { return overlap.covered_area(); });
+    if (shared == nullptr && covered == nullptr) return;
+    const std::optional<UvCover> cover = found ? overlap.cover() : std::nullopt;
+    const auto set_area = [&](Column* to, double (*area)(const UvCover&)) {
+      if (to == nullptr) return;
+      set_found(*to, cover.has_value(), [&] { return area(*cover); });
+    };
+    set_area(shared, [](const UvCover& of) { return of.once > 0 ? of.twice / of.once : 0; });
+    set_area(covered, [](const UvCover& of) { return std::min(1.0, of.in_square); });
   }
 
   void take_islands(const LargestTexture& texture) {

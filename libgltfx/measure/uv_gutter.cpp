@@ -45,12 +45,17 @@ double square_between(const TexelSegment& a, const TexelSegment& b) {
                    square_from(b.from, a.from, a.to), square_from(b.to, a.from, a.to)});
 }
 
+UvBox box_of(const UvOutline& outline) {
+  UvBox box;
+  box.include(outline.from);
+  box.include(outline.to);
+  return box;
+}
+
 std::vector<UvBox> boxes_of(std::span<const UvOutline> outlines) {
-  std::vector<UvBox> boxes(outlines.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    boxes[i].include(outlines[i].from);
-    boxes[i].include(outlines[i].to);
-  }
+  std::vector<UvBox> boxes;
+  boxes.reserve(outlines.size());
+  for (const UvOutline& outline : outlines) boxes.push_back(box_of(outline));
   return boxes;
 }
 
@@ -60,8 +65,11 @@ class GutterSearch {
   GutterSearch(std::span<const UvOutline> outlines, const TexelGrid& texels)
       : texels_(texels), tree_(boxes_of(outlines)) {
     constexpr std::uint64_t kFewSteps = 1U << 18U;
-    work_ = kFewSteps + 1024 * std::uint64_t{outlines.size()};
-    for (const std::uint32_t outline : tree_.order()) outlines_.push_back(outlines[outline]);
+    work_ = kFewSteps + 32 * std::uint64_t{outlines.size()};
+    for (const std::uint32_t outline : tree_.order()) {
+      outlines_.push_back(outlines[outline]);
+      boxes_.push_back(box_of(outlines[outline]));
+    }
     std::vector<std::uint32_t> below(outlines_.size());
     for (std::size_t i = 0; i < below.size(); ++i) below[i] = outlines_[i].island;
     for (std::size_t level = 0; level < tree_.height(); ++level) {
@@ -124,6 +132,7 @@ class GutterSearch {
     for (std::size_t i = one * BoxTree::kFanout; i < end_of(one); ++i) {
       for (std::size_t j = other * BoxTree::kFanout; j < end_of(other); ++j) {
         if (outlines_[i].island == outlines_[j].island || work_ == 0) continue;
+        if (square_apart(boxes_[i], boxes_[j], u, v) >= best_) continue;
         --work_;
         const TexelSegment segment = segment_of(outlines_[i], 0, 0);
         best_ = std::min(best_, square_between(segment, segment_of(outlines_[j], u, v)));
@@ -141,6 +150,7 @@ class GutterSearch {
   const TexelGrid texels_;
   const BoxTree tree_;
   std::vector<UvOutline> outlines_;                  // in the order of the tree
+  std::vector<UvBox> boxes_;                         // as outlines_
   std::vector<std::vector<std::uint32_t>> islands_;  // by level and node; kSeveralIslands
   double best_ = kMostGutter * kMostGutter;
   std::uint64_t work_ = 0;

@@ -2,13 +2,13 @@
 /// Triangles that share area in the plane of texture coordinates.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "measure/box_tree.hpp"
+#include "measure/uv_cover.hpp"
 #include "measure/uv_plane.hpp"
 
 namespace gltfx::measure {
@@ -27,10 +27,8 @@ class UvOverlap {
   bool find();
   /// The number of triangles that share area.
   std::size_t count() const { return triangles_.size() - alone_.back().front(); }
-  /// The share of the covered area that two or more triangles cover. Nothing: out of work.
-  std::optional<double> shared_area() const;
-  /// The area that is covered in the square from 0 to 1.
-  double covered_area() const;
+  /// The covered area; exact where nothing overlaps. Nothing: out of work.
+  std::optional<UvCover> cover() const;
 
  private:
   std::size_t end_of(std::size_t leaf) const;
@@ -38,8 +36,6 @@ class UvOverlap {
   bool test(std::size_t one, std::size_t other);
   bool test_leaves(std::size_t one, std::size_t other);
   bool test_against_later(std::size_t leaf);
-  std::size_t count_at(const std::array<double, 2>& at, std::size_t most,
-                       std::uint64_t& work) const;
 
   BoxTree tree_;
   std::vector<UvTriangle> triangles_;  // in the order of the tree

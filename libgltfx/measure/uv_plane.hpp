@@ -47,8 +47,10 @@ struct UvBox {
     include(UvPoint{other.most_u, other.most_v});
   }
   bool overlaps(const UvBox& other) const {
-    return least_u < other.most_u && other.least_u < most_u && least_v < other.most_v &&
-           other.least_v < most_v;
+    // All comparisons without branches, which could not be predicted.
+    const unsigned u = unsigned{least_u < other.most_u} & unsigned{other.least_u < most_u};
+    const unsigned v = unsigned{least_v < other.most_v} & unsigned{other.least_v < most_v};
+    return (u & v) != 0;
   }
 };
 

@@ -169,9 +169,40 @@ TEST(UvOverlap, AllInOneCellAreFoundAtOnce) {
   UvOverlap overlap(surface_of(same));
   EXPECT_TRUE(overlap.find());
   EXPECT_EQ(overlap.count(), same.size());
-  ASSERT_TRUE(overlap.shared_area());
-  EXPECT_EQ(*overlap.shared_area(), 1);
-  EXPECT_NEAR(overlap.covered_area(), 0.005, 1e-4);
+  const auto cover = overlap.cover();
+  ASSERT_TRUE(cover);
+  EXPECT_EQ(cover->twice, cover->once);
+  EXPECT_NEAR(cover->in_square, 0.005, 1e-4);
+}
+
+TEST(UvCover, FarIslandsCountAsNearOnes) {
+  Triangles triangles;
+  for (const float at : {0.0F, 1.0F, 1000.0F}) {
+    const Triangles grid = grid_of(10, 0.02F);
+    for (const int layer : {0, 1}) {
+      for (UvTriangle triangle : grid) {
+        for (UvPoint& corner : triangle) corner = {corner[0] + at, corner[1] - at};
+        if (layer == 0 || at > 0) triangles.push_back(triangle);
+      }
+    }
+  }
+  UvOverlap overlap(surface_of(triangles));
+  ASSERT_TRUE(overlap.find());
+  const auto cover = overlap.cover();
+  ASSERT_TRUE(cover);
+  EXPECT_NEAR(cover->once, 3 * 0.64, 0.03);
+  EXPECT_NEAR(cover->twice, 2 * 0.64, 0.03);
+  EXPECT_NEAR(cover->in_square, 0.64, 1e-4);
+}
+
+TEST(UvCover, LayersBeyondTheSecondDoNotMatter) {
+  std::vector<UvTriangle> layers;
+  for (int i = 0; i < 1000; ++i) layers.push_back({{{0, 0}, {0.5F, 0}, {0, 0.5F}}});
+  layers.push_back({{{2, 2}, {1, 2}, {2, 1}}});
+  const auto cover = estimate_cover(layers);
+  ASSERT_TRUE(cover);
+  EXPECT_NEAR(cover->once, 0.625, 0.002);
+  EXPECT_NEAR(cover->twice, 0.125, 0.001);
 }
 
 TEST(UvIslands, GutterIsTheLeastDistanceOfAnyTwo) {
