@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "shader/albedo.hpp"
 
-#include "base/fork.hpp"
 #include "base/lanes.hpp"
-#include "shader/integration.hpp"
 
 namespace gltfx::shader {
 namespace {
@@ -68,24 +66,6 @@ SpecularAlbedo SpecularCurve::at(const TableCell& column) const {
 
 double SpecularCurve::scale(double cosine) const {
   return weigh(kSpecularScale, row_, albedo_column(cosine));
-}
-
-double SheenCurve::mean() const {
-  static constinit MadeOnce<std::array<float, kSheenRows>> means;
-  const std::array<float, kSheenRows>& rows = means.get([] {
-    std::array<float, kSheenRows> sums{};
-    for (const Node& node : gauss_legendre(64)) {
-      const TableCell column = albedo_column(std::sqrt(node.x));
-      for (std::size_t r = 0; r < sums.size(); ++r) {
-        const Lanes values = load_lanes(kSheenAlbedo[r].data() + column.first);
-        sums[r] +=
-            static_cast<float>(node.weight) * sum_of(values * load_lanes(column.weights.data()));
-      }
-    }
-    return sums;
-  });
-  return static_cast<double>(
-      sum_of(load_lanes(rows.data() + row_.first) * load_lanes(row_.weights.data())));
 }
 
 double SheenCurve::at(double cosine) const {

@@ -92,8 +92,6 @@ class SheenCurve {
   SheenCurve() = default;
   explicit SheenCurve(double sheen_roughness) : row_(sheen_roughness, kSheenRows) {}
   double at(double cosine) const;
-  /// Over a hemisphere.
-  double mean() const;
 
  private:
   TableCell row_;

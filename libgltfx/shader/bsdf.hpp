@@ -42,6 +42,7 @@
 #include "shader/conserving.hpp"
 #include "shader/fresnel.hpp"
 #include "shader/lobes.hpp"
+#include "shader/sheen_scaling.hpp"
 
 namespace gltfx::shader {
 
@@ -210,7 +211,7 @@ struct fresnel_mix : Lobe {
     const Rgb fr = f.at(v.z);
     // Steep facets totally reflect light from the dense side.
     const double total = f.eta < 1 ? l.facets.beyond(f.eta / std::sqrt(1 - square(f.eta))) : 0;
-    const double rest = (1 - max_value(fr)) * (1 - total);
+    const double rest = max_value(f.left_over(fr, v.z)) * (1 - total);
     const double reflected = (1 - rest) * l.power;
     const double passed = rest * b.power;
     power = reflected + passed;
@@ -225,11 +226,11 @@ struct fresnel_mix : Lobe {
     const Rgb layer_fr = bounces.scaled(fr, scale);
     const Rgb reflected = layer_fr * above.f;
     if (base.power <= 0) return {reflected, layer_fr * above.reflected, above.pdf};
-    const double rest = 1 - max_value(fr);
+    const Rgb rest = fresnel.left_over(fr, d.v_h);
     Through below{through.diffuse * held.passed(rest, fresnel, d), through.specular * rest * scale};
     if (d.opposite && fresnel.eta != 1) {
       const double cosine = dot(d.v, refraction_half(d, fresnel.eta));
-      below.specular = through.specular * (1 - max_value(fresnel.at(cosine))) * scale;
+      below.specular = through.specular * fresnel.left_over(fresnel.at(cosine), cosine) * scale;
     }
     const Evaluation passed = evaluate_node(base, d, below);
     return {reflected + passed.f, layer_fr * above.reflected + passed.reflected,
@@ -269,15 +270,15 @@ struct sheen_layer : Lobe {
 
   sheen_layer(const Rgb& c, const sheen_brdf& s, const Base& b, const SheenScaling& e)
       : color(c), brdf(s), base(b), scaling(e) {
-    const double sheen = e.strength * e.albedo_v;
+    const double sheen = e.strength() * e.albedo();
     power = sheen + (1 - std::fmin(sheen, 1)) * b.power;
-    chance = e.strength <= 0 ? 0 : std::fmin(std::fmax(sheen / power, 0.02), 1);
+    chance = e.strength() <= 0 ? 0 : std::fmin(std::fmax(sheen / power, 0.02), 1);
     is_delta = chance <= 0 && b.is_delta;
   }
   Evaluation evaluate(const Directions& d, const Through& through) const {
-    if (scaling.strength <= 0) return evaluate_node(base, d, through);
+    if (scaling.strength() <= 0) return evaluate_node(base, d, through);
     const Evaluation sheen = evaluate_node(brdf, d, through);
-    const SheenScaling::Weights weights = scaling.weights(d.l.z);
+    const SheenScaling::Weights weights = scaling.weights(d.l);
     const Evaluation below = evaluate_node(
         base, d, {through.diffuse * weights.diffuse, through.specular * weights.specular});
     return {color * sheen.f * weights.sheen + below.f,

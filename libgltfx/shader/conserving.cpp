@@ -60,12 +60,14 @@ TintedBounces dielectric_bounces(const Fresnel& fresnel, const Microfacets& face
   constexpr double kDull = 0.1;
   const Rgb mean = mean_reflectance(fresnel);
   const double gloss = std::clamp(max_value(mean) / kDull - 1, 0.0, 1.0);
-  if (gloss <= 0 && m.transmission <= 0) return {};
+  const bool scatters = m.scattering == Scattering::unified && !m.volumetric();
+  const double clear = m.transmission * (scatters ? 1 - m.scatter_strength : 1);
+  if (gloss <= 0 && clear <= 0) return {};
   TintedBounces result{m.volumetric() ? MultipleScattering(fresnel, facets, v)
                                       : MultipleScattering(facets, v)};
   // What is neither reflected nor absorbed goes through a wall of glass at once.
-  const Rgb opaque = result.bounces.tint(mean) * gloss;
-  result.tint = opaque + (Rgb(1) - opaque) * m.transmission;
+  result.opaque = result.bounces.tint(mean) * gloss;
+  result.tint = result.opaque + (Rgb(1) - result.opaque) * clear;
   return result;
 }
 
@@ -81,19 +83,22 @@ EnergyCompensation::EnergyCompensation(const Fresnel& fresnel, const Microfacets
                                        const Vec3d& v, const TintedBounces& bounces)
     : active_(true),
       inside_(fresnel.eta < 1),
-      isotropic_(facets.isotropic()),
-      facets_(facets),
-      narrow_(std::sqrt(facets.alpha_b)),
-      wide_(isotropic_ ? narrow_ : SpecularCurve(std::sqrt(facets.alpha_t))),
       f90_(max_value(fresnel.f90)),
-      bounced_(bounces.bounces.active() ? max_value(bounces.tint) : 0) {
+      bounced_(max_value(bounces.opaque)) {
   if (inside_) {
-    share_v_ = share_inside(fresnel, facets, v, 1 + bounced_ * (bounces.scale(v) - 1));
+    inside_share_ =
+        share_inside(fresnel, facets, v, Rgb(1) + bounces.opaque * (bounces.scale(v) - 1));
     return;
+  }
+  if (facets.isotropic()) {
+    curve_ = SpecularCurve(std::sqrt(facets.alpha_b));
+  } else {
+    anisotropic_ = std::make_unique<const AnisotropicAlbedo>(facets);
   }
   f0_ = max_value(fresnel.f0);
   if (fresnel.film.strength > 0)
-    film_ = std::make_unique<const FilmLayer>(fresnel, facets, v, bounced_);
+    film_ =
+        std::make_unique<const FilmLayer>(fresnel, facets, anisotropic_.get(), v, bounces.opaque);
   share_v_ = share(v);
   scale_ = 1 / mean_share();
 }
@@ -108,15 +113,10 @@ inline double EnergyCompensation::share(const SpecularAlbedo& albedo, double dif
   return handed_on > 0 ? std::clamp(left / handed_on, 0.0, kMost) : 1;
 }
 
-inline double EnergyCompensation::share(const SpecularCurve& curve, double cosine) const {
-  return share(curve.at(albedo_column(cosine)), diffuse_fresnel(cosine), table_margin(cosine));
-}
-
-// The albedo of an anisotropic lobe is about that of an isotropic one with the roughness under the
-// azimuth.
 inline double EnergyCompensation::share(const Vec3d& direction) const {
-  if (isotropic_) return share(narrow_, direction.z);
-  return share(SpecularCurve(std::sqrt(facets_.under_azimuth(direction))), direction.z);
+  const double cosine = direction.z;
+  const SpecularAlbedo albedo = anisotropic_ ? anisotropic_->at(direction) : curve_.at(cosine);
+  return share(albedo, diffuse_fresnel(cosine), table_margin(cosine));
 }
 
 double EnergyCompensation::mean_share() const {
@@ -124,21 +124,16 @@ double EnergyCompensation::mean_share() const {
   static constinit MadeOnce<SpecularColumns> made_columns;
   const GrazingLights& lights = made_lights.get(make_grazing_lights);
   const SpecularColumns& columns = made_columns.get([&] { return SpecularColumns(lights.cosine); });
-  const SpecularColumns::Albedos narrow = narrow_.at(columns);
-  const SpecularColumns::Albedos wide = isotropic_ ? narrow : wide_.at(columns);
+  const SpecularColumns::Albedos albedos =
+      anisotropic_ ? SpecularColumns::Albedos() : curve_.at(columns);
   double sum = 0;
   double all = 0;
   double sum_front = 0;
   double all_front = 0;
   for (std::size_t i = 0; i < GrazingLights::kCount; ++i) {
-    double shared =
-        share({narrow.constant[i], narrow.rising[i]}, lights.diffuse[i], lights.margin[i]);
-    if (!isotropic_) {
-      constexpr double kMore = 0.95;  // nearer to the greater, so that no light is gained
-      const double across =
-          share({wide.constant[i], wide.rising[i]}, lights.diffuse[i], lights.margin[i]);
-      shared = kMore * std::max(shared, across) + (1 - kMore) * std::min(shared, across);
-    }
+    const double shared = anisotropic_ ? share_of_turn(lights.cosine[i])
+                                       : share({albedos.constant[i], albedos.rising[i]},
+                                               lights.diffuse[i], lights.margin[i]);
     const double passed = lights.weight[i] * (1 - f0_ - (f90_ - f0_) * lights.fresnel[i]);
     sum += passed * shared;
     all += passed;
@@ -150,53 +145,20 @@ double EnergyCompensation::mean_share() const {
   return all > 0 && all_front > 0 ? std::max(sum / all, sum_front / all_front) * margin : 1;
 }
 
-[[gnu::flatten]] double EnergyCompensation::factor(const Vec3d& l) const {
-  if (!active_) return 1;
-  return inside_ ? share_v_ : share_v_ * share(l) * scale_;
-}
-
-SheenScaling::SheenScaling(const Rgb& color, double sheen_roughness, const Microfacets& facets,
-                           const Vec3d& v, ShaderMode mode)
-    : strength(max_value(color)),
-      roughness(sheen_roughness),
-      conserving(mode == ShaderMode::conserving) {
-  if (strength <= 0) return;
-  curve = SheenCurve(roughness);
-  albedo_v = curve.at(v.z);
-  mean_ = 1 - std::min(strength * curve.mean(), 1.0);
-  base_roughness_ = std::sqrt(std::sqrt(facets.alpha_t * facets.alpha_b));
-  gloss_v_ = glossy(v.z, std::max(1 - reflected(albedo_v), 0.0));
-}
-
-// Nearly upright fibres give a curve too steep for the table.
-double SheenScaling::reflected(double albedo) const {
-  return strength * albedo * (roughness < 0.1 ? 1.05 : 1.002);
-}
-
-double SheenScaling::glossy(double cosine, double left) const {
-  // Fits to furnaces: of white metal of any roughness, the sum is then 1 to some 0.03.
-  const double front = square(base_roughness_);
-  const double grazing = 1 - pow5(1 - front);
-  return left + (mean_ - left) * (grazing + (front - grazing) * cosine);
-}
-
-SheenScaling::Weights SheenScaling::weights(double n_l) const {
-  const double albedo_l = curve.at(n_l);
-  if (!conserving) {
-    const double base = std::max(0.0, 1 - strength * std::max(albedo_v, albedo_l));
-    return {1, base, base};
+double EnergyCompensation::share_of_turn(double cosine) const {
+  constexpr int kTurns = 6;  // in a quarter of one, which is like the others
+  const double sine = std::sqrt(1 - square(cosine));
+  double sum = 0;
+  for (int i = 0; i < kTurns; ++i) {
+    const SinCos turn = sin_cos_of((i + 0.5) / (4 * kTurns));
+    sum +=
+        share(anisotropic_->facets().turned_back({sine * turn.cosine, sine * turn.sine, cosine}));
   }
-  const double reflected_v = reflected(albedo_v);
-  const double reflected_l = reflected(albedo_l);
-  const double left_v = std::max(1 - reflected_v, 0.0);
-  const double left_l = std::max(1 - reflected_l, 0.0);
-  const double both = left_v * left_l;
-  if (!(both > 0)) return {1 / std::max({1.0, reflected_v, reflected_l}), 0, 0};
-  // Diffuse light below a smooth layer has a higher mean; that of gloss is an estimate.
-  constexpr double kDiffuse = 0.992;
-  constexpr double kGloss = 0.98;
-  return {1 / std::max({1.0, reflected_v, reflected_l}), kDiffuse * both / mean_,
-          kGloss * both / std::sqrt(gloss_v_ * glossy(n_l, left_l))};
+  return sum / kTurns;
+}
+
+[[gnu::flatten]] double EnergyCompensation::factor(const Vec3d& l) const {
+  return active_ ? share_v_ * share(l) * scale_ : 1;
 }
 
 }  // namespace gltfx::shader

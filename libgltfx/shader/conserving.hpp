@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Energy conservation of layered materials, and the albedo scaling of sheen.
+/// Energy conservation of layered materials.
 ///
 /// The sample implementation weights diffuse light by 1 - F(V.H), averaged over all lights. At
 /// grazing angles that is far more than a smooth layer transmits, and below a rough layer less:
@@ -23,7 +23,8 @@ namespace gltfx::shader {
 /// Multiple scattering between the facets of a layer.
 struct TintedBounces {
   MultipleScattering bounces;
-  Rgb tint{};  ///< part of the added light
+  Rgb tint{};    ///< part of the added light
+  Rgb opaque{};  ///< of that, what does not leave because it meets clear glass
 
   double scale(const Vec3d& l) const { return bounces.active() ? bounces.scale(l) : 1; }
   /// A Fresnel term with the light that scale() adds.
@@ -49,11 +50,13 @@ class EnergyCompensation {
 
   /// The transmittance to diffuse lobes of one pair of directions; `rest`: what the layer leaves
   /// over at their half vector, by the sample implementation.
-  double passed(double rest, const Fresnel& fresnel, const Directions& d) const {
+  Rgb passed(const Rgb& rest, const Fresnel& fresnel, const Directions& d) const {
+    if (inside_) return rest * inside_share_;
     if (!film_) return rest * factor(d.l);
     const double plain = 1 - max_value(schlick(fresnel.f0, fresnel.f90, d.v_h));
     const double strength = fresnel.film.strength;
-    return (1 - strength) * plain * factor(d.l) + strength * calm_ * film_->passed(fresnel, d.l.z);
+    return Rgb((1 - strength) * plain * factor(d.l)) +
+           film_->passed(fresnel, d.l) * (strength * (0.6 + 0.4 * calm_));
   }
 
   /// For rough diffuse lobes: they reflect more light back to its source, where an interface
@@ -68,23 +71,24 @@ class EnergyCompensation {
   double factor(const Vec3d& l) const;
   /// The transmittance over that of the sample implementation.
   double share(const Vec3d& direction) const;
-  double share(const SpecularCurve& curve, double cosine) const;
   /// `diffuse`: diffuse_fresnel(); `margin`: of the albedo.
   double share(const SpecularAlbedo& albedo, double diffuse, double margin) const;
   /// The mean of shares over the lights of a view.
   double mean_share() const;
+  /// Over all azimuths of an anisotropic layer.
+  double share_of_turn(double cosine) const;
 
   bool active_ = false;
   bool inside_ = false;
+  Rgb inside_share_;
   double share_v_ = 1;
-  bool isotropic_ = true;
-  Microfacets facets_;
-  SpecularCurve narrow_, wide_;
-  double f0_ = 0, f90_ = 1;  ///< of the strongest colour
-  double bounced_ = 0;       ///< part of the light that facets block which the layer reflects
+  SpecularCurve curve_;
+  std::unique_ptr<const AnisotropicAlbedo> anisotropic_;  ///< in its place
+  double f0_ = 0, f90_ = 1;                               ///< of the strongest colour
+  double bounced_ = 0;  ///< part of the light that facets block which the layer reflects
   double scale_ = 1;
   double calm_ = 1;
-  std::unique_ptr<const FilmLayer> film_;  ///< not inside of a volume, where share_v_ has it
+  std::unique_ptr<const FilmLayer> film_;  ///< not inside of a volume
 };
 
 /// The compensation below the dielectric interface of a material: none in spec mode, or without
@@ -99,39 +103,5 @@ inline EnergyCompensation held_below(const Fresnel& fresnel, const Microfacets& 
   held.calm(material.diffuse_roughness, material.roughness);
   return held;
 }
-
-/// Weights of a sheen and of the layers below it.
-///
-/// What the sheen leaves over is a(V) towards one direction. The text gives the base the lesser of
-/// a(V) and a(L), which loses light that the sheen does not reflect. The conserving mode gives a
-/// base g(V) g(L), with g = a over the root of the mean of a over the light that the base sends.
-/// For a mirror that mean is a itself, for diffuse light its mean over the hemisphere, and for
-/// gloss something between both.
-struct SheenScaling {
-  double strength = 0;  ///< of the sheen: its strongest colour
-  double roughness = 0;
-  SheenCurve curve;
-  double albedo_v = 0;  ///< of a white sheen towards the viewer
-  bool conserving = false;
-
-  struct Weights {
-    double sheen, diffuse, specular;  ///< the latter of lobes below
-  };
-
-  /// `facets`: of the base.
-  SheenScaling(const Rgb& color, double sheen_roughness, const Microfacets& facets, const Vec3d& v,
-               ShaderMode mode);
-  /// `cosine`: of the light.
-  Weights weights(double n_l) const;
-
- private:
-  double reflected(double albedo) const;
-  /// The mean of what is left over, of gloss of the base towards a cosine.
-  double glossy(double cosine, double left) const;
-
-  double mean_ = 1;  ///< of what is left over
-  double base_roughness_ = 1;
-  double gloss_v_ = 1;
-};
 
 }  // namespace gltfx::shader

@@ -93,7 +93,7 @@ struct Proposal {
 /// The transmittance of an interface to the lobes below it. Diffuse and microfacet lobes differ in
 /// half vector and in energy compensation.
 struct Through {
-  double diffuse = 1, specular = 1;
+  Rgb diffuse{1, 1, 1}, specular{1, 1, 1};
 };
 
 /// Chooses the second of two with a probability, and rescales the random number to [0, 1).

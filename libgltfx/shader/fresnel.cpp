@@ -2,7 +2,6 @@
 #include "shader/fresnel.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace gltfx::shader {
 namespace {
@@ -87,7 +86,7 @@ double film_presence(double ior, double thickness) {
 
 Rgb Fresnel::iridescent(double cosine) const {
   const Rgb f = iridescent_fresnel(1, film.ior, f0, film.thickness, cosine);
-  return {std::min(f.x, film.most), std::min(f.y, film.most), std::min(f.z, film.most)};
+  return film.conserving ? Rgb(std::min(f.x, 1.0), std::min(f.y, 1.0), std::min(f.z, 1.0)) : f;
 }
 
 Rgb Fresnel::inside_or_iridescent(double cosine) const {
@@ -101,13 +100,22 @@ Rgb Fresnel::inside_or_iridescent(double cosine) const {
   return plain * (1 - film.strength) + iridescent(cosine) * film.strength;
 }
 
+Rgb Fresnel::left_by_film(const Rgb& reflected, double cosine) const {
+  if (film.strength >= 1) return Rgb(1) - reflected;
+  // Without a film, what the strongest colour leaves over.
+  Fresnel bare = *this;
+  bare.film = {};
+  const Rgb plain = bare.at(cosine);
+  return Rgb(1) - reflected - (Rgb(max_value(plain)) - plain) * (1 - film.strength);
+}
+
 namespace {
 
 ThinFilm film_of(const Material& m, ShaderMode mode) {
   if (m.iridescence <= 0) return {};
-  const double most = mode == ShaderMode::conserving ? 1 : std::numeric_limits<double>::infinity();
-  const double presence = film_presence(m.iridescence_ior, m.iridescence_thickness);
-  return {m.iridescence * presence, m.iridescence_ior, m.iridescence_thickness, most};
+  const double strength = m.iridescence * film_presence(m.iridescence_ior, m.iridescence_thickness);
+  if (strength <= 0) return {};
+  return {strength, m.iridescence_ior, m.iridescence_thickness, mode == ShaderMode::conserving};
 }
 
 }  // namespace

@@ -24,8 +24,9 @@ struct ThinFilm {
   double strength = 0;  ///< `iridescence` times film_presence(); 0: no film
   double ior = 1.3;
   double thickness = 0;  ///< nanometres
-  /// The fit can give slightly more than 1, which the conserving mode clamps.
-  double most = 1;
+  /// The fit can give slightly more than 1, which this mode clamps; and the base gets of each
+  /// colour what the film leaves over.
+  bool conserving = false;
 };
 
 /// From 0 for a film that is none, of thickness 0 or as thin as air, to 1.
@@ -49,9 +50,14 @@ struct Fresnel {
   }
   /// With a film of full strength.
   Rgb iridescent(double cosine) const;
+  /// What a base below gets, where the surface reflects at(cosine).
+  Rgb left_over(const Rgb& reflected, double cosine) const {
+    return film.conserving ? left_by_film(reflected, cosine) : Rgb(1 - max_value(reflected));
+  }
 
  private:
   Rgb inside_or_iridescent(double cosine) const;
+  Rgb left_by_film(const Rgb& reflected, double cosine) const;
 };
 
 /// The surface of a dielectric: F0 by ior, scaled by specular colour and factor.

@@ -121,7 +121,7 @@ struct specular_brdf : Lobe {
     const double pdf = distribution * facets.visible / 4;
     if ((d.lobes & kSpecularReflect) == 0) return {{}, {}, pdf};
     const double visibility = facets.visibility(d.v, facets.v_stretched, d.l);
-    const Rgb f(distribution * visibility * through.specular);
+    const Rgb f = distribution * visibility * through.specular;
     return {f, f, pdf};
   }
   Proposal sample(const Vec3d& v, const Random3& r) const {
@@ -134,7 +134,7 @@ struct specular_brdf : Lobe {
  private:
   Evaluation mirror(const Directions& d, const Through& through) const {
     if (!d.reflects(kAllLobes, Measure::delta) || 1 - d.h.z >= 1e-12) return {};
-    const Rgb f((d.lobes & kSpecularReflect) != 0 ? through.specular / d.v.z : 0);
+    const Rgb f = (d.lobes & kSpecularReflect) != 0 ? through.specular / d.v.z : Rgb();
     return {f, f, 1};
   }
 };
@@ -217,8 +217,7 @@ struct sheen_brdf : Lobe {
         n_v(v.z) {}
   Rgb eval(const Directions& d, const Through& through) const {
     if (!d.reflects(kSpecularReflect, Measure::solid_angle) || d.l.z <= 0) return {};
-    return Rgb(fibres.distribution(d.h.z) * fibres.visibility(n_v, lambda_v, d.l.z) *
-               through.specular);
+    return fibres.distribution(d.h.z) * fibres.visibility(n_v, lambda_v, d.l.z) * through.specular;
   }
   double pdf(const Directions& d) const {
     return d.reflects(kAllLobes, Measure::solid_angle) ? inv_pi / 2 : 0;

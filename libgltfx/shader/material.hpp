@@ -41,9 +41,7 @@ struct PreparedLayers {
   SeenCoat coat;
 
   PreparedLayers(const Material& m, const Vec3d& v, ShaderMode mode)
-      : sheen(m.sheen_color, m.sheen_roughness,
-              microfacets(m.roughness, m.anisotropy, m.anisotropy_rotation), v, mode),
-        coat(m.clearcoat_normal, m.clearcoat_roughness, v, mode) {}
+      : sheen(m, v, mode), coat(m.clearcoat_normal, m.clearcoat_roughness, v, mode) {}
 };
 
 /// Whether a material has only lobes of the core specification.

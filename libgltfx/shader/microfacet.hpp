@@ -97,10 +97,12 @@ inline Microfacets microfacets(double roughness, double anisotropy = 0, double r
   return {along, std::fmax(alpha, kSmoothAlpha), std::cos(rotation), std::sin(rotation)};
 }
 
+/// The distribution of fibres is undefined at roughness 0: a lower roughness counts as this.
+inline constexpr double kLeastSheenRoughness = 0.0316227766016838;
+
 struct Fibres {
   double alpha;
 
-  /// The distribution is undefined at roughness 0; such a sheen reflects no light.
   explicit Fibres(double sheen_roughness) : alpha(std::fmax(square(sheen_roughness), 1e-3)) {}
 
   double distribution(double n_h) const {

@@ -12,8 +12,15 @@ namespace {
 constexpr std::array<float, kSpecularRows> kMeanAlbedo{
 #include "shader/tables/mean_albedo.inc"
 };
-constexpr std::array<std::array<AnisotropicScale::Values, kAcrossRows>, kAlongRows> kAnisotropic{{
+using AnisotropicTable = std::array<std::array<AnisotropicValues, kAcrossRows>, kAlongRows>;
+constexpr AnisotropicTable kAnisotropicScale{{
 #include "shader/tables/anisotropic_scale.inc"
+}};
+constexpr AnisotropicTable kAnisotropicConstant{{
+#include "shader/tables/anisotropic_constant.inc"
+}};
+constexpr AnisotropicTable kAnisotropicRising{{
+#include "shader/tables/anisotropic_rising.inc"
 }};
 constexpr std::array<std::array<float, kAcrossRows>, kAlongRows> kAnisotropicMean{{
 #include "shader/tables/anisotropic_mean.inc"
@@ -52,43 +59,89 @@ double glass_albedo(const Fresnel& fresnel, double roughness, double cosine) {
   return static_cast<double>(sum_of(sum * load_lanes(column.weights.data())));
 }
 
-}  // namespace
+// Four neighbours and the weights of the cubic through them: near the ends of a table, where values
+// rise most, closer than the curve of TableCell.
+struct CubicCell {
+  std::size_t first;
+  std::array<float, 4> weights;
 
-AnisotropicScale::AnisotropicScale(const Microfacets& facets) : facets_(facets), values_{} {
-  const double along = std::sqrt(facets.alpha_t);
-  const TableCell row = along_row(along);
-  const TableCell column(std::sqrt(facets.alpha_b) / along, kAcrossRows);
-  float mean = 0;
-  for (std::size_t r = 0; r < row.weights.size(); ++r) {
-    for (std::size_t c = 0; c < column.weights.size(); ++c) {
-      const float weight = row.weights[r] * column.weights[c];
-      const Values& values = kAnisotropic[row.first + r][column.first + c];
-      for (std::size_t a = 0; a < kAzimuthRows; ++a) {
-        for (std::size_t i = 0; i < kScaleColumns; ++i) values_[a][i] += weight * values[a][i];
-      }
-      mean += weight * kAnisotropicMean[row.first + r][column.first + c];
+  CubicCell(double x, int size) {
+    const double scaled = std::clamp(x, 0.0, 1.0) * (size - 1);
+    first = static_cast<std::size_t>(std::clamp(static_cast<int>(scaled) - 1, 0, size - 4));
+    const auto t = static_cast<float>(scaled - static_cast<double>(first));
+    weights = {(t - 1) * (t - 2) * (3 - t) / 6, t * (t - 2) * (t - 3) / 2,
+               t * (t - 1) * (3 - t) / 2, t * (t - 1) * (t - 2) / 6};
+  }
+};
+
+// The cells of the tables of anisotropic lobes that lead to the values of one.
+struct AnisotropicCell {
+  CubicCell row, column;
+
+  explicit AnisotropicCell(const Microfacets& facets)
+      : row(along_row(std::sqrt(facets.alpha_t)), kAlongRows),
+        column(std::sqrt(std::sqrt(facets.alpha_b / facets.alpha_t)), kAcrossRows) {}
+
+  /// visit(first index, second index, weight)
+  template <class Visit>
+  void visit(const Visit& visit_cell) const {
+    for (std::size_t r = 0; r < row.weights.size(); ++r) {
+      for (std::size_t c = 0; c < column.weights.size(); ++c)
+        visit_cell(row.first + r, column.first + c, row.weights[r] * column.weights[c]);
     }
   }
-  mean_ = static_cast<double>(mean);
+};
+
+void add(AnisotropicValues& sums, const AnisotropicValues& values, float weight) {
+  for (std::size_t a = 0; a < kAzimuthRows; ++a) {
+    for (std::size_t i = 0; i < kScaleColumns; ++i) sums[a][i] += weight * values[a][i];
+  }
 }
 
-double AnisotropicScale::azimuth(const Microfacets& facets, const Vec3d& direction) {
+double interpolated(const AnisotropicValues& values, const TableCell& row,
+                    const TableCell& column) {
+  Lanes sums{};
+  for (std::size_t a = 0; a < row.weights.size(); ++a)
+    sums += row.weights[a] * load_lanes(values[row.first + a].data() + column.first);
+  return static_cast<double>(sum_of(sums * load_lanes(column.weights.data())));
+}
+
+}  // namespace
+
+double azimuth_of(const Microfacets& facets, const Vec3d& direction) {
   const double alpha = facets.under_azimuth(direction);
   const double least = std::sqrt(facets.alpha_b);
   const double range = std::sqrt(facets.alpha_t) - least;
   return range > 0 ? std::clamp((std::sqrt(alpha) - least) / range, 0.0, 1.0) : 0;
 }
 
+AnisotropicScale::AnisotropicScale(const Microfacets& facets) : facets_(facets) {
+  AnisotropicCell(facets).visit([this](std::size_t along, std::size_t across, float weight) {
+    add(values_, kAnisotropicScale[along][across], weight);
+    mean_ += static_cast<double>(weight * kAnisotropicMean[along][across]);
+  });
+}
+
 double AnisotropicScale::at(const Vec3d& direction) const {
-  const double place = azimuth(facets_, direction) * (kAzimuthRows - 1);
-  const std::size_t below =
-      std::min(static_cast<std::size_t>(place), std::size_t{kAzimuthRows - 2});
-  const auto part = static_cast<float>(place - static_cast<double>(below));
-  const TableCell column = scale_column(std::min(direction.z, 1.0));
-  const Lanes low = load_lanes(values_[below].data() + column.first);
-  const Lanes high = load_lanes(values_[below + 1].data() + column.first);
-  return static_cast<double>(
-      sum_of((low + part * (high - low)) * load_lanes(column.weights.data())));
+  return interpolated(values_, azimuth_row(azimuth_of(facets_, direction)),
+                      scale_column(std::min(direction.z, 1.0)));
+}
+
+AnisotropicAlbedo::AnisotropicAlbedo(const Microfacets& facets) : facets_(facets) {
+  AnisotropicCell(facets).visit([this](std::size_t along, std::size_t across, float weight) {
+    add(constant_, kAnisotropicConstant[along][across], weight);
+    add(rising_, kAnisotropicRising[along][across], weight);
+  });
+}
+
+SpecularAlbedo AnisotropicAlbedo::at(const Vec3d& direction) const {
+  return at(azimuth_of(facets_, direction), direction.z);
+}
+
+SpecularAlbedo AnisotropicAlbedo::at(double azimuth, double cosine) const {
+  const TableCell row = azimuth_row(azimuth);
+  const TableCell column = scale_column(std::min(cosine, 1.0));
+  return {interpolated(constant_, row, column), interpolated(rising_, row, column)};
 }
 
 MultipleScattering::MultipleScattering(const Microfacets& facets, const Vec3d& v) {

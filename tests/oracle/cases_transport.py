@@ -21,7 +21,7 @@ MANY = {"samples": 1024, "size": (12, 12)}
 def in_white_light(name, source, made_of, view, expected, **more):
     """The point at the origin of a wall."""
     scene = Scene()
-    scene.draw(quad(), made_of)
+    scene.draw(quad().having(TANGENT=[(1, 0, 0, 1)] * 4), made_of)
     scene.seen_from(direction(view))
     return Case(name, source, scene, expected, sky=WHITE, **{"most": 1.5, **MANY, **more})
 
@@ -47,6 +47,20 @@ def furnaces():
                              "KHR_materials_iridescence", material(
                                  (1, 1, 1), 0, 0.1, extensions=film), view, (0.995, 0.995, 0.995),
                              shader="conserving", near=6e-3)
+    film = {"iridescence": {"iridescenceFactor": 1, "iridescenceIor": 1.8,
+                            "iridescenceThicknessMaximum": 350}}
+    cloth = {"sheen": {"sheenColorFactor": [1, 1, 1], "sheenRoughnessFactor": 0.3}}
+    strong = {"anisotropy": {"anisotropyStrength": 1}}
+    pane = {"transmission": {"transmissionFactor": 1}}
+    for what, metallic, extensions in (
+            ("a film on white plastic", 0, film), ("a film on a pane", 0, {**film, **pane}),
+            ("sheen on white metal", 1, cloth), ("sheen on a pane", 0, {**cloth, **pane}),
+            ("anisotropic plastic", 0, strong), ("anisotropic metal", 1, strong)):
+        for view in (0, 75):
+            yield in_white_light(f"furnace: {what}, view {view}, conserving",
+                                 "all light comes back", material(
+                                     (1, 1, 1), metallic, 0.4, extensions=extensions), view,
+                                 (0.994, 0.994, 0.994), shader="conserving", near=1e-2)
     yield in_white_light("furnace: unlit", "KHR_materials_unlit",
                          material(COLOR, extensions={"unlit": {}}), 30, COLOR)
     leaf = {"diffuse_transmission": {"diffuseTransmissionFactor": 0.3,

@@ -25,9 +25,7 @@ void write(const std::string& name, int rows, const std::function<double(double,
     std::vector<double> row;
     for (int c = 0; c < kAlbedoColumns; ++c)
       row.push_back(value(row_roughness(r, rows), column_cosine(c)));
-    file.open();
-    file.numbers(row);
-    file.close();
+    file.row(row);
   }
 }
 

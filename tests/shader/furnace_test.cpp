@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Each parameter of a material at its ends, alone and with each other one, in an even light: the
-/// conserving mode never gives back more than it gets, and nearly all where nothing is absorbed.
+/// conserving mode never gives back more of a colour than it gets, and nearly all where nothing is
+/// absorbed.
 /// Values of both modes are finite and reciprocal.
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -21,12 +23,12 @@ enum Trait : unsigned {
   kNone = 0,
   kCoated = 1,  // not reciprocal, as the text has it
   kVolume = 2,  // neither
-  kSheen = 4,   // over gloss a sheen is an estimate
-  kFilm = 8,    // the base gets what the strongest colour leaves over
+  kSheen = 4,
+  kFilm = 8,
   kAbsorbs = 16,
   kAnisotropic = 32,
-  kGlossy = 64,   // more light comes from facets than from below them
-  kTilted = 128,  // reflects below the horizon
+  kTilted = 64,   // reflects below the horizon
+  kNarrow = 128,  // light from near the horizon, for a fine quadrature
 };
 
 struct Setting {
@@ -38,25 +40,31 @@ struct Setting {
 // Values at the ends of each parameter, on a white dielectric of roughness 0.4.
 const std::vector<Setting>& settings() {
   static const std::vector<Setting> all{
-      {"metallic 1", [](Material& m) { m.metallic = 1; }, kGlossy},
+      {"metallic 1", [](Material& m) { m.metallic = 1; }},
+      {"metallic 0.5", [](Material& m) { m.metallic = 0.5; }},
       {"roughness 0", [](Material& m) { m.roughness = 0; }},
       {"roughness 0.1", [](Material& m) { m.roughness = 0.1; }},
       {"roughness 1", [](Material& m) { m.roughness = 1; }},
       {"base color 0", [](Material& m) { m.base_color = {}; }, kAbsorbs},
       {"ior 1", [](Material& m) { m.ior = 1; }},
-      {"ior 2.5", [](Material& m) { m.ior = 2.5; }, kGlossy},
-      {"ior 0", [](Material& m) { m.ior = 0; }, kGlossy},
+      {"ior 2.5", [](Material& m) { m.ior = 2.5; }},
+      {"ior 0", [](Material& m) { m.ior = 0; }},
       {"specular 0", [](Material& m) { m.specular = 0; }},
       {"specular color 0", [](Material& m) { m.specular_color = {}; }},
-      {"specular color 30", [](Material& m) { m.specular_color = Rgb(30); }, kGlossy},
-      {"transmission 1", [](Material& m) { m.transmission = 1; }, kGlossy},
+      {"specular color 30", [](Material& m) { m.specular_color = Rgb(30); }},
+      {"transmission 1", [](Material& m) { m.transmission = 1; }},
+      {"transmission 0.5", [](Material& m) { m.transmission = 0.5; }},
       {"diffuse transmission 1", [](Material& m) { m.diffuse_transmission = 1; }},
       {"diffuse roughness 1", [](Material& m) { m.diffuse_roughness = 1; }},
       {"thickness 1", [](Material& m) { m.thickness = 1; }, kVolume},
       {"dispersion 5", [](Material& m) { m.dispersion = 5; }},
-      {"sheen of 0", [](Material& m) { m.sheen_color = Rgb(1); }, kSheen},
+      {"sheen of 0", [](Material& m) { m.sheen_color = Rgb(1); }, kSheen | kNarrow},
+      {"sheen of 0.05", [](Material& m) { m.sheen_color = Rgb(1), m.sheen_roughness = 0.05; },
+       kSheen | kNarrow},
       {"sheen of 0.15", [](Material& m) { m.sheen_color = Rgb(1), m.sheen_roughness = 0.15; },
        kSheen},
+      {"half a sheen of 0.3",
+       [](Material& m) { m.sheen_color = Rgb(0.5), m.sheen_roughness = 0.3; }, kSheen},
       {"sheen of 1", [](Material& m) { m.sheen_color = Rgb(1), m.sheen_roughness = 1; }, kSheen},
       {"coat of 0", [](Material& m) { m.clearcoat = 1; }, kCoated},
       {"coat of 1", [](Material& m) { m.clearcoat = m.clearcoat_roughness = 1; }, kCoated},
@@ -72,8 +80,12 @@ const std::vector<Setting>& settings() {
       {"half a film", [](Material& m) { m.iridescence = 0.5; }, kFilm},
       {"film of ior 1", [](Material& m) { m.iridescence = m.iridescence_ior = 1; }},
       {"film of ior 1.02", [](Material& m) { m.iridescence = 1, m.iridescence_ior = 1.02; }, kFilm},
-      {"film of ior 2.5", [](Material& m) { m.iridescence = 1, m.iridescence_ior = 2.5; },
-       kFilm | kGlossy},
+      {"film of ior 2.5", [](Material& m) { m.iridescence = 1, m.iridescence_ior = 2.5; }, kFilm},
+      {"film of ior 1.8, 200 nm",
+       [](Material& m) {
+         m.iridescence = 1, m.iridescence_ior = 1.8, m.iridescence_thickness = 200;
+       },
+       kFilm},
       {"film of 0 nm", [](Material& m) { m.iridescence = 1, m.iridescence_thickness = 0; }},
       {"film of 1200 nm", [](Material& m) { m.iridescence = 1, m.iridescence_thickness = 1200; },
        kFilm},
@@ -114,7 +126,9 @@ std::vector<Point> points() {
 
 double most_of(const Point& p) {
   if (p.is(kVolume)) return 1.02;  // the quadrature meets the edge of total reflection
-  if (p.is(kSheen) && p.is(kGlossy | kFilm)) return 1.01;
+  // Tables of anisotropic films would be too large: they are like isotropic ones.
+  if (p.is(kAnisotropic) && p.is(kFilm)) return 1.04;
+  if (p.is(kSheen)) return 1.005;
   if (p.is(kAnisotropic)) return 1.004;
   return p.is(kFilm) ? 1.0025 : 1.0015;
 }
@@ -122,20 +136,23 @@ double most_of(const Point& p) {
 double least_of(const Point& p) {
   if (p.is(kAbsorbs)) return 0;
   if (p.is(kTilted)) return 0.8;
-  if (p.is(kSheen)) return p.is(kGlossy | kFilm) ? 0.9 : 0.95;
-  if (p.is(kFilm)) return p.is(kAnisotropic) ? 0.78 : 0.92;
-  if (p.is(kAnisotropic) && p.material.metallic < 1) return 0.965;
+  if (p.is(kAnisotropic) && p.is(kFilm)) return 0.95;
+  if (p.is(kSheen) && p.is(kAnisotropic | kFilm)) return 0.97;
+  if (p.is(kSheen | kFilm) && p.material.diffuse_roughness > 0) return 0.975;
   return p.material.metallic == 1 ? 0.99 : 0.98;
 }
 
+double least_value(const Rgb& color) { return std::min({color.x, color.y, color.z}); }
+
 TEST(FurnaceOfPairs, NothingIsGainedAndLittleLost) {
   for (const Point& point : points()) {
+    const int resolution = point.is(kNarrow) ? 128 : 32;
     for (const double cosine : {-0.7, -0.2, 0.15, 0.5, 1.0}) {
       if (cosine < 0 && !point.is(kVolume)) continue;
-      const double total =
-          max_value(integrate(point.material, direction_of_cosine(cosine), {}, 32).total);
-      EXPECT_LE(total, most_of(point)) << point.name << ", cosine " << cosine;
-      EXPECT_GE(total, least_of(point)) << point.name << ", cosine " << cosine;
+      const Rgb total =
+          integrate(point.material, direction_of_cosine(cosine), {}, resolution).total;
+      EXPECT_LE(max_value(total), most_of(point)) << point.name << ", cosine " << cosine;
+      EXPECT_GE(least_value(total), least_of(point)) << point.name << ", cosine " << cosine;
     }
   }
 }

@@ -14,8 +14,8 @@ namespace gltfx::shader {
 
 /// Places of a table, and their weights, from which a value is interpolated.
 struct Interpolation {
-  std::array<std::size_t, 8> places{};
-  std::array<double, 8> weights{};
+  std::array<std::size_t, 16> places{};
+  std::array<double, 16> weights{};
 };
 
 /// Finds s with s(v) times the integral of lobe(v, l) s(l) = 1 for all v of a table.
@@ -105,23 +105,42 @@ inline Balanced balance_anisotropic(const Microfacets& facets, int resolution) {
   std::vector<Vec3d> views;
   for (int a = 0; a < kAzimuthRows; ++a) {
     for (int c = 0; c < kScaleColumns; ++c)
-      views.push_back(direction_of_azimuth(facets, a / (kAzimuthRows - 1.0), scale_cosine(c)));
+      views.push_back(direction_of_azimuth(facets, azimuth_part(a), scale_cosine(c)));
   }
   return balance(facets, views, resolution, [&](const Vec3d& l) {
-    const double place = AnisotropicScale::azimuth(facets, l) * (kAzimuthRows - 1);
-    const std::size_t below =
-        std::min(static_cast<std::size_t>(place), std::size_t{kAzimuthRows - 2});
-    const double part = place - static_cast<double>(below);
+    const TableCell azimuth = azimuth_row(azimuth_of(facets, l));
     const TableCell cell = scale_column(std::min(l.z, 1.0));
     Interpolation from;
-    for (std::size_t i = 0; i < cell.weights.size(); ++i) {
-      from.places[i] = below * kScaleColumns + cell.first + i;
-      from.places[i + 4] = from.places[i] + kScaleColumns;
-      from.weights[i] = (1 - part) * static_cast<double>(cell.weights[i]);
-      from.weights[i + 4] = part * static_cast<double>(cell.weights[i]);
+    for (std::size_t a = 0; a < azimuth.weights.size(); ++a) {
+      for (std::size_t i = 0; i < cell.weights.size(); ++i) {
+        const std::size_t at = a * cell.weights.size() + i;
+        from.places[at] = (azimuth.first + a) * kScaleColumns + cell.first + i;
+        from.weights[at] = static_cast<double>(azimuth.weights[a] * cell.weights[i]);
+      }
     }
     return from;
   });
+}
+
+/// The albedo of an anisotropic lobe under Schlick's Fresnel.
+inline SpecularAlbedo integrate_anisotropic_albedo(const Microfacets& facets, const Vec3d& v,
+                                                   int resolution) {
+  const double stretched = facets.stretched(v);
+  const auto place = [&](double i) { return 1 - square(1 - i / resolution); };
+  SpecularAlbedo sum;
+  for (int i = 0; i < resolution; ++i) {
+    const double width = (place(i + 1) - place(i)) / resolution;
+    for (int j = 0; j < resolution; ++j) {
+      const Vec3d h = facets.sample_normal(v, place(i + 0.5), (j + 0.5) / resolution);
+      const double v_h = dot(v, h);
+      const Vec3d l = 2 * v_h * h - v;
+      if (l.z <= 0) continue;
+      const double part = width * facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched);
+      sum.constant += part * (1 - pow5(1 - v_h));
+      sum.rising += part * pow5(1 - v_h);
+    }
+  }
+  return sum;
 }
 
 /// The mean of a function of the cosine over a hemisphere.

@@ -2,8 +2,10 @@
 /// The tables of scales against their quadratures. With GLTFX_UPDATE_TABLES set in the environment
 /// the tables are rewritten.
 #include <cstdlib>
+#include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -25,9 +27,7 @@ void write_isotropic() {
   std::vector<double> means;
   for (int r = 0; r < kSpecularRows; ++r) {
     const Balanced row = balance_isotropic(row_roughness(r, kSpecularRows), kScaleResolution);
-    scale.open();
-    scale.numbers(row.scale);
-    scale.close();
+    scale.row(row.scale);
     means.push_back(mean_over_cosines([&](double cosine) {
       const TableCell cell = albedo_column(cosine);
       double sum = 0;
@@ -46,17 +46,14 @@ double mean_of(const std::vector<double>& albedo, const Microfacets& facets) {
   for (int t = 0; t < kTurns; ++t) {
     const double angle = pi / 2 * (t + 0.5) / kTurns;
     const Vec3d flat(std::cos(angle), std::sin(angle), 0);
-    const double place = AnisotropicScale::azimuth(facets, flat) * (kAzimuthRows - 1);
-    const std::size_t below =
-        std::min(static_cast<std::size_t>(place), std::size_t{kAzimuthRows - 2});
-    const double part = place - static_cast<double>(below);
+    const TableCell azimuth = azimuth_row(azimuth_of(facets, flat));
     sum += mean_over_cosines([&](double cosine) {
       const TableCell cell = scale_column(cosine);
       double value = 0;
-      for (std::size_t i = 0; i < cell.weights.size(); ++i) {
-        const std::size_t at = below * kScaleColumns + cell.first + i;
-        value += static_cast<double>(cell.weights[i]) *
-                 ((1 - part) * albedo[at] + part * albedo[at + kScaleColumns]);
+      for (std::size_t a = 0; a < azimuth.weights.size(); ++a) {
+        for (std::size_t i = 0; i < cell.weights.size(); ++i)
+          value += static_cast<double>(azimuth.weights[a] * cell.weights[i]) *
+                   albedo[(azimuth.first + a) * kScaleColumns + cell.first + i];
       }
       return value;
     });
@@ -68,6 +65,41 @@ Microfacets facets_of(double along, double across) {
   return {std::max(square(along), kSmoothAlpha), std::max(square(across), kSmoothAlpha)};
 }
 
+template <class Value>
+void write_values(TableFile& file, const Value& value) {
+  file.open();
+  for (int a = 0; a < kAzimuthRows; ++a) {
+    std::vector<double> row;
+    for (int i = 0; i < kScaleColumns; ++i) row.push_back(value(a, i));
+    file.row(row);
+  }
+  file.close();
+}
+
+void write_anisotropic_albedo() {
+  TableFile constant("anisotropic_constant");
+  TableFile rising("anisotropic_rising");
+  for (int r = 0; r < kAlongRows; ++r) {
+    constant.open();
+    rising.open();
+    for (int c = 0; c < kAcrossRows; ++c) {
+      const double along = along_roughness(r);
+      const Microfacets facets = facets_of(along, along * across_ratio(c));
+      std::map<std::pair<int, int>, SpecularAlbedo> albedos;
+      for (int a = 0; a < kAzimuthRows; ++a) {
+        for (int i = 0; i < kScaleColumns; ++i)
+          albedos[{a, i}] = integrate_anisotropic_albedo(
+              facets, direction_of_azimuth(facets, azimuth_part(a), scale_cosine(i)),
+              kScaleResolution * 2);
+      }
+      write_values(constant, [&](int a, int i) { return albedos[{a, i}].constant; });
+      write_values(rising, [&](int a, int i) { return albedos[{a, i}].rising; });
+    }
+    constant.close();
+    rising.close();
+  }
+}
+
 void write_anisotropic() {
   TableFile scale("anisotropic_scale");
   TableFile mean_albedo("anisotropic_mean");
@@ -76,21 +108,17 @@ void write_anisotropic() {
     std::vector<double> means;
     for (int c = 0; c < kAcrossRows; ++c) {
       const double along = along_roughness(r);
-      const Microfacets facets = facets_of(along, along * c / (kAcrossRows - 1.0));
+      const Microfacets facets = facets_of(along, along * across_ratio(c));
       const Balanced values = balance_anisotropic(facets, kScaleResolution);
       scale.open();
       for (std::size_t a = 0; a < kAzimuthRows; ++a) {
-        scale.open();
-        scale.numbers(std::span(values.scale).subspan(a * kScaleColumns, kScaleColumns));
-        scale.close();
+        scale.row(std::span(values.scale).subspan(a * kScaleColumns, kScaleColumns));
       }
       scale.close();
       means.push_back(mean_of(values.albedo, facets));
     }
     scale.close();
-    mean_albedo.open();
-    mean_albedo.numbers(means);
-    mean_albedo.close();
+    mean_albedo.row(means);
   }
 }
 
@@ -109,9 +137,7 @@ void write_glass() {
             row.push_back(integrate_glass_albedo(eta, row_roughness(r, kGlassRows), scale_cosine(c),
                                                  kScaleResolution)[part]);
           }
-          file.open();
-          file.numbers(row);
-          file.close();
+          file.row(row);
         }
         file.close();
       }
@@ -131,6 +157,7 @@ TEST(ScaleTables, OfIsotropicLobesAreWrittenWhenAskedFor) {
 TEST(ScaleTables, OfAnisotropicLobesAreWrittenWhenAskedFor) {
   if (!asked_for()) GTEST_SKIP();
   write_anisotropic();
+  write_anisotropic_albedo();
 }
 
 TEST(ScaleTables, OfGlassAreWrittenWhenAskedFor) {

@@ -22,6 +22,11 @@ class TableFile {
 
   void open() { file_ << "{{"; }
   void close() { file_ << "}},\n"; }
+  void row(std::span<const double> values) {
+    open();
+    numbers(values);
+    close();
+  }
   void numbers(std::span<const double> values) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       const std::string_view before = i == 0 ? "" : i % 8 == 0 ? ",\n " : ", ";
