@@ -150,6 +150,7 @@ class SceneAreas {
       model::GeometryRequest request;
       request.weights = weights;
       request.joints = joints;
+      request.surface = false;
       model::Geometry geometry;
       const auto error =
           model::read_geometry(source_.geometry(), primitive, request, budget_, geometry);
