@@ -45,7 +45,7 @@ double square_between(const TexelSegment& a, const TexelSegment& b) {
                    square_from(b.from, a.from, a.to), square_from(b.to, a.from, a.to)});
 }
 
-UvBox box_of(const UvOutline& outline) {
+UvBox box_around(const UvOutline& outline) {
   UvBox box;
   box.include(outline.from);
   box.include(outline.to);
@@ -55,7 +55,7 @@ UvBox box_of(const UvOutline& outline) {
 std::vector<UvBox> boxes_of(std::span<const UvOutline> outlines) {
   std::vector<UvBox> boxes;
   boxes.reserve(outlines.size());
-  for (const UvOutline& outline : outlines) boxes.push_back(box_of(outline));
+  for (const UvOutline& outline : outlines) boxes.push_back(box_around(outline));
   return boxes;
 }
 
@@ -68,7 +68,7 @@ class GutterSearch {
     work_ = kFewSteps + 32 * std::uint64_t{outlines.size()};
     for (const std::uint32_t outline : tree_.order()) {
       outlines_.push_back(outlines[outline]);
-      boxes_.push_back(box_of(outlines[outline]));
+      boxes_.push_back(box_around(outlines[outline]));
     }
     std::vector<std::uint32_t> below(outlines_.size());
     for (std::size_t i = 0; i < below.size(); ++i) below[i] = outlines_[i].island;

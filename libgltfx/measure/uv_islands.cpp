@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "measure/disjoint_sets.hpp"
 #include "measure/radix_sort.hpp"
 
 namespace gltfx::measure {
@@ -24,29 +25,6 @@ std::vector<std::uint32_t> first_equal_points(const model::Vectors<2>& points) {
   }
   return first;
 }
-
-// Disjoint sets of triangles (R. E. Tarjan, 1975).
-class IslandSets {
- public:
-  explicit IslandSets(std::size_t count) : above_(count) {
-    for (std::uint32_t i = 0; i < count; ++i) above_[i] = i;
-  }
-  std::uint32_t find(std::uint32_t triangle) {
-    while (above_[triangle] != triangle) {
-      above_[triangle] = above_[above_[triangle]];
-      triangle = above_[triangle];
-    }
-    return triangle;
-  }
-  void join(std::uint32_t one, std::uint32_t other) {
-    one = find(one);
-    other = find(other);
-    above_[std::max(one, other)] = std::min(one, other);
-  }
-
- private:
-  std::vector<std::uint32_t> above_;
-};
 
 // An edge of a triangle, listed at its lower point.
 struct UvEdge {
@@ -128,7 +106,7 @@ class IslandFinder {
 
   const UvSurface& surface_;
   const std::vector<std::uint32_t> first_;  // by point
-  IslandSets sets_;
+  DisjointSets sets_;
   std::vector<std::uint32_t> begin_;  // in edges_, by point
   std::vector<UvEdge> edges_;
   UvIslands islands_;

@@ -73,7 +73,7 @@ TEST(Uv, OverlapAreaIsAShareOfTheAreaInUse) {
 
 TEST(Uv, CoverageCountsOverlapsOnceAndNothingOutside) {
   EXPECT_EQ(taken(quad(0, 0, 0.5, 0.5)).number("uv-coverage"), 0.25);
-  EXPECT_EQ(taken(quad(-1, -1, 0.5, 3)).number("uv-coverage"), 0.5);
+  EXPECT_DOUBLE_EQ(taken(quad(-1, -1, 0.5, 3)).number("uv-coverage"), 0.5);
   EXPECT_EQ(taken(quad(2, 2, 3, 3)).number("uv-coverage"), 0);
   EXPECT_NEAR(taken(quad(0, 0, 0.5, 0.5) + quad(0.25, 0, 0.75, 0.5)).number("uv-coverage"), 0.375,
               0.002);
