@@ -83,7 +83,7 @@ def adapt():
         change = ADAPTATIONS.get(material.get("nodes"))
         if change:
             tree = material.node_tree
-            change(tree, next(n for n in tree.nodes if n.type == "BSDF_PRINCIPLED"))
+            change(tree, next(n for n in tree.nodes if n.type == "BSDF_PRINCIPLED"), material)
 
 
 def take_input(tree, node, name, target):
@@ -100,7 +100,7 @@ def replace(tree, node, output):
         tree.links.new(output, link.to_socket)
 
 
-def lambert(tree, principled):
+def lambert(tree, principled, _material):
     """The diffuse BRDF of the specification, not that of Disney."""
     diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
     take_input(tree, principled, "Base Color", diffuse.inputs["Color"])
@@ -161,7 +161,7 @@ def layered(tree, principled, base, factor, roughness):
         tree.links.new(added.outputs[0], target)
 
 
-def coat(tree, principled):
+def coat(tree, principled, _material):
     """KHR_materials_clearcoat, which Principled has at a quarter of its strength and with another
     distribution of normals."""
     factor = principled.inputs["Clearcoat"].default_value
@@ -169,14 +169,14 @@ def coat(tree, principled):
     layered(tree, principled, principled.outputs[0], factor, "Clearcoat Roughness")
 
 
-def plastic(tree, principled):
+def plastic(tree, principled, _material):
     """A dielectric whose base is that of the specification."""
     diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
     take_input(tree, principled, "Base Color", diffuse.inputs["Color"])
     layered(tree, principled, diffuse.outputs[0], 1.0, "Roughness")
 
 
-def thin(tree, principled):
+def thin(tree, principled, _material):
     """A smooth thin wall, which does not refract."""
     clear = tree.nodes.new("ShaderNodeBsdfTransparent")
     take_input(tree, principled, "Base Color", clear.inputs["Color"])
@@ -186,7 +186,50 @@ def thin(tree, principled):
     replace(tree, principled, mix(tree, schlick(tree, 0.04), clear.outputs[0], gloss.outputs[0]))
 
 
-def volume(tree, _):
+def many_bounces(_, principled, _material):
+    """Light that bounces between facets more than once."""
+    principled.distribution = "MULTI_GGX"
+
+
+def film(tree, principled, material):
+    """A thin film, which Blender 3.4 does not have, on a mirror or on smooth plastic: the color by
+    the angle to the view is a property of the material."""
+    colors = list(material["film"])
+    colors = [colors[i:i + 3] for i in range(0, len(colors), 3)]
+    geometry = tree.nodes.new("ShaderNodeNewGeometry")
+    cosine = tree.nodes.new("ShaderNodeVectorMath")
+    cosine.operation = "DOT_PRODUCT"
+    tree.links.new(geometry.outputs["Normal"], cosine.inputs[0])
+    tree.links.new(geometry.outputs["Incoming"], cosine.inputs[1])
+
+    def by_angle(values):
+        ramp = tree.nodes.new("ShaderNodeValToRGB")
+        stops = ramp.color_ramp.elements
+        while len(stops) < len(values):
+            stops.new(1)
+        for i, (stop, value) in enumerate(zip(stops, values)):
+            stop.position = i / (len(values) - 1)
+            stop.color = (*value, 1)
+        tree.links.new(cosine.outputs["Value"], ramp.inputs["Fac"])
+        return ramp.outputs["Color"]
+
+    gloss = tree.nodes.new("ShaderNodeBsdfGlossy")
+    gloss.inputs["Roughness"].default_value = 0
+    tree.links.new(by_angle(colors), gloss.inputs["Color"])
+    result = gloss.outputs[0]
+    if principled.inputs["Metallic"].default_value == 0:
+        base = principled.inputs["Base Color"].default_value[:3]
+        diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
+        tree.links.new(by_angle([[(1 - f) * c for f, c in zip(color, base)] for color in colors]),
+                       diffuse.inputs["Color"])
+        added = tree.nodes.new("ShaderNodeAddShader")
+        tree.links.new(result, added.inputs[0])
+        tree.links.new(diffuse.outputs[0], added.inputs[1])
+        result = added.outputs[0]
+    replace(tree, principled, result)
+
+
+def volume(tree, _, _material):
     """Absorption by attenuationColor over attenuationDistance: -ln(color) / distance, and not
     (1 - color) / distance."""
     for node in [n for n in tree.nodes if n.type == "VOLUME_ABSORPTION"]:
@@ -199,7 +242,7 @@ def volume(tree, _):
 
 
 ADAPTATIONS = {"lambert": lambert, "plastic": plastic, "coat": coat, "thin": thin,
-               "volume": volume}
+               "volume": volume, "many bounces": many_bounces, "film": film}
 
 
 if __name__ == "__main__":

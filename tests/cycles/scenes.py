@@ -4,12 +4,17 @@ import math
 
 from comparison import (DARK, FLAT, GREY, bumps, checks, comparison, floor, matte, row, sheet,
                         shelf, stage, with_texture)
+from brdf import iridescent_fresnel
 from pictures import png
 from scene import box, lamp, material, quad, sphere
 from vectors import normalize, turn
 
 FRESNEL = ("Cycles has Fresnel's formula, gltfx Schlick's, which is up to a fifth lower around 50 "
            "degrees")
+
+
+MASKING = ("Cycles follows the light from facet to facet, masked independently of the height; gltfx "
+           "scales what is reflected once")
 
 
 # Surfaces.
@@ -26,6 +31,49 @@ def diffuse():
 def metal():
     return row(stage(height=0.3), [material((0.95, 0.7, 0.3), 1, rough)
                                    for rough in (0, 0.15, 0.3, 0.45, 0.6)])
+
+
+def rough_metals(color):
+    return row(stage(height=0.3), [material(color, 1, rough, extras={"nodes": "many bounces"})
+                                   for rough in (0.2, 0.4, 0.6, 0.8, 1)])
+
+
+@comparison("white metal of roughness 0.2 to 1 with the default shader, which like Cycles' "
+            "multiscatter GGX loses no light", grid=(5, 9), shader="conserving", tolerance=0.05,
+            because=MASKING)
+def rough_white_metal():
+    return rough_metals((1, 1, 1))
+
+
+@comparison("the same of copper, whose color deepens", grid=(5, 9), shader="conserving",
+            tolerance=0.08, because=MASKING)
+def rough_copper():
+    return rough_metals((0.95, 0.64, 0.54))
+
+
+def film_colors(ior, base_f0, thickness):
+    """Of a thin film by cosine, red, green and blue in turn."""
+    return [min(value, 1) for i in range(32)
+            for value in iridescent_fresnel(ior, base_f0, thickness, max(i / 31, 1e-4))]
+
+
+def films(base, metallic, f0):
+    return row(stage(height=0.3), [material(base, metallic, 0, extras={
+        "nodes": "film", "film": film_colors(ior, f0, thickness)}, extensions={"iridescence": {
+            "iridescenceFactor": 1, "iridescenceIor": ior,
+            "iridescenceThicknessMaximum": thickness}})
+        for ior, thickness in ((1.3, 200), (1.3, 400), (1.5, 300), (1.8, 200), (1.8, 300))])
+
+
+@comparison("thin films on a mirror of gold", grid=(5, 9), shader="conserving")
+def films_on_metal():
+    gold = (1, 0.78, 0.34)
+    return films(gold, 1, gold)
+
+
+@comparison("thin films on white plastic, which loses no light", grid=(5, 9), shader="conserving")
+def films_on_plastic():
+    return films((0.9, 0.9, 0.9), 0, 0.04)
 
 
 @comparison("the specular layer of dark plastic of roughness 0 to 0.8", sky="dim", grid=(5, 9),
@@ -48,8 +96,8 @@ def plastic():
 
 
 @comparison("the same with the default shader of gltfx", grid=(5, 9), shader="conserving",
-            tolerance=0.03, because="the base in gltfx gets what the layer leaves over for the "
-            "angles of both view and light")
+            tolerance=0.04, because="the base in gltfx gets what the layer leaves over for the "
+            "angles of both view and light, and what rough facets block")
 def plastic_conserving():
     return colored_plastic()
 
@@ -94,6 +142,18 @@ def normal_map():
     scene = stage(height=0.5, distance=3.2)
     sheet(scene, 0.8, material((0.7, 0.7, 0.7), 1, 0.5, doubleSided=True,
                                normalTexture={"index": scene.texture(bumps()), "scale": 0.8}))
+    return scene
+
+
+@comparison("normal map of smooth metals with the default shader: both bend up what the map "
+            "reflects below the surface", shader="conserving", grid=(6, 6), tolerance=0.04,
+            because="each bends the normal by a rule of its own")
+def normal_map_of_smooth_metals():
+    scene = stage(height=2.2, distance=3.2)
+    index = scene.texture(bumps())
+    for x, rough in ((-0.85, 0.1), (0, 0.2), (0.85, 0.4)):
+        sheet(scene, 0.4, material((0.7, 0.6, 0.5), 1, rough, doubleSided=True,
+                                   normalTexture={"index": index, "scale": 1.0}), (x, 0, 0), 50)
     return scene
 
 
