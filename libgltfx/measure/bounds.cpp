@@ -224,9 +224,31 @@ class ExtentColumns {
     const double distance = box.distance({});
     set(Name::origin_distance, element, extent, distance);
     set(Name::pivot_distance, element, extent, distance);
+    take_deviation(element, extent);
   }
 
  private:
+  // In percent of the product.
+  void take_deviation(std::size_t element, const Extents::Extent& extent) {
+    constexpr std::array<Name, 3> kAxes{Name::product_deviation_x, Name::product_deviation_y,
+                                        Name::product_deviation_z};
+    std::optional<double> greatest;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double wanted = taking_.parameters().product[axis];
+      const double off = 100 * std::fabs(extent.box.size(axis) - wanted) / wanted;
+      set_deviation(kAxes[axis], element, extent, wanted > 0 ? std::optional(off) : std::nullopt);
+      if (wanted > 0) greatest = std::max(greatest.value_or(0), off);
+    }
+    set_deviation(Name::product_deviation, element, extent, greatest);
+  }
+  void set_deviation(Name name, std::size_t element, const Extents::Extent& extent,
+                     std::optional<double> value) {
+    if (value) return set(name, element, extent, *value);
+    if (Column* column = taking_.column(on_, name)) {
+      column->does_not_apply(element, "There is no product to compare with.");
+    }
+  }
+
   void set(Name name, std::size_t element, const Extents::Extent& extent, double value) {
     Column* column = taking_.column(on_, name);
     if (column == nullptr) return;
@@ -261,10 +283,12 @@ void take_bounds(Taking& taking) {
       columns.take(mesh, extents.of_mesh(mesh));
     }
   }
-  if (!wants_any(taking, MeasureScope::scene,
-                 {Name::size_x, Name::size_y, Name::size_z, Name::size_max, Name::min_x,
-                  Name::min_y, Name::min_z, Name::max_x, Name::max_y, Name::max_z, Name::center_x,
-                  Name::center_y, Name::center_z, Name::origin_distance})) {
+  if (!wants_any(
+          taking, MeasureScope::scene,
+          {Name::size_x, Name::size_y, Name::size_z, Name::size_max, Name::min_x, Name::min_y,
+           Name::min_z, Name::max_x, Name::max_y, Name::max_z, Name::center_x, Name::center_y,
+           Name::center_z, Name::origin_distance, Name::product_deviation,
+           Name::product_deviation_x, Name::product_deviation_y, Name::product_deviation_z})) {
     return;
   }
   ExtentColumns columns(taking, MeasureScope::scene);

@@ -7,6 +7,7 @@
 #include "change/rewrite.hpp"
 #include "container/base64.hpp"
 #include "container/container.hpp"
+#include "pipeline/example_limit.hpp"
 #include "pipeline/fix_rounds.hpp"
 #include "pipeline/open_asset.hpp"
 #include "schema/compile.hpp"
@@ -75,8 +76,6 @@ ValidateOptions options_for(const RuleDescription& rule, std::string_view exampl
   options.inline_suppressions = rule.code.substr(0, 12) == "SUPPRESSION_";
   // Files are looked for where the program runs, but for the rule about not looking for them.
   if (rule.code != "RESOURCE_NOT_CHECKED") options.root = ".";
-  // Budgets are silent unless they are set.
-  if (rule.code.substr(0, 7) == "BUDGET_") options.budgets = {4, 8, 2, 2, 2000};
   if (rule.code.starts_with("TARGET_")) options.targets = example_targets();
   if (example.find("ACME_leaf") != std::string_view::npos) options.schemas = leaf_schemas();
   return options;
@@ -84,8 +83,14 @@ ValidateOptions options_for(const RuleDescription& rule, std::string_view exampl
 
 }  // namespace
 
-FileReport validate_example(const RuleDescription& rule, std::string_view example) {
-  const ValidateOptions options = options_for(rule, example);
+FileReport validate_example(const RuleDescription& rule, Example which) {
+  const std::string_view example = which == Example::bad    ? rule.bad
+                                   : which == Example::good ? rule.good
+                                                            : rule.fixed;
+  ValidateOptions options = options_for(rule, example);
+  options.limits = example_limits(rule, which == Example::bad);
+  // An example that has a value need not be perfect.
+  if (!options.limits.empty()) options.select.emplace(rule.code);
   std::string bytes = example_bytes(example);
   MemoryAsset asset{std::move(bytes), {}};
   asset.name = name_for(rule.code, asset.bytes);

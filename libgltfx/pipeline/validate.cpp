@@ -19,6 +19,7 @@
 
 #include <fmt/format.h>
 
+#include "base/bit_cast.hpp"
 #include "base/build_id.hpp"
 #include "base/hash.hpp"
 #include "change/apply.hpp"
@@ -98,11 +99,30 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
   validated.propose(*finding, proposed_fix(description_of(plan), asset, plan.change.edits));
 }
 
-void add(HashParts& parts, const Budgets& budgets) {
-  const auto& [texture_size, total_pixels, triangles, draw_calls, file_size] = budgets;
-  for (const std::uint64_t limit : {texture_size, total_pixels, triangles, draw_calls, file_size}) {
-    parts.add(limit);
+template <class Names>
+void add_names(HashParts& parts, const Names& names) {
+  parts.add(std::uint64_t{names.size()});
+  for (const auto& name : names) parts.add(name);
+}
+
+void add(HashParts& parts, double number) { parts.add(bit_cast<std::uint64_t>(number)); }
+
+void add(HashParts& parts, const Limit& limit) {
+  const auto& [measure, on, op, number, flag, texts, severity, parameters, from] = limit;
+  parts.add(measure->code);
+  for (const auto choice : {static_cast<std::uint64_t>(on), static_cast<std::uint64_t>(op),
+                            std::uint64_t{flag}, static_cast<std::uint64_t>(severity)}) {
+    parts.add(choice);
   }
+  add(parts, number);
+  add_names(parts, texts);
+  const auto& [weld, angle, at, slot, product] = parameters;
+  add(parts, weld);
+  add(parts, angle);
+  parts.add(std::uint64_t{at});
+  parts.add(slot);
+  for (const double size : product) add(parts, size);
+  parts.add(from);
 }
 
 void add(HashParts& parts, const std::vector<TargetRange>& ranges) {
@@ -126,24 +146,19 @@ void add(HashParts& parts, const TargetChoice& choice) {
   }
 }
 
-template <class Names>
-void add_names(HashParts& parts, const Names& names) {
-  parts.add(std::uint64_t{names.size()});
-  for (const auto& name : names) parts.add(name);
-}
-
 }  // namespace
 
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
-  const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, searched, max_issues,
-               changed_lines, propose_fixes, targets, jobs, select, ignore, severity, schemas,
-               cache] = options;
+  const auto& [profile, pixels, limits, products, lfs, inline_suppressions, root, searched,
+               max_issues, changed_lines, propose_fixes, targets, jobs, select, ignore, severity,
+               schemas, cache] = options;
   // The same report comes of any number of threads, with and without cache; with lines that changed
   // nothing is kept.
   static_cast<void>(changed_lines);
   // Says whether the asset may be opened, not what is in it.
   static_cast<void>(searched);
+  static_cast<void>(products);  // key_of_file() has that of the file
   static_cast<void>(jobs);
   static_cast<void>(cache);
   HashParts parts;
@@ -152,7 +167,8 @@ Hash128 validation_key(const ValidateOptions& options, const std::string& folder
   parts.add(static_cast<std::uint64_t>(profile));
   parts.add(static_cast<std::uint64_t>(pixel_level(options)));
   static_cast<void>(pixels);
-  add(parts, budgets);
+  parts.add(std::uint64_t{limits.size()});
+  for (const Limit& limit : limits) add(parts, limit);
   parts.add(static_cast<std::uint64_t>(lfs));
   parts.add(std::uint64_t{inline_suppressions});
   parts.add(root.empty() ? root
@@ -232,11 +248,24 @@ struct ValidateVerb {
   }
 };
 
+// What is kept is found by the bytes of a file, and one measure is its name.
+Hash128 key_of_file(const std::string& path, const ValidateOptions& options) {
+  HashParts parts;
+  parts.add(validation_key(options, options.cache->folder()));
+  const bool named =
+      std::any_of(options.limits.begin(), options.limits.end(),
+                  [](const Limit& limit) { return limit.measure->name == "file-name"; });
+  if (named) parts.add(path);
+  if (options.products) {
+    for (const double size : options.products->find(path)) add(parts, size);
+  }
+  return parts.finish();
+}
+
 Validation validate_or_recall(const std::string& path, const ValidateOptions& options) {
   const ValidateVerb verb{path, options};
   if (options.cache && !options.changed_lines) {
-    return cached(path, AssetBounds::of(options), *options.cache,
-                  validation_key(options, options.cache->folder()), verb);
+    return cached(path, AssetBounds::of(options), *options.cache, key_of_file(path, options), verb);
   }
   auto opened = verb.open();
   return opened ? verb.run(*std::move(opened)) : verb.refuse(opened.error().message);

@@ -38,7 +38,7 @@ std::string text_cell(std::string_view text) {
   return out += '"';
 }
 
-std::string cell_of(const MeasureValue& value) {
+std::string cell_of(const CheckedValue& value) {
   struct Cell {
     std::string operator()(std::monostate) const { return {}; }
     std::string operator()(double number) const {

@@ -58,9 +58,9 @@ class JsonOut {
     writer_.member(name, severity_name(value));
   }
   void verdict(std::string_view name, Verdict value) { writer_.member(name, verdict_name(value)); }
-  void value(std::string_view name, const MeasureValue& value) {
+  void value(std::string_view name, const CheckedValue& value) {
     writer_.key(name);
-    write_measure_value(writer_, value);
+    write_checked_value(writer_, value);
   }
   void texts(std::string_view name, const std::vector<std::string>& values) {
     if (!values.empty()) write_long_values(writer_, name, values);
@@ -105,7 +105,7 @@ class JsonOut {
 
 }  // namespace
 
-void write_measure_value(json::Writer& writer, const MeasureValue& value) {
+void write_checked_value(json::Writer& writer, const CheckedValue& value) {
   struct Write {
     json::Writer& writer;
     void operator()(std::monostate) const { writer.null(); }

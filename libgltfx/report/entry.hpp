@@ -14,7 +14,7 @@ namespace gltfx::report {
 void write_asset_info(json::Writer& writer, const AssetInfo& info);
 
 /// null, a number, true or false, a text, or an array of texts.
-void write_measure_value(json::Writer& writer, const MeasureValue& value);
+void write_checked_value(json::Writer& writer, const CheckedValue& value);
 /// One object, as a finding has it.
 void write_checked_limit(json::Writer& writer, const CheckedLimit& limit);
 

@@ -48,7 +48,7 @@ class Packer : public PackedForm {
   void verdict(std::string_view name, Verdict value) {
     number(name, static_cast<std::uint64_t>(value));
   }
-  void value(std::string_view name, const MeasureValue& value) {
+  void value(std::string_view name, const CheckedValue& value) {
     number(name, value.index());
     if (const auto* amount = std::get_if<double>(&value)) {
       number(name, std::bit_cast<std::uint64_t>(*amount));
@@ -123,10 +123,10 @@ class Unpacker : public PackedForm {
   }
   void verdict(std::string_view /*name*/, Verdict& value) {
     const std::uint64_t number = next();
-    whole_ = whole_ && number <= static_cast<std::uint64_t>(Verdict::not_measured);
+    whole_ = whole_ && number <= static_cast<std::uint64_t>(Verdict::not_applicable);
     if (whole_) value = static_cast<Verdict>(number);
   }
-  void value(std::string_view name, MeasureValue& value);
+  void value(std::string_view name, CheckedValue& value);
   void texts(std::string_view /*name*/, std::vector<std::string>& values) {
     for (std::uint64_t left = length(); left > 0 && whole_; --left)
       values.emplace_back(next_text());
@@ -182,7 +182,7 @@ class Unpacker : public PackedForm {
   bool whole_ = true;
 };
 
-void Unpacker::value(std::string_view name, MeasureValue& value) {
+void Unpacker::value(std::string_view name, CheckedValue& value) {
   switch (next()) {
     case 0:
       return;

@@ -36,7 +36,7 @@ std::string key_of_limit(const Requirement& requirement) {
   std::string key = fmt::format("{} {} {} ", subject_of(requirement),
                                 severity_name(requirement.severity), requirement.unit);
   json::Writer writer(key);
-  write_measure_value(writer, requirement.limit);
+  write_checked_value(writer, requirement.limit);
   return key;
 }
 
@@ -103,7 +103,7 @@ void write_outcome(json::Writer& writer, const CheckedElements& elements) {
   const bool one_value = elements.count == 1 || elements.failed > 0 ||
                          std::holds_alternative<double>(elements.shown->value);
   writer.key("value");
-  write_measure_value(writer, one_value ? elements.shown->value : MeasureValue());
+  write_checked_value(writer, one_value ? elements.shown->value : CheckedValue());
   writer.member("count", elements.count);
   if (elements.failed > 0) writer.member("failed", elements.failed);
   if (elements.not_measured > 0) writer.member("notMeasured", elements.not_measured);
@@ -116,7 +116,7 @@ void write_element(json::Writer& writer, const Requirement& requirement) {
     writer.member("object", long_value(requirement.object_name));
   }
   writer.key("value");
-  write_measure_value(writer, requirement.value);
+  write_checked_value(writer, requirement.value);
   writer.end_object();
 }
 
@@ -144,7 +144,7 @@ void write_page_requirements(json::Writer& writer, const std::vector<Requirement
     writer.member("on", limit.on);
     writer.member("op", limit.op);
     writer.key("limit");
-    write_measure_value(writer, limit.limit);
+    write_checked_value(writer, limit.limit);
     if (!limit.unit.empty()) writer.member("unit", limit.unit);
     writer.member("from", limit.from);
     writer.member("severity", severity_name(limit.severity));

@@ -82,7 +82,7 @@ class JsonIn {
     if (!known) return blame(name);
     value = *known;
   }
-  void value(std::string_view name, MeasureValue& value);
+  void value(std::string_view name, CheckedValue& value);
   void texts(std::string_view name, std::vector<std::string>& values) {
     each(name, [&](NodeId element) {
       if (!document_.is_string(element)) return blame(name);
@@ -161,7 +161,7 @@ void JsonIn::bytes(std::string_view name, std::string& value) {
   }
 }
 
-void JsonIn::value(std::string_view name, MeasureValue& value) {
+void JsonIn::value(std::string_view name, CheckedValue& value) {
   const NodeId node = find(name);
   if (node == json::kNoNode || document_.kind(node) == json::Kind::null) return;
   if (document_.is_string(node)) {

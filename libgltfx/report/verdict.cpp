@@ -7,7 +7,8 @@
 namespace gltfx {
 namespace {
 
-constexpr std::array<std::string_view, 3> kVerdicts{"pass", "fail", "not-measured"};
+constexpr std::array<std::string_view, 4> kVerdicts{"pass", "fail", "not-measured",
+                                                    "not-applicable"};
 
 }  // namespace
 

@@ -49,9 +49,10 @@ std::string mime_type(const container::Container& container, bool has_root);
 /// Opens every image, reads its header and reports problems. Buffers must be loaded before.
 void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources);
 
-/// Reports exceeded budgets of the options.
-void check_budgets(const Context& context, const model::ResourceData& resources,
-                   const AssetInfo& info, const std::vector<ResourceInfo>& listed, Sink& sink);
+/// Measures what the options limit, lists the limits in the report, and reports those that do not
+/// hold.
+void check_limits(const Context& context, const model::ResourceData& resources, FileReport& report,
+                  Sink& sink);
 
 /// Reports features that the targets of the options refuse or ignore.
 void check_targets(const Context& context, const model::ResourceData& resources, Sink& sink);

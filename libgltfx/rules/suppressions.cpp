@@ -113,7 +113,7 @@ std::string nearest_code(std::string_view word) {
   return near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
 }
 
-// Whether a rule only runs with pixels or budgets, and so may have no finding in other runs.
+// Whether a rule only runs with pixels or limits, and so may have no finding in other runs.
 bool may_be_silent(Code code, const ValidateOptions& options) {
   const RuleDescription& rule = description(code);
   if (rule.code.starts_with("BUDGET_")) return true;

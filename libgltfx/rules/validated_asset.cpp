@@ -6,25 +6,21 @@
 namespace gltfx::validate {
 namespace {
 
-bool is_unlimited(const Budgets& budgets) {
-  const auto& [texture_size, total_pixels, triangles, draw_calls, file_size] = budgets;
-  return (texture_size | total_pixels | triangles | draw_calls | file_size) == 0;
-}
-
 // Lists all members, so that a new member of the options does not compile until it is handled here.
 bool validates_by_default(const ValidateOptions& options) {
-  const auto& [profile, pixels, budgets, lfs, inline_suppressions, root, searched, max_issues,
-               changed_lines, propose_fixes, targets, jobs, select, ignore, severity, schemas,
-               cache] = options;
+  const auto& [profile, pixels, limits, products, lfs, inline_suppressions, root, searched,
+               max_issues, changed_lines, propose_fixes, targets, jobs, select, ignore, severity,
+               schemas, cache] = options;
   // The root and the schemas depend on the asset, not on preferences.
   static_cast<void>(root);
   static_cast<void>(searched);
+  static_cast<void>(products);
   static_cast<void>(schemas);
   static_cast<void>(propose_fixes);
   static_cast<void>(jobs);
   static_cast<void>(cache);
   return profile == Profile::standard &&
-         pixels.value_or(PixelLevel::headers) == PixelLevel::headers && is_unlimited(budgets) &&
+         pixels.value_or(PixelLevel::headers) == PixelLevel::headers && limits.empty() &&
          lfs == LfsPolicy::skip && !inline_suppressions && targets.empty() && max_issues == 0 &&
          !changed_lines && select.empty() && ignore.empty() && severity.empty();
 }

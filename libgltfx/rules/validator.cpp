@@ -63,7 +63,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   check_truncated(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
   check_targets(context, resources.data, sink);
-  check_budgets(context, resources.data, *report.info, resources.listed, sink);
+  check_limits(context, resources.data, report, sink);
   report.info->resources = std::move(resources.listed);
 }
 

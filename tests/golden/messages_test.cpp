@@ -19,7 +19,7 @@ namespace {
 
 // "CODE | severity | message | help", of the first finding of the rule.
 std::string line(const RuleDescription& rule) {
-  const FileReport report = validate_example(rule, rule.bad);
+  const FileReport report = validate_example(rule, Example::bad);
   const auto& all = report.diagnostics;
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Diagnostic& one) { return one.code == rule.code; });

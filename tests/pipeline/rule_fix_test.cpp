@@ -37,7 +37,7 @@ TEST_P(RuleFix, MakesTheFixedExampleOfTheBadOneAndNothingOfThat) {
   EXPECT_EQ(fix_example(rule, rule.bad), fixed);
   EXPECT_EQ(fix_example(rule, rule.fixed), fixed);
   EXPECT_EQ(fix_example(rule, rule.good), example_bytes(rule.good));
-  EXPECT_FALSE(raises(validate_example(rule, rule.fixed), rule.code));
+  EXPECT_FALSE(raises(validate_example(rule, Example::fixed), rule.code));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, RuleFix, testing::ValuesIn(rules().begin(), rules().end()),

@@ -132,12 +132,6 @@ TEST_F(Config, PathsInItAreTakenFromItsFolder) {
   EXPECT_EQ(in("props", {"upgrade", "info.gltf"}).code, 0);
 }
 
-TEST_F(Config, BudgetsHold) {
-  configure("[budgets]\nfile-size = 10\n");
-  EXPECT_THAT(validate({"props/info.gltf"}).out, HasSubstr("error[BUDGET_FILE_SIZE]"));
-  EXPECT_EQ(validate({"props/info.gltf", "--max-file-size", "0"}).code, 0);
-}
-
 TEST_F(Config, WishesOfAssetsAreHeardWhereItSaysSo) {
   const std::string wish =
       R"("extras": {"gltfx": {"ignore": [{"code": "VALUE_NOT_IN_RANGE", "reason": "r"}]}}, )";
@@ -157,8 +151,8 @@ TEST_F(Config, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(said("\nprofil = \"strict\"\n"),
               HasSubstr("\ngltfx.toml:2: there is no key 'profil'. Did you mean 'profile'?\n"));
   const std::string unknown = said("flavour = 1\nwidth = 2\n");
-  EXPECT_THAT(unknown, HasSubstr("\nthe keys are overrides, profile, pixels, "));
-  EXPECT_THAT(unknown, HasSubstr(", budgets.file-size\n"));
+  EXPECT_THAT(unknown, HasSubstr("\nthe keys are overrides, extends, profile, pixels, "));
+  EXPECT_THAT(unknown, HasSubstr(", budgets, "));
   EXPECT_EQ(unknown.find("the keys are"), unknown.rfind("the keys are"));
   EXPECT_THAT(said("profile = 3\n"), Not(HasSubstr("the keys are")));
   EXPECT_THAT(said("profile = \"strct\"\n"),
@@ -172,7 +166,6 @@ TEST_F(Config, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(said("ignore = [\"UNUSED_OBJECT,EMPTY_ENTITY\"]\n"), HasSubstr("is not a value"));
   EXPECT_THAT(said("[severity]\nUNUSED_OBJECT = \"loud\"\n"),
               HasSubstr("gltfx.toml:2: severity: "));
-  EXPECT_THAT(said("[budgets]\ntriangels = 1\n"), HasSubstr("Did you mean 'budgets.triangles'?"));
   EXPECT_THAT(said("max-issues = -1\n"), HasSubstr("'-1' is not a whole number"));
   EXPECT_THAT(said("inline-suppressions = \"yes\"\n"), HasSubstr("true or false is expected"));
   EXPECT_THAT(said("a = [\n"), HasSubstr("gltfx.toml:"));
@@ -262,10 +255,7 @@ TEST_F(Config, TheSchemaForEditorsHasEveryKey) {
       nlohmann::json::parse(read_file(GLTFX_SOURCE_DIR "/schema/meta/gltfx.toml.schema.json"));
   std::set<std::string> described;
   for (const auto& [key, value] : schema["properties"].items()) {
-    if (key != "budgets" && key != "overrides") described.insert(key);
-  }
-  for (const auto& [key, value] : schema["$defs"]["budgets"]["properties"].items()) {
-    described.insert("budgets." + key);
+    if (key != "overrides" && key != "extends") described.insert(key);
   }
   std::set<std::string> shown;
   std::istringstream lines(in("", {"config", "--isolated"}).out);

@@ -36,7 +36,8 @@ const std::vector<Verb>& verbs() {
        words("PATH --format --min-severity --group-by --statistics --fail-on --profile --select "
              "--ignore --severity "
              "--inline-suppressions --diff-base --config --isolated --unsandboxed-decoders "
-             "--max-issues --pixels --max-texture-size --max-total-pixels --max-triangles "
+             "--max-issues --pixels --preset --budget --product --max-texture-size "
+             "--max-total-pixels --max-triangles "
              "--max-draw-calls --max-file-size --quiet --target --target-file --root --schema "
              "--schema-dir "
              "--lfs "
@@ -81,7 +82,8 @@ const std::vector<Verb>& verbs() {
              "--quality --fail-on "
              "--profile "
              "--select --ignore --severity --inline-suppressions --config --isolated "
-             "--unsandboxed-decoders --max-issues --pixels --max-texture-size "
+             "--unsandboxed-decoders --max-issues --pixels --preset --budget --product "
+             "--max-texture-size "
              "--max-total-pixels --max-triangles --max-draw-calls --max-file-size --quiet "
              "--target --target-file --root --schema --schema-dir --lfs --files-from --shard "
              "--exclude --no-ignore "
@@ -98,6 +100,8 @@ const std::vector<Verb>& verbs() {
       {"targets", words("NAME[@VERSION] --format --target --target-file --color")},
       {"schema", words("NAME --format --status --new --check --test --schema --schema-dir --config "
                        "--isolated --color")},
+      {"measures", words("NAME --format --color")},
+      {"presets", words("ID --format --color")},
       {"config", words("PATH --config --isolated --color")},
   };
   return kVerbs;

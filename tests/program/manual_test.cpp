@@ -83,12 +83,12 @@ TEST_F(Manual, KeepsWhatRoffWouldTakeForItself) {
 
 TEST_F(Manual, NamesEveryKeyOfTheConfiguration) {
   const std::string text = page("man5/gltfx.toml.5");
-  for (const char* key : {"profile (string)", "budgets.triangles (whole number)",
+  for (const char* key : {"profile (string)", "budgets (table of MEASURE = LIMIT)",
                           "severity (table of CODE = \"LEVEL\")", "inline-suppressions"}) {
     EXPECT_THAT(text, HasSubstr(key));
   }
   EXPECT_THAT(text, Not(HasSubstr(". .")));
-  EXPECT_THAT(text, HasSubstr("As --max-triangles of gltfx-validate(1)."));
+  EXPECT_THAT(text, HasSubstr("As --budget of gltfx-validate(1)."));
   EXPECT_THAT(text, HasSubstr("As --target of gltfx-validate(1)."));
 }
 

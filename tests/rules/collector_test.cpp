@@ -92,8 +92,8 @@ TEST(Collector, KeepsTheLimitThatEachFindingIsAbout) {
   collector.finish(report, {}, 0);
   ASSERT_EQ(report.diagnostics.size(), 1U);
   ASSERT_EQ(report.repeats.size(), 1U);
-  EXPECT_EQ(report.diagnostics[0].requirement->value, MeasureValue(100.0));
-  EXPECT_EQ(report.repeats[0].requirement->value, MeasureValue(101.0));
+  EXPECT_EQ(report.diagnostics[0].requirement->value, CheckedValue(100.0));
+  EXPECT_EQ(report.repeats[0].requirement->value, CheckedValue(101.0));
 }
 
 TEST(Collector, KeepsSomeThousandRepeatsAtMost) {

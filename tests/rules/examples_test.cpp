@@ -53,7 +53,7 @@ const std::map<std::string_view, std::set<std::string_view>>& companions() {
 
 class Examples : public ::testing::TestWithParam<RuleDescription> {
  protected:
-  static std::set<std::string> codes(std::string_view example) {
+  static std::set<std::string> codes(Example example) {
     std::set<std::string> found;
     for (const Diagnostic& one : validate_example(GetParam(), example).diagnostics) {
       found.emplace(one.code);
@@ -64,7 +64,7 @@ class Examples : public ::testing::TestWithParam<RuleDescription> {
 
 TEST_P(Examples, BadRaisesTheRuleAndNothingElse) {
   const RuleDescription& rule = GetParam();
-  std::set<std::string> found = codes(rule.bad);
+  std::set<std::string> found = codes(Example::bad);
   EXPECT_EQ(found.erase(std::string(rule.code)), 1U) << rule.bad;
   const auto along = companions().find(rule.code);
   if (along != companions().end()) {
@@ -84,7 +84,7 @@ Severity expected_severity(const RuleDescription& rule) {
 
 TEST_P(Examples, BadHasTheSeverityOfThePage) {
   const RuleDescription& rule = *find_rule(GetParam().code);
-  const auto found = validate_example(rule, rule.bad).diagnostics;
+  const auto found = validate_example(rule, Example::bad).diagnostics;
   const auto one = std::find_if(found.begin(), found.end(),
                                 [&](const Diagnostic& each) { return each.code == rule.code; });
   ASSERT_NE(one, found.end());
@@ -92,7 +92,7 @@ TEST_P(Examples, BadHasTheSeverityOfThePage) {
 }
 
 TEST_P(Examples, GoodRaisesNothing) {
-  std::set<std::string> found = codes(GetParam().good);
+  std::set<std::string> found = codes(Example::good);
   if (GetParam().code.substr(0, 10) == "TECHNIQUE_") found.erase("EXTENSION_ARCHIVED");
   if (GetParam().code.substr(0, 6) == "AUDIO_") found.erase("EXTENSION_DRAFT");
   EXPECT_TRUE(found.empty()) << "raises " << *found.begin() << "\n" << GetParam().good;

@@ -10,35 +10,36 @@
 #include "commands.hpp"
 #include "config_import.hpp"
 #include "configuration.hpp"
+#include "limit_rows.hpp"
 #include "read_input.hpp"
 #include "terminal.hpp"
 
 namespace gltfx::tool {
 namespace {
 
-constexpr std::size_t kNameWidth = 22;
-constexpr std::size_t kValueWidth = 40;
-
-std::string reason(const Configuration& configuration, const Holding& one) {
-  std::string text = fmt::format("{}:{}", printable(configuration.file()), one.value->line);
+std::string reason(const Holding& one) {
+  std::string text = fmt::format("{}:{}", printable(one.source->shown), one.value->line);
   if (one.because == nullptr) return text;
   return text + fmt::format(", for {}",
                             gltfx::quoted(fmt::format("{}", fmt::join(one.because->paths, ", "))));
 }
 
-std::string row(std::string_view name, std::string_view value, std::string_view why) {
-  return fmt::format("{}{}  {}\n", padded(name, kNameWidth), padded(value, kValueWidth), why);
-}
-
 std::string rows_of(const Configuration& configuration, const ConfigKey& key,
                     const std::vector<std::size_t>& overrides, const Style& style) {
   const std::vector<Holding> all = configuration.holding(key, overrides);
-  if (all.empty()) return row(key.name, key.otherwise, style.dim("default"));
+  if (all.empty()) return config_row(key.name, key.otherwise, style.dim("default"));
   std::string text;
   for (const Holding& one : all) {
-    text += row(text.empty() ? key.name : "", printable(one.value->word),
-                style.dim(reason(configuration, one)));
+    text += config_row(text.empty() ? key.name : "", printable(one.value->word),
+                       style.dim(reason(one)));
   }
+  return text;
+}
+
+// Each limit, and the line or option that states it.
+std::string rows_of_limits(const std::vector<Limit>& limits, const Style& style) {
+  std::string text;
+  for (const Limit& limit : limits) text += limit_row(limit, style.dim(printable(limit.from)));
   return text;
 }
 
@@ -51,14 +52,18 @@ std::string head(const Configuration& configuration, const ConfigRequest& reques
                 ? "none (--isolated)"
                 : fmt::format("none: no {} here or in a folder above", kConfigName);
   }
+  for (const std::string& base : configuration.bases()) {
+    text += fmt::format("\nextends {}", printable(base));
+  }
   if (!request.path.empty()) text += fmt::format("\nfor {}", gltfx::quoted(request.path, 200));
   return text + "\n\n";
 }
 
 ExitCode import(const std::string& file) {
   const auto text = read_text_file(file, kLongestConfig);
-  const auto config =
-      text ? khronos_config_as_toml(*text, file) : Result<ImportedConfig>(text.error());
+  const auto config = !text                    ? Result<ImportedConfig>(text.error())
+                      : looks_like_json(*text) ? auditor_config_as_toml(*text, file)
+                                               : khronos_config_as_toml(*text, file);
   if (!config) {
     complain(config.error().message);
     return ExitCode::usage;
@@ -81,7 +86,11 @@ ExitCode run(const ConfigRequest& request) {
   const Style style(colors_on_stdout(request.common.color));
   std::string text = head(*configuration, request);
   for (const KeyedOption& one : keyed_options()) {
-    text += rows_of(*configuration, one.option.key, overrides, style);
+    const ConfigKey& key = one.option.key;
+    const auto limits =
+        key.form == ConfigForm::limits ? configuration->limits(overrides) : std::vector<Limit>();
+    text += limits.empty() ? rows_of(*configuration, key, overrides, style)
+                           : rows_of_limits(limits, style);
   }
   return print(text);
 }

@@ -26,7 +26,7 @@ std::string verdict_on(const RuleDescription& rule, bool color) {
   format.color = color;
   format.quiet = true;
   format.command = "gltfx";
-  const FileReport report = validate_example(rule, rule.bad);
+  const FileReport report = validate_example(rule, Example::bad);
   const auto writer = make_report_writer(ReportFormat::text, format);
   std::string text;
   writer->begin(text);
@@ -68,7 +68,8 @@ std::string explanation(const RuleDescription& rule, bool color) {
   heading("Reported as");
   text += indented(verdict_on(rule, color), kIndent + 2);
   heading("Good");
-  text += example_text(rule.good);
+  text += rule.good == rule.bad ? "    the same asset with a limit that it keeps\n"
+                                : example_text(rule.good);
   if (!rule.fix_does.empty()) {
     heading("What the fix does");
     text += wrapped(rule.fix_does, kIndent + 2);

@@ -41,11 +41,12 @@ enum class ConfigForm : std::uint8_t {
   files,     ///< ["ACME_leaf.schema.json"]: those of a list of paths that are not folders
   folders,   ///< ["schemas"]: those of the same list that are folders
   levels,    ///< a table: UNUSED_OBJECT = "info"
+  limits,    ///< tables of limits: ConfigPart::limits has them
 };
 
 /// The key of gltfx.toml for an option.
 struct ConfigKey {
-  std::string_view name = {};  ///< with its table: "budgets.triangles"; empty: there is none
+  std::string_view name = {};  ///< "profile"; empty: there is none
   ConfigForm form = ConfigForm::word;
   int place = 0;                    ///< keys are listed in this order
   std::string_view otherwise = {};  ///< the default

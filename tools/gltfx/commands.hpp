@@ -70,6 +70,8 @@ ExitCode run(const ExplainRequest& request);
 ExitCode run(const RulesRequest& request);
 ExitCode run(const TargetsRequest& request);
 ExitCode run(const SchemaRequest& request);
+ExitCode run(const MeasuresRequest& request);
+ExitCode run(const PresetsRequest& request);
 ExitCode run(const ConfigRequest& request);
 
 /// Writes to standard output: ok, or internal when that fails.

@@ -9,18 +9,11 @@
 
 #include <fmt/format.h>
 
-// Errors are returned as values, and nothing is printed.
-#define TOML_EXCEPTIONS 0
-#define TOML_ENABLE_FORMATTERS 0
-// Some assertions of toml++ fail on mistakes that it reports itself afterwards. In a release build
-// they are assumptions of the compiler, so the behaviour would be undefined.
-#undef NDEBUG
-#define TOML_ASSERT(expr) static_assert(true)
-#include <toml++/toml.h>
-
 #include "base/text.hpp"
+#include "config_limits.hpp"
 #include "option_parts.hpp"
 #include "suggestion.hpp"
+#include "toml.hpp"
 #include "verb_options.hpp"
 
 namespace gltfx::tool {
@@ -98,6 +91,7 @@ ConfigObstacle find_obstacle(std::string_view text) {
 
 constexpr std::string_view kOverrides = "overrides";
 constexpr std::string_view kPaths = "paths";
+constexpr std::string_view kExtends = "extends";
 constexpr std::size_t kMostMistakes = 100;
 
 std::string_view form_words(ConfigForm form) {
@@ -120,14 +114,24 @@ std::string_view form_words(ConfigForm form) {
 
 class Reader {
  public:
-  explicit Reader(const std::string& name) : name_(name) { declare_checks(checks_, scratch_); }
+  explicit Reader(const std::string& name)
+      : name_(name),
+        limits_([this](std::uint32_t line) { return fmt::format("{}:{}", name_, line); },
+                [this](std::uint32_t line, const std::string& text) {
+                  complain(line, text);
+                  return !is_full();
+                }) {
+    declare_checks(checks_, scratch_);
+  }
 
   void read(const toml::table& root) {
     for (const auto& [key, node] : root) {
       if (key.str() == kOverrides) {
         read_overrides(node);
+      } else if (key.str() == kExtends) {
+        read_bases(node);
       } else {
-        read_member(key, node, {}, false, file_.values);
+        read_member(key, node, false, file_);
       }
     }
     by_line(file_.values);
@@ -161,17 +165,13 @@ class Reader {
                      [](const auto& a, const auto& b) { return a.line < b.line; });
   }
 
-  // A key, or a table of keys: `table` is "budgets." within the one of that name.
-  void read_member(const toml::key& key, const toml::node& node, std::string_view table,
-                   bool by_path, Values& values) {
-    const std::string name = fmt::format("{}{}", table, key.str());
+  void read_member(const toml::key& key, const toml::node& node, bool by_path, ConfigPart& part) {
+    const std::string_view name = key.str();
     const ConfigKey* known = find_key(name);
-    if (known != nullptr && known->by_path >= by_path) {
-      read_value(*known, node, values);
-    } else if (table.empty() && key.str() == "budgets" && node.is_table()) {
-      for (const auto& [inner, value] : *node.as_table()) {
-        read_member(inner, value, "budgets.", by_path, values);
-      }
+    if (known != nullptr && known->form == ConfigForm::limits) {
+      read_limits(node, part);
+    } else if (known != nullptr && known->by_path >= by_path) {
+      read_value(*known, node, part.values);
     } else if (known != nullptr) {
       complain(line_of(key),
                fmt::format("{} applies to all paths: it is not allowed in an override",
@@ -183,6 +183,8 @@ class Reader {
     }
   }
 
+  void read_limits(const toml::node& node, ConfigPart& part) { limits_.read(node, part.limits); }
+
   const ConfigKey* find_key(std::string_view name) const {
     const auto found = std::find_if(keyed_.begin(), keyed_.end(), [&](const KeyedOption& one) {
       return one.option.key.name == name;
@@ -192,6 +194,7 @@ class Reader {
 
   std::vector<std::string_view> names(bool by_path) const {
     std::vector<std::string_view> all{by_path ? kPaths : kOverrides};
+    if (!by_path) all.push_back(kExtends);
     for (const KeyedOption& one : keyed_) {
       if (one.option.key.by_path >= by_path) all.push_back(one.option.key.name);
     }
@@ -270,6 +273,16 @@ class Reader {
     return {};
   }
 
+  void read_bases(const toml::node& node) {
+    const toml::array* list = node.as_array();
+    if (list == nullptr || !list->is_homogeneous(toml::node_type::string)) {
+      return complain(line_of(node), "extends: a list of presets and files is expected");
+    }
+    for (const toml::node& item : *list) {
+      file_.extends.push_back({item.as_string()->get(), line_of(item)});
+    }
+  }
+
   void read_overrides(const toml::node& node) {
     const toml::array* list = node.as_array();
     if (list == nullptr || !list->is_homogeneous(toml::node_type::table)) {
@@ -285,7 +298,7 @@ class Reader {
       if (key.str() == kPaths) {
         read_paths(node, found);
       } else {
-        read_member(key, node, {}, true, found.values);
+        read_member(key, node, true, found);
       }
     }
     if (found.paths.empty())
@@ -307,6 +320,7 @@ class Reader {
   }
 
   const std::string& name_;
+  LimitTables limits_;
   ConfigFile file_;
   std::multimap<std::uint32_t, std::string> mistakes_;
   std::set<bool> unknown_keys_;  ///< where they occur: outside of overrides, in them

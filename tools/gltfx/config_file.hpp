@@ -9,6 +9,7 @@
 
 #include "base/result.hpp"
 #include "command_table.hpp"
+#include "measure/limit.hpp"
 
 namespace gltfx::tool {
 
@@ -19,15 +20,26 @@ struct ConfigValue {
   std::uint32_t line = 0;
 };
 
-/// One [[overrides]]: values for some paths only.
-struct ConfigOverride {
-  std::vector<std::string> paths;  ///< patterns
-  std::uint32_t line = 0;
-  std::vector<ConfigValue> values;
+/// A table of values, for all paths or some.
+struct ConfigPart {
+  std::vector<ConfigValue> values;  ///< in the order of the lines
+  std::vector<measure::LimitChange> limits;
 };
 
-struct ConfigFile {
-  std::vector<ConfigValue> values;  ///< in the order of the lines
+/// One [[overrides]]: values for some paths only.
+struct ConfigOverride : ConfigPart {
+  std::vector<std::string> paths;  ///< patterns
+  std::uint32_t line = 0;
+};
+
+/// A preset or file that a configuration extends.
+struct ConfigBase {
+  std::string name;
+  std::uint32_t line = 0;
+};
+
+struct ConfigFile : ConfigPart {
+  std::vector<ConfigBase> extends;
   std::vector<ConfigOverride> overrides;
 };
 

@@ -8,8 +8,12 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "base/text.hpp"
 #include "option_parts.hpp"
 #include "path_pattern.hpp"
+#include "presets.hpp"
 #include "read_input.hpp"
 #include "verb_options.hpp"
 
@@ -59,6 +63,73 @@ void drop_selected(Words& ignored, const Words& select) {
 
 }  // namespace
 
+/// Reads a file and what it extends. Depth and number are bounded: a file may be named often.
+class Configuration::Loader {
+ public:
+  explicit Loader(Configuration& to) : to_(to) {}
+
+  std::optional<Error> add(const fs::path& file, const std::string& shown) {
+    std::error_code error;
+    const auto text = read_text_file(file.native(), kLongestConfig);
+    if (!text) return Error{"--config: " + text.error().message};
+    return add_text(*text, fs::absolute(file, error).lexically_normal(), shown);
+  }
+
+ private:
+  static constexpr std::size_t kDeepest = 16;
+  static constexpr std::size_t kMost = 64;
+
+  std::optional<Error> add_text(std::string_view text, const fs::path& whole,
+                                const std::string& shown) {
+    auto content = parse_config(text, shown);
+    if (!content) return content.error();
+    open_.push_back(whole);
+    for (const ConfigBase& base : content->extends) {
+      if (auto problem = add_base(base, whole.parent_path())) {
+        return Error{
+            fmt::format("{}:{}: extends: {}", printable(shown), base.line, problem->message)};
+      }
+      if (to_.sources_.size() >= kMost) {
+        return Error{fmt::format("{}:{}: extends: these are more than {} files and presets",
+                                 printable(shown), base.line, kMost)};
+      }
+    }
+    open_.pop_back();
+    to_.sources_.push_back({shown, whole.parent_path().native(), *std::move(content)});
+    return {};
+  }
+
+  std::optional<Error> add_base(const ConfigBase& base, const fs::path& folder) {
+    if (!base.name.ends_with(".toml")) return add_preset(base.name);
+    std::error_code error;
+    const fs::path file = (folder / base.name).lexically_normal();
+    if (std::find(open_.begin(), open_.end(), file) != open_.end()) {
+      return Error{fmt::format("{} extends itself", gltfx::quoted(base.name, 200))};
+    }
+    if (open_.size() >= kDeepest) {
+      return Error{fmt::format("there are more than {} files in a row", kDeepest)};
+    }
+    const auto text = read_text_file(file.native(), kLongestConfig);
+    if (!text) return Error{text.error().message};
+    const std::string shown = file.lexically_proximate(fs::current_path(error)).native();
+    to_.bases_.push_back(shown);
+    return add_text(*text, file, shown);
+  }
+
+  std::optional<Error> add_preset(const std::string& id) {
+    auto preset = read_preset(id);
+    if (!preset) return preset.error();
+    ConfigSource source;
+    source.content.limits = std::move(preset->limits);
+    to_.sources_.push_back(std::move(source));
+    to_.bases_.push_back(preset->origin());
+    return {};
+  }
+
+  Configuration& to_;
+  std::vector<fs::path> open_;  // from the first file to the one that is read
+};
+
 Result<Configuration> Configuration::load(const ConfigChoice& choice) {
   Configuration found;
   if (!choice.config.empty() && choice.isolated) {
@@ -69,48 +140,74 @@ Result<Configuration> Configuration::load(const ConfigChoice& choice) {
   const fs::path here = fs::current_path(error);
   const fs::path file = choice.config.empty() ? nearest_file(here) : fs::path(choice.config);
   if (file.empty()) return found;
-  const auto text = read_text_file(file.native(), kLongestConfig);
-  if (!text) return Error{"--config: " + text.error().message};
   const fs::path whole = fs::absolute(file, error).lexically_normal();
-  found.shown_ = choice.config.empty() ? whole.lexically_proximate(here).native() : choice.config;
-  found.folder_ = whole.parent_path().native();
-  auto content = parse_config(*text, found.shown_);
-  if (!content) return content.error();
-  found.content_ = *std::move(content);
+  const std::string shown =
+      choice.config.empty() ? whole.lexically_proximate(here).native() : choice.config;
+  if (auto problem = Loader(found).add(file, shown)) return *std::move(problem);
   return found;
+}
+
+bool Configuration::has_overrides() const {
+  return std::any_of(sources_.begin(), sources_.end(),
+                     [](const ConfigSource& source) { return !source.content.overrides.empty(); });
 }
 
 std::vector<std::size_t> Configuration::overrides_for(const std::string& path) const {
   std::vector<std::size_t> found;
   if (!has_overrides() || path == "-") return found;
-  const std::string plain = path_for_patterns(path, folder_);
-  for (std::size_t i = 0; i < content_.overrides.size(); ++i) {
-    if (fits(content_.overrides[i], plain)) found.push_back(i);
+  std::size_t position = 0;
+  for (const ConfigSource& source : sources_) {
+    if (source.content.overrides.empty()) continue;
+    const std::string plain = path_for_patterns(path, source.folder);
+    for (const ConfigOverride& one : source.content.overrides) {
+      if (fits(one, plain)) found.push_back(position);
+      ++position;
+    }
   }
+  return found;
+}
+
+std::vector<Configuration::Part> Configuration::parts(
+    const std::vector<std::size_t>& overrides) const {
+  std::vector<Part> found, all;
+  for (const ConfigSource& source : sources_) {
+    found.push_back({&source, &source.content, nullptr});
+    for (const ConfigOverride& one : source.content.overrides) {
+      all.push_back({&source, &one, &one});
+    }
+  }
+  for (const std::size_t i : overrides) found.push_back(all[i]);
   return found;
 }
 
 std::vector<Holding> Configuration::holding(const ConfigKey& key,
                                             const std::vector<std::size_t>& overrides) const {
   std::vector<Holding> found;
-  const auto take = [&](const std::vector<ConfigValue>& values, const ConfigOverride* because) {
+  for (const auto& [source, part, because] : parts(overrides)) {
     bool fresh = true;
-    for (const ConfigValue& value : values) {
+    for (const ConfigValue& value : part->values) {
       if (value.key.name != key.name) continue;
       if (fresh && !key.adds_up) found.clear();
       fresh = false;
-      found.push_back({&value, because});
+      found.push_back({&value, because, source});
     }
-  };
-  take(content_.values, nullptr);
-  for (const std::size_t i : overrides) take(content_.overrides[i].values, &content_.overrides[i]);
+  }
   return found;
 }
 
-std::string Configuration::path_from_file(const std::string& path) const {
+std::vector<Limit> Configuration::limits(const std::vector<std::size_t>& overrides) const {
+  std::vector<Limit> found;
+  for (const Part& one : parts(overrides)) {
+    for (const measure::LimitChange& change : one.part->limits) measure::apply(found, change);
+  }
+  return found;
+}
+
+// A path that a file of that folder names, from the working folder.
+std::string path_from_folder(const std::string& folder, const std::string& path) {
   std::error_code error;
   const fs::path here = fs::current_path(error);
-  return (fs::path(folder_) / path).lexically_normal().lexically_proximate(here).native();
+  return (fs::path(folder) / path).lexically_normal().lexically_proximate(here).native();
 }
 
 // A pattern with a folder applies from the folder of the file; a name applies anywhere.
@@ -122,12 +219,13 @@ bool holds_anywhere(std::string_view pattern) {
 Words Configuration::words_of(const ConfigKey& key,
                               const std::vector<std::size_t>& overrides) const {
   Words words;
-  for (const Holding& one : holding(key, overrides)) words.push_back(one.value->word);
   const bool files = key.form == ConfigForm::files, folders = key.form == ConfigForm::folders;
   const bool patterns = key.form == ConfigForm::patterns;
-  if (key.form != ConfigForm::path && !files && !folders && !patterns) return words;
-  for (std::string& word : words) {
-    if (!patterns || !holds_anywhere(word)) word = path_from_file(word);
+  const bool paths = key.form == ConfigForm::path || files || folders || patterns;
+  for (const Holding& one : holding(key, overrides)) {
+    const std::string& word = one.value->word;
+    const bool plain = !paths || (patterns && holds_anywhere(word));
+    words.push_back(plain ? word : path_from_folder(one.source->folder, word));
   }
   if (files || folders) {
     std::error_code error;
@@ -137,6 +235,7 @@ Words Configuration::words_of(const ConfigKey& key,
 }
 
 void Configuration::fill(Options& options, const std::vector<std::size_t>& overrides) const {
+  if (options.limits != nullptr) *options.limits = limits(overrides);
   for (Option& row : options.rows()) {
     if (row.key.name.empty()) continue;
     Words said = words_of(row.key, overrides);

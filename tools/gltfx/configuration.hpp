@@ -2,8 +2,8 @@
 /// The configuration that applies, and its values by path.
 ///
 /// It is searched from the working folder upwards, or named: never in the folder of an asset, which
-/// could disable its own checks. The command line overrides a file, and a later override an earlier
-/// one.
+/// could disable its own checks. A file may extend presets and other files, whose values come
+/// before its own. The command line overrides a file, and a later override an earlier one.
 #pragma once
 
 #include <cstddef>
@@ -21,21 +21,31 @@ namespace gltfx::tool {
 
 inline constexpr const char* kConfigName = "gltfx.toml";
 
+/// One of the files of a configuration.
+struct ConfigSource {
+  std::string shown;   ///< its path from the working folder; empty: a preset
+  std::string folder;  ///< absolute
+  ConfigFile content;
+};
+
 /// A value that applies, and why.
 struct Holding {
   const ConfigValue* value = nullptr;
   const ConfigOverride* because = nullptr;  ///< null: it applies to all paths
+  const ConfigSource* source = nullptr;
 };
 
 class Configuration {
  public:
-  /// The named configuration, else the nearest; an empty one when there is none. The Error
-  /// describes the mistakes in the file.
+  /// The named configuration, else the nearest, with what it extends; an empty one when there is
+  /// none. The Error describes the mistakes in a file.
   static Result<Configuration> load(const ConfigChoice& choice);
 
   /// The path from the working folder; empty: there is none.
-  const std::string& file() const { return shown_; }
-  bool has_overrides() const { return !content_.overrides.empty(); }
+  std::string file() const { return sources_.empty() ? std::string() : sources_.back().shown; }
+  /// The files and presets that it extends, in the order in which their values apply.
+  const std::vector<std::string>& bases() const { return bases_; }
+  bool has_overrides() const;
 
   /// Positions of the overrides that apply to a path of the working folder.
   std::vector<std::size_t> overrides_for(const std::string& path) const;
@@ -44,18 +54,28 @@ class Configuration {
   std::vector<Holding> holding(const ConfigKey& key,
                                const std::vector<std::size_t>& overrides) const;
 
-  /// Adds values of the file to the words of options: all values of keys that add up, others only
-  /// without an option on the command line.
+  /// The limits of the files with these overrides.
+  std::vector<Limit> limits(const std::vector<std::size_t>& overrides) const;
+
+  /// Adds values of the files to the words of options: all values of keys that add up, others only
+  /// without an option on the command line. Limits are those of the files: words change them.
   void fill(Options& options, const std::vector<std::size_t>& overrides) const;
 
  private:
-  /// A path that the file names, from the working folder.
-  std::string path_from_file(const std::string& path) const;
+  class Loader;
+
+  /// A part of a file, and the override that it is.
+  struct Part {
+    const ConfigSource* source = nullptr;
+    const ConfigPart* part = nullptr;
+    const ConfigOverride* because = nullptr;
+  };
+  /// What applies with these overrides: all files, then the overrides of all.
+  std::vector<Part> parts(const std::vector<std::size_t>& overrides) const;
   Words words_of(const ConfigKey& key, const std::vector<std::size_t>& overrides) const;
 
-  std::string shown_;
-  std::string folder_;  ///< absolute
-  ConfigFile content_;
+  std::vector<ConfigSource> sources_;  ///< what is extended before what extends it
+  std::vector<std::string> bases_;
 };
 
 /// Options of a validation by path.

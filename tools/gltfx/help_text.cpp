@@ -143,6 +143,16 @@ constexpr std::string_view kSchemaExamples = R"(Examples:
   gltfx schema material --format json   a core type as JSON
 )";
 
+constexpr std::string_view kMeasuresExamples = R"(Examples:
+  gltfx measures                        names, elements, units
+  gltfx measures triangles              definition, example, values
+)";
+
+constexpr std::string_view kPresetsExamples = R"(Examples:
+  gltfx presets                         identifiers, dates, sources
+  gltfx presets shopify                 the limits of one
+)";
+
 constexpr std::string_view kConfigExamples = R"(Examples:
   gltfx config                          global settings and their source
   gltfx config props/lamp.glb           settings for a path
@@ -166,6 +176,8 @@ std::string_view help_examples(std::string_view verb) {
   if (verb == "rules") return kRulesExamples;
   if (verb == "targets") return kTargetsExamples;
   if (verb == "schema") return kSchemaExamples;
+  if (verb == "measures") return kMeasuresExamples;
+  if (verb == "presets") return kPresetsExamples;
   if (verb == "config") return kConfigExamples;
   return kProgramExamples;
 }

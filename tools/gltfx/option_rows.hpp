@@ -3,6 +3,8 @@
 /// value, its parser, its completion, and the key of gltfx.toml.
 #pragma once
 
+#include <gltfx/limit.hpp>
+
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -75,6 +77,7 @@ class Options {
   void read_by_path() const;
 
   bool hook = false;                           ///< the verb runs on the assets of a commit
+  std::vector<Limit>* limits = nullptr;        ///< those that options change; null: it has none
   std::shared_ptr<const PathOptions> by_path;  ///< null: all paths have the same options
 
  private:

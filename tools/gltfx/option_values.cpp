@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "option_values.hpp"
 
+#include <gltfx/measure.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/targets.hpp>
 #include <gltfx/validate.hpp>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "presets.hpp"
 #include "schema/compile.hpp"
 #include "schema_words.hpp"
 #include "steps/upgrade/choice.hpp"
@@ -36,6 +38,27 @@ WordSet schema_names() {
 WordSet targets() {
   WordSet set{"targets", {}};
   for (const auto& target : builtin_targets()) set.words.push_back(target->name);
+  return set;
+}
+
+// "triangles" of the asset, "mesh.triangles" of each mesh.
+WordSet measure_names() {
+  WordSet set{"measures", {}};
+  for (const MeasureDescription& measure : measures()) {
+    if (measure.is_of_asset()) set.words.emplace_back(measure.name);
+    for (std::size_t i = 1; i < kMeasureScopeCount; ++i) {
+      const auto scope = static_cast<MeasureScope>(i);
+      if (!measure.is_on(scope)) continue;
+      set.words.push_back(std::string(measure_scope_name(scope)) + '.' + std::string(measure.name));
+    }
+  }
+  std::sort(set.words.begin(), set.words.end());
+  return set;
+}
+
+WordSet presets() {
+  WordSet set{"presets", {}};
+  for (const EmbeddedPreset& preset : embedded_presets()) set.words.emplace_back(preset.id);
   return set;
 }
 
@@ -69,6 +92,16 @@ Values report_format_choice() {
 Values schema_choice() { return {.words = schema_names()}; }
 
 Values target_choice() { return {.words = targets()}; }
+
+Values measure_choice() { return {.words = measure_names()}; }
+
+Values measure_name() {
+  std::vector<std::string> names;
+  for (const MeasureDescription& measure : measures()) names.emplace_back(measure.name);
+  return sorted_choice(std::move(names));
+}
+
+Values preset_choice() { return {.words = presets()}; }
 
 Values target_list() { return {.words = targets(), .commas = true}; }
 
@@ -104,6 +137,8 @@ Values pictures_or_folder() {
 
 }  // namespace values
 
-std::vector<WordSet> named_word_sets() { return {codes(), schema_names(), targets()}; }
+std::vector<WordSet> named_word_sets() {
+  return {codes(), schema_names(), targets(), measure_names(), presets()};
+}
 
 }  // namespace gltfx::tool

@@ -91,6 +91,7 @@ struct ValidateRequest : ReportRequest {
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
   CacheChoice cache;
+  std::string product;         ///< file of sizes of products, may be empty
   std::string diff_base;       ///< revision of git since which lines count; may be empty
   std::string baseline;        ///< file to read, may be empty
   std::string write_baseline;  ///< file to write, may be empty
@@ -209,17 +210,29 @@ struct SchemaRequest {
   std::vector<std::string> schema_folders;
 };
 
+struct MeasuresRequest {
+  CommonOptions common;
+  TableFormat format = TableFormat::text;
+  std::string name;  ///< empty: the list
+};
+
+struct PresetsRequest {
+  CommonOptions common;
+  TableFormat format = TableFormat::text;
+  std::string id;  ///< empty: the list
+};
+
 struct ConfigRequest {
   CommonOptions common;
   ConfigChoice choice;
   std::string path;         ///< path whose settings are shown; empty: all paths
-  std::string import_file;  ///< not empty: a configuration of the Khronos validator
+  std::string import_file;  ///< not empty: a file of the Khronos validator or asset auditor
 };
 
-using Request =
-    std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest, DeleteRequest,
-                 ConvertRequest, BakeRequest, InspectRequest, PageRequest, HookRequest,
-                 ExplainRequest, RulesRequest, TargetsRequest, SchemaRequest, ConfigRequest>;
+using Request = std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest,
+                             DeleteRequest, ConvertRequest, BakeRequest, InspectRequest,
+                             PageRequest, HookRequest, ExplainRequest, RulesRequest, TargetsRequest,
+                             SchemaRequest, MeasuresRequest, PresetsRequest, ConfigRequest>;
 
 // Parse words of the command line. Each Error is a sentence that names the option, the given value
 // and the allowed ones.

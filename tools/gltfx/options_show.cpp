@@ -113,8 +113,34 @@ void read_schema(Reading& reading, SchemaRequest& request) {
                   "--new: an extension is named PREFIX_name, such as ACME_leaf.");
 }
 
+void declare_measures(Options& options, MeasuresRequest& request) {
+  options.positional("NAME", "Name of a measure (default: list them)",
+                     text(request.name, values::measure_name));
+  add_table_format(options, request.format);
+  add_color(options, request.common);
+}
+
+void read_measures(Reading& reading, MeasuresRequest&) {
+  reading.require(reading.options().arguments().words.size() <= 1,
+                  "measures: name one measure at a time.");
+  reading.read();
+}
+
+void declare_presets(Options& options, PresetsRequest& request) {
+  options.positional("ID", "Identifier of a preset (default: list them)",
+                     text(request.id, values::preset_choice));
+  add_table_format(options, request.format);
+  add_color(options, request.common);
+}
+
+void read_presets(Reading& reading, PresetsRequest&) {
+  reading.require(reading.options().arguments().words.size() <= 1,
+                  "presets: name one preset at a time.");
+  reading.read();
+}
+
 void declare_config(Options& options, ConfigRequest& request) {
-  options.positional("PATH", "Path, or import FILE of the Khronos validator",
+  options.positional("PATH", "Path, or import FILE of a Khronos tool",
                      text(request.path, [] {
                        Values values = values::choice({"import"});
                        values.files = values.folders = true;

@@ -1,37 +1,115 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verbs that write reports: from assets, as a page, and from other reports.
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "measure/limit.hpp"
 #include "option_parts.hpp"
 #include "option_values.hpp"
 #include "output.hpp"
+#include "presets.hpp"
 #include "verb_options.hpp"
 
 namespace gltfx::tool {
 namespace {
 
-ConfigKey budget_key(std::string_view name) {
-  return {.name = name,
-          .form = ConfigForm::number,
-          .place = 200,
-          .otherwise = "0, no limit",
-          .by_path = true};
+using measure::LimitChange;
+
+// Changes limits by the words of an option. A function (option, word) gives the changes.
+template <class Read>
+Binding changes(std::vector<Limit>& limits, Read read, bool repeatable) {
+  return {
+      .read = [&limits, read](std::string_view option, const Words& words) -> std::optional<Error> {
+        for (const std::string& word : words) {
+          auto changes = read(option, word);
+          if (!changes) return changes.error();
+          for (const LimitChange& change : *changes) measure::apply(limits, change);
+        }
+        return {};
+      },
+      .repeatable = repeatable};
 }
 
-void add_budgets(Options& options, Budgets& budgets) {
-  options.add("--max-texture-size", "PIXELS", "Maximum image width and height (default: 0, off)",
-              number(budgets.texture_size), budget_key("budgets.texture-size"));
-  options.add("--max-total-pixels", "PIXELS", "Maximum pixels of all images (default: 0, off)",
-              number(budgets.total_pixels), budget_key("budgets.total-pixels"));
-  options.add("--max-triangles", "N", "Maximum triangles of all meshes (default: 0, off)",
-              number(budgets.triangles), budget_key("budgets.triangles"));
-  options.add("--max-draw-calls", "N", "Maximum primitives of all meshes (default: 0, off)",
-              number(budgets.draw_calls), budget_key("budgets.draw-calls"));
-  options.add("--max-file-size", "BYTES", "Maximum size with resources (default: 0, off)",
-              number(budgets.file_size), budget_key("budgets.file-size"));
+// An option for one maximum; 0 is none.
+void add_maximum(Options& options, std::vector<Limit>& limits, std::string_view names,
+                 std::string_view type, std::string_view text, MeasureScope on,
+                 std::string_view measure) {
+  const auto read = [on, measure](std::string_view option,
+                                  std::string_view word) -> Result<std::vector<LimitChange>> {
+    const auto most = parse_number(option, word, 0);
+    if (!most) return most.error();
+    LimitChange change{find_measure(on, measure), on, LimitOp::max, {}};
+    if (*most > 0) {
+      Limit limit;
+      limit.measure = change.measure;
+      limit.on = on;
+      limit.number = static_cast<double>(*most);
+      limit.from = option;
+      change.limits.push_back(std::move(limit));
+    }
+    std::vector<LimitChange> changes{std::move(change)};
+    // Whatever the file says of the asset as a whole.
+    if (on != MeasureScope::asset) {
+      const auto* total = find_measure(MeasureScope::asset, measure);
+      changes.push_back({total, MeasureScope::asset, LimitOp::max, {}});
+    }
+    return changes;
+  };
+  // Read again for paths with limits of their own.
+  options.add(names, type, text, changes(limits, read, false), {.by_path = true});
+}
+
+void add_budgets(Options& options, std::vector<Limit>& limits) {
+  options.limits = &limits;
+  Binding preset = changes(
+      limits,
+      [](std::string_view option, std::string_view word) -> Result<std::vector<LimitChange>> {
+        auto read = read_preset(word);
+        if (!read) return Error{fmt::format("{}: {}", option, read.error().message)};
+        return std::move(read->limits);
+      },
+      true);
+  preset.values = values::preset_choice;
+  options.add("--preset", "ID", "Published limits, see 'gltfx presets' (repeatable)",
+              std::move(preset), {.by_path = true});
+  Binding budget = changes(
+      limits,
+      [](std::string_view option, std::string_view word) -> Result<std::vector<LimitChange>> {
+        auto read = measure::read_budget(word, option);
+        if (!read) return Error{fmt::format("{}: {}.", option, read.error().message)};
+        return read;
+      },
+      true);
+  budget.values = values::measure_choice;
+  options.add("--budget", "[SCOPE.]MEASURE=LIMIT",
+              "Limit, such as mesh.triangles=20000 (repeatable)", std::move(budget),
+              {.name = "budgets",
+               .form = ConfigForm::limits,
+               .place = 200,
+               .otherwise = "none",
+               .by_path = true,
+               .adds_up = true});
+  add_maximum(options, limits, "--max-texture-size", "PIXELS",
+              "Maximum image width and height (default: 0, off)", MeasureScope::image,
+              "texture-size");
+  add_maximum(options, limits, "--max-total-pixels", "PIXELS",
+              "Maximum pixels of all images (default: 0, off)", MeasureScope::asset,
+              "total-pixels");
+  add_maximum(options, limits, "--max-triangles", "N",
+              "Maximum triangles of all meshes (default: 0, off)", MeasureScope::asset,
+              "triangles");
+  add_maximum(options, limits, "--max-draw-calls", "N",
+              "Maximum primitives that are drawn (default: 0, off)", MeasureScope::asset,
+              "draw-calls");
+  add_maximum(options, limits, "--max-file-size", "BYTES",
+              "Maximum size with resources (default: 0, off)", MeasureScope::asset, "file-size");
 }
 
 Result<std::uint64_t> parse_thumbnail_size(std::string_view option, std::string_view word) {
@@ -91,7 +169,7 @@ void add_checks(Options& options, ValidateOptions& validation) {
                                  {"needed", PixelLevel::needed},
                                  {"all", PixelLevel::all}}),
       {.name = "pixels", .place = 20, .otherwise = "headers; needed in the strict profile"});
-  add_budgets(options, validation.budgets);
+  add_budgets(options, validation.limits);
   add_targets(options, validation.targets);
   add_root(options, validation.root);
   options.add("--lfs", "POLICY", "Git LFS pointers: skip (default) or error",
@@ -106,6 +184,12 @@ void declare_checks(Options& options, ValidateRequest& request) {
   add_checks(options, request.validation);
   add_schema_sources(options, request.schema_files, request.schema_folders);
   add_inputs(options, request.paths);
+  options.add("--product", "FILE", "Sizes of products, for product-deviation",
+              text(request.product,
+                   [] {
+                     return values::files({"csv", "json"});
+                   }),
+              {.name = "product", .form = ConfigForm::path, .place = 210, .otherwise = "none"});
   add_cache(options, request.cache, "Cache of reports of unchanged files");
   options.add("--baseline", "FILE", "Ignore the findings recorded in FILE",
               text(request.baseline, values::json_file),

@@ -12,6 +12,7 @@
 #include "commands.hpp"
 #include "git.hpp"
 #include "input_paths.hpp"
+#include "product_file.hpp"
 #include "read_input.hpp"
 #include "repository.hpp"
 
@@ -111,6 +112,11 @@ Result<ValidateOptions> validation_of(const ValidateRequest& request) {
   auto schemas = load_schemas(request.schema_files, request.schema_folders);
   if (!schemas) return schemas.error();
   options.schemas = *std::move(schemas);
+  if (!request.product.empty()) {
+    auto products = read_products(request.product);
+    if (!products) return Error{"--product: " + products.error().message};
+    options.products = *std::move(products);
+  }
   auto cache = open_cache(request.cache, request.quiet);
   if (!cache) return cache.error();
   options.cache = *std::move(cache);

@@ -21,6 +21,8 @@ void declare_explain(Options& options, ExplainRequest& request);
 void declare_rules(Options& options, RulesRequest& request);
 void declare_targets(Options& options, TargetsRequest& request);
 void declare_schema(Options& options, SchemaRequest& request);
+void declare_measures(Options& options, MeasuresRequest& request);
+void declare_presets(Options& options, PresetsRequest& request);
 void declare_config(Options& options, ConfigRequest& request);
 
 // Read the words of each verb: checks before and after Reading::read().
@@ -37,6 +39,8 @@ void read_explain(Reading& reading, ExplainRequest& request);
 void read_rules(Reading& reading, RulesRequest& request);
 void read_targets(Reading& reading, TargetsRequest& request);
 void read_schema(Reading& reading, SchemaRequest& request);
+void read_measures(Reading& reading, MeasuresRequest& request);
+void read_presets(Reading& reading, PresetsRequest& request);
 void read_config(Reading& reading, ConfigRequest& request);
 
 }  // namespace gltfx::tool

@@ -146,9 +146,18 @@ upgrade to a successor. Without a NAME it lists all extensions.)";
 constexpr std::string_view kConfig =
     R"(Shows every value of the configuration that applies to a path, or to all paths, and the line of
 gltfx.toml(5) or the default that it comes from. `gltfx config import FILE` converts a configuration
-of the Khronos validator, in YAML, to one of gltfx.)";
+of the Khronos validator, in YAML, or of the Khronos glTF Asset Auditor, in JSON, to one of gltfx.)";
 
-constexpr std::array<VerbText, 16> kTexts{{
+constexpr std::string_view kMeasures =
+    R"(Lists what can be measured in an asset and limited by `budgets` in gltfx.toml(5): the name, what
+has it (the asset, each mesh and so on), and its unit. With a NAME it prints the definition of that
+measure, an example and its values.)";
+
+constexpr std::string_view kPresets =
+    R"(Lists published limits of platforms and guidelines, with the source and date of each. With an ID
+it prints the limits, as `extends` in gltfx.toml(5) and `--preset` of gltfx-validate(1) apply them.)";
+
+constexpr std::array<VerbText, 18> kTexts{{
     {"", "VERB [OPTION]... [ARGUMENT]...", kProgram},
     {"validate", "PATH...", kValidate},
     {"fix", "PATH...", kFix},
@@ -164,6 +173,8 @@ constexpr std::array<VerbText, 16> kTexts{{
     {"rules", "", kRules},
     {"targets", "[NAME[@VERSION]]...", kTargets},
     {"schema", "[NAME]", kSchema},
+    {"measures", "[NAME]", kMeasures},
+    {"presets", "[ID]", kPresets},
     {"config", "[PATH | import FILE]", kConfig},
 }};
 

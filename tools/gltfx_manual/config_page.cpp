@@ -25,6 +25,16 @@ constexpr std::string_view kOverrides =
 globs, folders (with / at the end) and names, and any of the keys that are marked so above. A later
 table overrides an earlier one; `ignore` lists add up, and `select` enables a code again.)";
 
+constexpr std::string_view kLimits =
+    R"(The table `budgets` has limits of measures of the asset, and tables such as `budgets.mesh` with
+limits of each element. A number is a maximum, in the unit of the measure or with its own ("5 MiB").
+A table has `min`, `max` or `equal` for numbers, `equal` for flags, `match`, `deny-match`, `unique`,
+`allow` and `deny` for texts, `allow` and `deny` for sets, and `severity`; a list of tables has
+several. `false` lifts a limit. gltfx-measures(1) lists measures.
+
+`extends` is a list of presets, see gltfx-presets(1), and of other files (.toml). Their values come
+before those of the file.)";
+
 constexpr std::string_view kExample = R"(profile = "strict"
 ignore = ["IMAGE_NPOT_DIMENSIONS"]
 schemas = ["schemas", "ACME_leaf.schema.json"]
@@ -33,8 +43,11 @@ schemas = ["schemas", "ACME_leaf.schema.json"]
 UNUSED_OBJECT = "hint"
 
 [budgets]
-texture-size = 2048
 triangles = 100000
+file-size = "5 MiB"
+
+[budgets.mesh]
+triangles = 20000
 
 [[overrides]]
 paths = ["props/**/*.glb", "old/", "*.draft.gltf"]
@@ -59,6 +72,8 @@ std::string_view form_of(ConfigForm form) {
       return "list of paths";
     case ConfigForm::levels:
       return "table of CODE = \"LEVEL\"";
+    case ConfigForm::limits:
+      return "table of MEASURE = LIMIT";
     default:
       return "string";
   }
@@ -99,6 +114,8 @@ std::string config_page(const Edition& edition) {
     page.item(fmt::format("{} ({})", roff_bold(key.name), roff_literal(form_of(key.form))),
               text_of(one));
   }
+  page.section("BUDGETS");
+  page.prose(kLimits);
   page.section("OVERRIDES");
   page.prose(kOverrides);
   page.section("EXAMPLES");

@@ -85,19 +85,19 @@ struct ProposedFix {
 };
 
 /// What a measure counts: a number, a truth value, a text or a set of texts, sorted. Nothing: it
-/// could not be taken.
-using MeasureValue =
+/// could not be taken, or does not apply.
+using CheckedValue =
     std::variant<std::monostate, double, bool, std::string, std::vector<std::string>>;
 
 /// A limit on a measure, and the value that was measured.
 struct CheckedLimit {
   std::string measure;  ///< its name: "triangles"
   std::string on;       ///< what it was taken of: "asset", "scene", "node", "mesh" and so on
-  MeasureValue value;   ///< in `unit`
+  CheckedValue value;   ///< in `unit`
   /// How the value is compared: "min", "max", "equal", "match", "deny-match", "unique", "allow",
   /// "deny".
   std::string op;
-  MeasureValue limit;  ///< in `unit`; a pattern for "match" and "deny-match"
+  CheckedValue limit;  ///< in `unit`; a pattern for "match" and "deny-match"
   std::string unit;    ///< "B", "m", "%" and so on; empty: none
   /// Where the limit is stated: "gltfx.toml:14", or a preset with its version and date.
   std::string from;

@@ -132,6 +132,8 @@ struct MeasureParameters {
   double hard_angle = 90;       ///< degrees between two normals: hard-edges
   std::uint32_t gutter_at = 0;  ///< pixels of the texture; 0: its size: uv-gutter
   std::string density_slot;     ///< "normalTexture"; empty: the base color: texel-density
+  /// Metres along x, y and z that the asset should have; 0: any: product-deviation.
+  std::array<double, 3> product{};
   /// Member by member.
   bool operator==(const MeasureParameters&) const = default;
 };

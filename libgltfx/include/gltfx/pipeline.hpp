@@ -38,9 +38,13 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
 /// Validates an asset in memory, with its resources.
 FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options = {});
 
+/// The examples of a rule. Those of a limit on a measure are the same asset, with a limit that it
+/// breaks and one that it keeps.
+enum class Example : std::uint8_t { bad, good, fixed };
+
 /// The findings on an example of a rule, in the strict profile: the bad one raises the rule, the
-/// good one nothing. `example` is `rule.bad` or `rule.good`.
-FileReport validate_example(const RuleDescription& rule, std::string_view example);
+/// others nothing.
+FileReport validate_example(const RuleDescription& rule, Example which);
 
 /// Validates many files on `jobs` threads (at least 1) and hands over the reports in the order of
 /// `paths`, one at a time. Memory does not grow with the number of files.

@@ -65,10 +65,11 @@ struct Repeat {
   std::shared_ptr<const CheckedLimit> requirement;  ///< as in Diagnostic
 };
 
-/// Whether a limit holds. `not_measured`: the measure could not be taken.
-enum class Verdict : std::uint8_t { pass, fail, not_measured };
+/// Whether a limit holds. `not_measured`: the measure could not be taken; `not_applicable`: there
+/// is nothing to take it of.
+enum class Verdict : std::uint8_t { pass, fail, not_measured, not_applicable };
 
-/// "pass", "fail", "not-measured".
+/// "pass", "fail", "not-measured", "not-applicable".
 std::string_view verdict_name(Verdict verdict);
 /// The verdict with that name, or nothing.
 std::optional<Verdict> verdict_from_name(std::string_view name);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <gltfx/diagnostic.hpp>
+#include <gltfx/limit.hpp>
 #include <gltfx/searched_folders.hpp>
 #include <gltfx/targets.hpp>
 
@@ -39,15 +40,6 @@ enum class PixelLevel : std::uint8_t { headers, needed, all };
 /// "headers", "needed", "all".
 std::string_view pixel_level_name(PixelLevel level);
 
-/// Limits of an asset; 0: no limit. An exceeded limit is an error with its own code.
-struct Budgets {
-  std::uint64_t texture_size = 0;  ///< pixels along the longer side of any image
-  std::uint64_t total_pixels = 0;  ///< of all images
-  std::uint64_t triangles = 0;     ///< of all primitives, each counted once
-  std::uint64_t draw_calls = 0;    ///< primitives, each counted once
-  std::uint64_t file_size = 0;     ///< bytes of the asset and of the files it refers to
-};
-
 /// Lines of a text, counted from 1, both inclusive.
 struct LineRange {
   std::uint64_t first = 0, last = 0;  ///< line numbers
@@ -59,7 +51,11 @@ struct ValidateOptions {
   /// Nothing: `needed` in the strict profile, otherwise `headers`. The khronos profile never
   /// decodes.
   std::optional<PixelLevel> pixels;
-  Budgets budgets;                  ///< limits of the asset
+  /// Limits on measures of the asset, but in the khronos profile. Those that need pixels decode
+  /// images, unless `pixels` is `headers`.
+  std::vector<Limit> limits;
+  /// Sizes of products, for limits on product-deviation; null: none.
+  std::shared_ptr<const ProductList> products;
   LfsPolicy lfs = LfsPolicy::skip;  ///< severity of Git LFS pointers
   /// Apply suppressions in the asset, also to errors: `{"ignore": [{"code": "UNUSED_OBJECT",
   /// "reason": "..."}]}` in `extras.gltfx` of an object, for findings on it and below it. Only for

@@ -1,104 +1,232 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits that the user sets for an asset. No findings without limits.
+// Limits on measures. Nothing is measured without limits.
 #include <algorithm>
-#include <charconv>
-#include <set>
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "base/checked.hpp"
 #include "base/codes.hpp"
+#include "measure/limit_texts.hpp"
+#include "measure/source.hpp"
+#include "measure/take.hpp"
+#include "rules/collector.hpp"
 #include "rules/context.hpp"
 #include "rules/finding.hpp"
-#include "rules/payload/texture_slots.hpp"
 #include "rules/phases.hpp"
+#include "rules/targets/limit_places.hpp"
+#include "rules/targets/limit_words.hpp"
 
 namespace gltfx::validate {
 namespace {
 
-class BudgetCheck {
+// Rows of one report, and findings of one limit that carry it: what an asset of a million meshes
+// breaks fits into memory.
+constexpr std::size_t kMostRequirements = 4096;
+// Of one limit, so that the rows of others have room.
+constexpr std::size_t kMostOfOneLimit = 256;
+
+Code code_of_limit(const Limit& limit) {
+  return static_cast<Code>(find_rule(limit.measure->code) - rules().data());
+}
+
+bool is_asked(const ValidateOptions& options, const Limit& limit) {
+  if (options.select.contains(code_name(Code::BUDGET_NOT_MEASURED))) return true;
+  const auto level = options.severity.find(limit.measure->code);
+  return accepts(options, code_of_limit(limit),
+                 level == options.severity.end() ? limit.severity : level->second);
+}
+
+// Limits whose measures are taken in the same way, by position.
+struct Group {
+  std::vector<std::size_t> limits;
+  measure::Request request;
+};
+
+std::vector<Group> groups_of(const std::vector<Limit>& limits, const ValidateOptions& options) {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (!is_asked(options, limits[i])) continue;
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+      return group.request.parameters == limits[i].parameters;
+    });
+    Group& group = same != groups.end() ? *same : groups.emplace_back();
+    if (group.limits.empty()) {
+      group.request.parameters = limits[i].parameters;
+      group.request.wanted.emplace();
+      // Who states a limit on pixels wants them decoded, but for who says the opposite.
+      group.request.pixels = options.pixels != PixelLevel::headers;
+    }
+    group.limits.push_back(i);
+    const auto name = static_cast<measure::Name>(limits[i].measure - measures().data());
+    group.request.wanted->push_back({limits[i].on, name});
+  }
+  return groups;
+}
+
+CheckedValue checked_value(const MeasureValue& value) {
+  return std::visit(
+      [](const auto& one) -> CheckedValue {
+        if constexpr (std::is_same_v<std::decay_t<decltype(one)>, NotMeasured>) {
+          return std::monostate();
+        } else {
+          return one;
+        }
+      },
+      value);
+}
+
+CheckedValue limit_value(const Limit& limit) {
+  switch (limit.op) {
+    case LimitOp::match:
+    case LimitOp::deny_match:
+      return limit.texts.empty() ? std::string() : limit.texts.front();
+    case LimitOp::allow:
+    case LimitOp::deny:
+      return limit.texts;
+    default:
+      if (limit.measure->type == MeasureType::number) return limit.number;
+  }
+  return limit.flag;
+}
+
+// Compares the values of one limit.
+class LimitCheck {
  public:
-  BudgetCheck(const Context& context, const model::ResourceData& resources, Sink& sink)
-      : context_(context), resources_(resources), sink_(sink) {}
+  LimitCheck(const LimitPlaces& places, const Limit& limit, FileReport& report, Sink& sink)
+      : places_(places), limit_(limit), texts_(limit), report_(report), sink_(sink) {}
 
-  void check_images() const {
-    const Budgets& budgets = context_.options.budgets;
-    std::uint64_t total = 0;
-    for (std::size_t i = 0; i < resources_.images.size(); ++i) {
-      const auto& header = resources_.images[i].header;
-      if (!header) continue;
-      total = saturating_add(total, std::uint64_t{header->width} * header->height);
-      if (within(std::max(header->width, header->height), budgets.texture_size)) continue;
-      const auto index = static_cast<std::uint32_t>(i);
-      report_element(sink_, context_, model::RootArray::images, i, Code::BUDGET_TEXTURE_SIZE,
-                     fmt::format("The size of {} is {}x{}; the budget is {} per side.",
-                                 image_label(context_, index), header->width, header->height,
-                                 budgets.texture_size));
+  void run(const Measurements& taken) {
+    const MeasureColumn* column = taken.find(limit_.on, limit_.measure->name);
+    if (column == nullptr) return;
+    for (std::size_t i = 0; i < column->values.size(); ++i) {
+      const MeasureValue& value = column->values[i];
+      if (const auto* missing = std::get_if<NotMeasured>(&value)) {
+        const MeasureReason& reason = taken.reasons[missing->reason];
+        if (reason.fault) report_unchecked(i, reason.text);
+      } else {
+        compare(i, value);
+      }
     }
-    check_sum("images", total, budgets.total_pixels, Code::BUDGET_TOTAL_PIXELS, "pixels");
-  }
-
-  // A sum over a root array.
-  void check_sum(std::string_view array, std::uint64_t sum, std::uint64_t limit, Code code,
-                 std::string_view what) const {
-    if (within(sum, limit)) return;
-    const json::Document& document = context_.document;
-    const Path root;
-    sink_.report(
-        Path(root, array),
-        finding_on(context_, document.find(document.root(), array), code,
-                   fmt::format("The asset has {} {}; the budget is {}.", sum, what, limit)));
-  }
-
-  void check_files(const std::vector<ResourceInfo>& listed) const {
-    const std::uint64_t limit = context_.options.budgets.file_size;
-    std::uint64_t bytes = context_.container.bytes.size();
-    std::set<std::string_view> seen;
-    for (const ResourceInfo& resource : listed) {
-      if (resource.storage != "external" || !seen.insert(resource.uri).second) continue;
-      bytes = saturating_add(bytes, size_of(resource.pointer));
-    }
-    if (within(bytes, limit)) return;
-    const Path root;
-    sink_.report(root,
-                 finding_on(context_, context_.document.root(), Code::BUDGET_FILE_SIZE,
-                            fmt::format("The asset takes {} bytes in {} file{}; the budget "
-                                        "is {}.",
-                                        bytes, seen.size() + 1, seen.empty() ? "" : "s", limit)));
+    if (listed_ > 0) return;
+    // One row for all elements: the one that is nearest to the limit.
+    const bool any = nearest_.has_value();
+    add_row(any ? Verdict::pass : Verdict::not_applicable, nearest_.value_or(0),
+            any ? column->values[*nearest_] : MeasureValue(), any);
   }
 
  private:
-  static bool within(std::uint64_t value, std::uint64_t limit) {
-    return limit == 0 || value <= limit;
+  void compare(std::size_t element, const MeasureValue& value) {
+    std::optional<std::size_t> same_as;
+    if (limit_.op == LimitOp::unique) {
+      const auto* text = std::get_if<std::string>(&value);
+      const auto [first, fresh] = seen_.emplace(text == nullptr ? "" : *text, element);
+      if (!fresh) same_as = first->second;
+    }
+    const bool good =
+        limit_.op == LimitOp::unique ? !same_as : measure::holds(limit_, texts_, value);
+    if (!good) return report_broken(element, value, same_as);
+    const auto* number = std::get_if<double>(&value);
+    if (nearest_ && number == nullptr) return;
+    const double distance = number == nullptr ? 0 : limit_.op == LimitOp::min ? *number : -*number;
+    if (nearest_ && distance >= least_) return;
+    nearest_ = element;
+    least_ = distance;
   }
 
-  // Number of bytes that were read for "/images/3" or "/buffers/0".
-  std::uint64_t size_of(std::string_view pointer) const {
-    const std::string_view digits = pointer.substr(pointer.rfind('/') + 1);
-    std::size_t index = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), index);
-    const bool image = pointer.starts_with("/images/");
-    const auto& bytes = image ? resources_.images[index].bytes : resources_.buffers[index];
-    return bytes ? bytes->size() : 0;
+  void report_broken(std::size_t element, const MeasureValue& value,
+                     std::optional<std::size_t> same_as) {
+    Finding finding(code_of_limit(limit_));
+    finding.message =
+        broken_limit(limit_, texts_, places_.measured(limit_.on, element), value, same_as);
+    finding.severity = limit_.severity;
+    report(element, value, std::move(finding));
+    add_row(Verdict::fail, element, value, true);
   }
 
-  const Context& context_;
-  const model::ResourceData& resources_;
+  void report_unchecked(std::size_t element, std::string_view why) {
+    Finding finding(Code::BUDGET_NOT_MEASURED);
+    finding.message = unchecked_limit(limit_, places_.measured(limit_.on, element), why);
+    report(element, {}, std::move(finding));
+    add_row(Verdict::not_measured, element, {}, true);
+  }
+
+  void report(std::size_t element, const MeasureValue& value, Finding finding) {
+    // Findings about other limits of the same measure are no repeats.
+    finding.about = fmt::format("{} {} {} {}", measure_scope_name(limit_.on),
+                                limit_op_name(limit_.op), limit_.number, limit_.from);
+    if (listed_ < kMostRequirements) {
+      finding.requirement = std::make_shared<const CheckedLimit>(row(value));
+    }
+    places_.report(limit_, element, std::move(finding), sink_);
+  }
+
+  CheckedLimit row(const MeasureValue& value) const {
+    return {std::string(limit_.measure->name),
+            std::string(measure_scope_name(limit_.on)),
+            checked_value(value),
+            std::string(limit_op_name(limit_.op)),
+            limit_value(limit_),
+            std::string(limit_.measure->unit),
+            limit_.from};
+  }
+
+  void add_row(Verdict verdict, std::size_t element, const MeasureValue& value, bool placed) {
+    ++listed_;
+    if (listed_ > kMostOfOneLimit || report_.requirements.size() >= kMostRequirements) {
+      ++report_.unlisted_requirements;
+      return;
+    }
+    Requirement requirement{row(value), {}, {}, verdict, limit_.severity};
+    if (placed && limit_.on != MeasureScope::asset) {
+      requirement.pointer = places_.pointer(limit_.on, element);
+      requirement.object_name = places_.name(limit_.on, element);
+    }
+    report_.requirements.push_back(std::move(requirement));
+  }
+
+  const LimitPlaces& places_;
+  const Limit& limit_;
+  measure::LimitTexts texts_;
+  FileReport& report_;
   Sink& sink_;
+  std::map<std::string, std::size_t> seen_;  // the first element with a text
+  std::optional<std::size_t> nearest_;       // of those that hold
+  double least_ = 0;                         // its distance to the limit
+  std::size_t listed_ = 0;                   // rows, also those that are only counted
 };
 
 }  // namespace
 
-void check_budgets(const Context& context, const model::ResourceData& resources,
-                   const AssetInfo& info, const std::vector<ResourceInfo>& listed, Sink& sink) {
-  const Budgets& budgets = context.options.budgets;
-  const BudgetCheck check(context, resources, sink);
-  check.check_images();
-  check.check_sum("meshes", info.total_triangle_count, budgets.triangles, Code::BUDGET_TRIANGLES,
-                  "triangles");
-  check.check_sum("meshes", info.draw_call_count, budgets.draw_calls, Code::BUDGET_DRAW_CALLS,
-                  "primitives");
-  check.check_files(listed);
+void check_limits(const Context& context, const model::ResourceData& resources, FileReport& report,
+                  Sink& sink) {
+  const std::vector<Limit>& limits = context.options.limits;
+  if (limits.empty() || context.deviations.no_additional_rules) return;
+  std::vector<Group> groups = groups_of(limits, context.options);
+  if (groups.empty()) return;
+  const measure::Source source({report.path, context.container, context.files, context.asset,
+                                context.views, resources, context.schemas, context.options.jobs});
+  std::vector<Measurements> taken;
+  std::vector<std::optional<std::size_t>> group_of(limits.size());
+  for (std::size_t group = 0; group < groups.size(); ++group) {
+    if (context.options.products) {
+      groups[group].request.parameters.product = context.options.products->find(report.path);
+    }
+    taken.push_back(measure::take(source, groups[group].request));
+    for (const std::size_t limit : groups[group].limits) group_of[limit] = group;
+  }
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (!group_of[i]) continue;
+    const Measurements& values = taken[*group_of[i]];
+    const LimitPlaces places(context, values, source.default_scene());
+    LimitCheck(places, limits[i], report, sink).run(values);
+  }
 }
 
 }  // namespace gltfx::validate

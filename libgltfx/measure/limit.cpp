@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "measure/limit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "measure/quantity.hpp"
+#include "schema/pattern.hpp"
+
+namespace gltfx {
+namespace {
+
+constexpr std::array<std::string_view, 8> kLimitOps{"min",        "max",    "equal", "match",
+                                                    "deny-match", "unique", "allow", "deny"};
+
+}  // namespace
+
+std::string_view limit_op_name(LimitOp op) { return kLimitOps[static_cast<std::size_t>(op)]; }
+
+std::optional<LimitOp> limit_op_from_name(std::string_view name) {
+  const auto at = std::find(kLimitOps.begin(), kLimitOps.end(), name);
+  if (at == kLimitOps.end()) return std::nullopt;
+  return static_cast<LimitOp>(at - kLimitOps.begin());
+}
+
+namespace measure {
+namespace {
+
+using LimitNames = std::vector<std::string_view>;
+
+std::string did_you_mean(std::string_view word, const LimitNames& names) {
+  const std::string_view near = nearest(word, names);
+  return near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
+}
+
+LimitNames scope_names() {
+  LimitNames names;
+  for (std::size_t i = 0; i < kMeasureScopeCount; ++i) {
+    names.push_back(measure_scope_name(static_cast<MeasureScope>(i)));
+  }
+  return names;
+}
+
+bool is_taken_of(const MeasureDescription& measure, MeasureScope on) {
+  return on == MeasureScope::asset ? measure.is_of_asset() : measure.is_on(on);
+}
+
+// The ops that a measure has on a scope.
+LimitNames ops_of(const MeasureDescription& measure, MeasureScope on) {
+  switch (measure.type) {
+    case MeasureType::number:
+      return {"min", "max", "equal"};
+    case MeasureType::flag:
+      return {"equal"};
+    case MeasureType::text:
+      if (on == MeasureScope::asset) return {"match", "deny-match", "allow", "deny"};
+      return {"match", "deny-match", "unique", "allow", "deny"};
+    case MeasureType::set:
+      break;
+  }
+  return {"allow", "deny"};
+}
+
+std::string_view a_type(MeasureType type) {
+  constexpr std::array<std::string_view, 4> kNames{"a number", "a flag", "a text", "a set"};
+  return kNames[static_cast<std::size_t>(type)];
+}
+
+Error wrong_value(const Limit& limit, std::string_view what) {
+  return {fmt::format("{} of {} is {}", limit_op_name(limit.op), limit.measure->name, what)};
+}
+
+std::optional<Error> set_number(Limit& limit, const Literal& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    if (!std::isfinite(*number)) return wrong_value(limit, "a finite number");
+    limit.number = *number;
+    return {};
+  }
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return wrong_value(limit, "a number");
+  const auto number = read_quantity(*text, limit.measure->unit);
+  if (!number) return number.error();
+  limit.number = *number;
+  return {};
+}
+
+std::optional<Error> set_pattern(Limit& limit, const Literal& value) {
+  const auto* text = std::get_if<std::string>(&value);
+  if (text == nullptr) return wrong_value(limit, "a pattern");
+  const auto pattern = schema::Pattern::compile(*text);
+  if (!pattern) {
+    return Error{fmt::format("{} is not a pattern: {}", gltfx::quoted(*text),
+                             half_sentence(pattern.error().message))};
+  }
+  limit.texts = {*text};
+  return {};
+}
+
+constexpr std::size_t kMostLimitWords = 1000;
+
+std::optional<Error> set_words(Limit& limit, const Literal& value) {
+  if (const auto* one = std::get_if<std::string>(&value)) {
+    limit.texts = {*one};
+  } else if (const auto* list = std::get_if<std::vector<std::string>>(&value)) {
+    limit.texts = *list;
+  } else {
+    return wrong_value(limit, "a list of texts");
+  }
+  if (limit.texts.size() > kMostLimitWords) {
+    return wrong_value(limit, fmt::format("a list of at most {} texts", kMostLimitWords));
+  }
+  for (const std::string& word : limit.texts) {
+    const std::size_t star = word.find('*');
+    if (star == std::string::npos || star + 1 == word.size()) continue;
+    return Error{fmt::format("{}: '*' is only understood at the end", gltfx::quoted(word))};
+  }
+  return {};
+}
+
+using LimitKey = std::tuple<MeasureScope, std::string_view, LimitOp>;
+
+LimitKey limit_key(const Limit& limit) { return {limit.on, limit.measure->name, limit.op}; }
+
+std::vector<std::string> split_words(std::string_view text, char at) {
+  std::vector<std::string> parts;
+  while (true) {
+    const std::size_t end = text.find(at);
+    parts.emplace_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+// The value of an option in the form that a limit of the op takes.
+Literal literal_of(std::string_view text, const MeasureDescription& measure, LimitOp op) {
+  if (op == LimitOp::allow || op == LimitOp::deny) return split_words(text, ',');
+  const bool flag = op == LimitOp::unique || measure.type == MeasureType::flag;
+  if (flag && (text == "true" || text == "false")) return text == "true";
+  return std::string(text);
+}
+
+}  // namespace
+
+Result<MeasureScope> scope_of(std::string_view name) {
+  if (const auto scope = measure_scope_from_name(name)) return *scope;
+  const LimitNames names = scope_names();
+  return Error{fmt::format("{} is not one of {}{}", gltfx::quoted(name), fmt::join(names, ", "),
+                           did_you_mean(name, names))};
+}
+
+Result<const MeasureDescription*> measure_of(MeasureScope on, std::string_view name) {
+  if (const MeasureDescription* found = find_measure(on, name)) return found;
+  LimitNames names;
+  std::vector<std::string> scopes;
+  for (const MeasureDescription& measure : measures()) {
+    if (is_taken_of(measure, on)) names.push_back(measure.name);
+    if (measure.name != name) continue;
+    if (measure.is_of_asset()) scopes.emplace_back("the asset");
+    for (std::size_t i = 1; i < kMeasureScopeCount; ++i) {
+      const auto scope = static_cast<MeasureScope>(i);
+      if (measure.is_on(scope)) scopes.emplace_back(measure_scope_name(scope));
+    }
+  }
+  if (!scopes.empty()) {
+    return Error{fmt::format("{} is not a measure of {}; it is one of {}", gltfx::quoted(name),
+                             on == MeasureScope::asset ? "the asset" : measure_scope_name(on),
+                             join_and(scopes))};
+  }
+  return Error{
+      fmt::format("there is no measure {}{}", gltfx::quoted(name), did_you_mean(name, names))};
+}
+
+Result<LimitOp> op_of(const MeasureDescription& measure, MeasureScope on, std::string_view name) {
+  const LimitNames names = ops_of(measure, on);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return *limit_op_from_name(name);
+  return Error{fmt::format("{} is not an op of {}, which is {}: it has {}{}", gltfx::quoted(name),
+                           measure.name, a_type(measure.type), fmt::join(names, ", "),
+                           did_you_mean(name, names))};
+}
+
+Result<LimitOp> op_of(const MeasureDescription& measure, const Literal& value) {
+  const bool flag = std::holds_alternative<bool>(value);
+  const bool number =
+      std::holds_alternative<double>(value) || std::holds_alternative<std::string>(value);
+  if (measure.type == MeasureType::number && number) return LimitOp::max;
+  if (measure.type == MeasureType::flag && flag) return LimitOp::equal;
+  const char* const example = measure.type == MeasureType::number ? "10"
+                              : measure.type == MeasureType::flag ? "true"
+                              : measure.type == MeasureType::text ? "{ match = \"^A\" }"
+                                                                  : "{ allow = [\"A\"] }";
+  return Error{fmt::format("{} is {}: write {} = {}", measure.name, a_type(measure.type),
+                           measure.name, example)};
+}
+
+std::optional<Error> set_value(Limit& limit, const Literal& value) {
+  switch (limit.op) {
+    case LimitOp::match:
+    case LimitOp::deny_match:
+      return set_pattern(limit, value);
+    case LimitOp::allow:
+    case LimitOp::deny:
+      return set_words(limit, value);
+    case LimitOp::unique:
+      break;
+    default:
+      if (limit.measure->type == MeasureType::number) return set_number(limit, value);
+  }
+  const auto* flag = std::get_if<bool>(&value);
+  if (flag == nullptr) return wrong_value(limit, "true or false");
+  limit.flag = *flag;
+  return {};
+}
+
+bool is_parameter(std::string_view name) {
+  return name == "weld" || name == "angle" || name == "at" || name == "slot";
+}
+
+bool has_parameter(const MeasureDescription& measure, std::string_view name) {
+  if (name == "angle") return measure.name == "hard-edges";
+  if (name == "at") return measure.name == "uv-gutter";
+  if (name == "slot") return measure.name.starts_with("texel-density");
+  return measure.is_on(MeasureScope::mesh);
+}
+
+std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_view name,
+                                   const Literal& value) {
+  if (name == "slot") {
+    const auto* slot = std::get_if<std::string>(&value);
+    if (slot == nullptr) return Error{"slot is the name of a texture, such as \"normalTexture\""};
+    parameters.density_slot = *slot;
+    return {};
+  }
+  const std::string_view unit = name == "weld" ? "m" : name == "angle" ? "deg" : "px";
+  const double most = name == "weld" ? 1 : name == "angle" ? 180 : 65536;
+  Result<double> number = Error{};
+  if (const auto* plain = std::get_if<double>(&value)) number = *plain;
+  if (const auto* text = std::get_if<std::string>(&value)) number = read_quantity(*text, unit);
+  if (!number || !(*number >= 0) || !(*number <= most)) {
+    return Error{fmt::format("{} is a number from 0 to {}", name, quantity_words(most, unit))};
+  }
+  if (name == "weld") parameters.weld = *number;
+  if (name == "angle") parameters.hard_angle = *number;
+  if (name == "at") parameters.gutter_at = static_cast<std::uint32_t>(*number);
+  return {};
+}
+
+void apply(std::vector<Limit>& limits, const LimitChange& change) {
+  const std::string_view name = change.measure->name;
+  const auto before = [](const Limit& limit, const LimitKey& key) {
+    return limit_key(limit) < key;
+  };
+  const auto after = [](const LimitKey& key, const Limit& limit) { return key < limit_key(limit); };
+  const LimitKey first{change.on, name, change.op.value_or(LimitOp::min)};
+  const LimitKey last{change.on, name, change.op.value_or(LimitOp::deny)};
+  const auto begin = std::lower_bound(limits.begin(), limits.end(), first, before);
+  const auto end = std::upper_bound(begin, limits.end(), last, after);
+  const auto at = limits.erase(begin, end);
+  limits.insert(at, change.limits.begin(), change.limits.end());
+}
+
+namespace {
+
+// "mesh.triangles.min": the scope and the op may be missing.
+struct BudgetKey {
+  const MeasureDescription* measure = nullptr;
+  MeasureScope on = MeasureScope::asset;
+  std::optional<LimitOp> op;
+};
+
+Result<BudgetKey> read_key(std::string_view text) {
+  const std::vector<std::string> parts = split_words(text, '.');
+  BudgetKey key;
+  std::size_t at = 0;
+  const bool scoped = measure_scope_from_name(parts[0]).has_value() ||
+                      (parts.size() > 1 && find_measure(parts[0]) == nullptr);
+  if (scoped) {
+    const auto scope = scope_of(parts[at++]);
+    if (!scope) return scope.error();
+    key.on = *scope;
+  }
+  if (at == parts.size() || parts.size() > at + 2) {
+    return Error{fmt::format("{} is not SCOPE.MEASURE", gltfx::quoted(text))};
+  }
+  const auto measure = measure_of(key.on, parts[at]);
+  if (!measure) return measure.error();
+  key.measure = *measure;
+  if (++at == parts.size()) return key;
+  const auto op = op_of(*key.measure, key.on, parts[at]);
+  if (!op) return op.error();
+  key.op = *op;
+  return key;
+}
+
+Result<LimitChange> change_of(const BudgetKey& key, std::string_view value, std::string_view from) {
+  Limit limit;
+  limit.measure = key.measure;
+  limit.on = key.on;
+  limit.op = *key.op;
+  limit.from = from;
+  if (auto problem = set_value(limit, literal_of(value, *key.measure, limit.op))) return *problem;
+  return LimitChange{key.measure, key.on, limit.op, {std::move(limit)}};
+}
+
+}  // namespace
+
+Result<std::vector<LimitChange>> read_budget(std::string_view text, std::string_view from) {
+  const std::size_t equals = text.find('=');
+  if (equals == std::string_view::npos) {
+    return Error{fmt::format("{} is not MEASURE=LIMIT", gltfx::quoted(text))};
+  }
+  auto key = read_key(text.substr(0, equals));
+  if (!key) return key.error();
+  const std::string_view value = text.substr(equals + 1);
+  const bool lifts = value == "false" && (!key->op || *key->op == LimitOp::unique);
+  if (lifts) return std::vector{LimitChange{key->measure, key->on, key->op, {}}};
+  std::vector<std::pair<LimitOp, std::string_view>> parts;
+  const std::size_t dots = value.find("..");
+  const bool number = key->measure->type == MeasureType::number;
+  if (key->op) {
+    parts.emplace_back(*key->op, value);
+  } else if (number && dots != std::string_view::npos) {
+    if (dots > 0) parts.emplace_back(LimitOp::min, value.substr(0, dots));
+    if (dots + 2 < value.size()) parts.emplace_back(LimitOp::max, value.substr(dots + 2));
+  } else {
+    const Literal literal = number ? Literal(std::string(value)) : Literal(value == "true");
+    const auto op = op_of(*key->measure, literal);
+    if (!op)
+      return Error{fmt::format("{}: name an op, as in {}.{}=...", key->measure->name,
+                               key->measure->name, ops_of(*key->measure, key->on).front())};
+    parts.emplace_back(*op, value);
+  }
+  std::vector<LimitChange> changes;
+  for (const auto& [op, part] : parts) {
+    key->op = op;
+    auto change = change_of(*key, part, from);
+    if (!change) return change.error();
+    changes.push_back(*std::move(change));
+  }
+  return changes;
+}
+
+std::string value_words(const Limit& limit) {
+  switch (limit.op) {
+    case LimitOp::match:
+    case LimitOp::deny_match:
+    case LimitOp::allow:
+    case LimitOp::deny:
+      return printable(fmt::format("{}", fmt::join(limit.texts, ", ")));
+    case LimitOp::unique:
+      break;
+    default:
+      if (limit.measure->type == MeasureType::number) {
+        return quantity_words(limit.number, limit.measure->unit);
+      }
+  }
+  return limit.flag ? "true" : "false";
+}
+
+}  // namespace measure
+}  // namespace gltfx

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rules/targets/limit_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/number.hpp"
+#include "base/text.hpp"
+#include "measure/quantity.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// Whether a measure counts things, so that an element has so many of them.
+bool is_count(const MeasureDescription& measure) {
+  return measure.type == MeasureType::number &&
+         (measure.name.ends_with('s') || measure.name == "children");
+}
+
+// "uv-sets": "UV sets", of one "UV set".
+std::string things(std::string_view name, bool one) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSingular{
+      {{"vertices", "vertex"}, {"meshes", "mesh"}, {"misses", "miss"}, {"children", "child"}}};
+  std::string words(name);
+  std::replace(words.begin(), words.end(), '-', ' ');
+  for (const std::string_view prefix : {"uv ", "gpu "}) {
+    if (!words.starts_with(prefix)) continue;
+    for (std::size_t i = 0; i < prefix.size(); ++i) {
+      if (words[i] != ' ') words[i] = static_cast<char>(words[i] - 'a' + 'A');
+    }
+  }
+  if (!one) return words;
+  for (const auto& [many, single] : kSingular) {
+    if (!words.ends_with(many)) continue;
+    return words.replace(words.size() - many.size(), many.size(), single);
+  }
+  words.pop_back();
+  return words;
+}
+
+std::string source_of(const Limit& limit) {
+  return limit.from.empty() ? std::string() : fmt::format(" ({})", printable(limit.from));
+}
+
+// Both numbers with as many digits as it takes to tell them apart.
+std::pair<std::string, std::string> two_numbers(double value, double limit, std::string_view unit) {
+  std::pair<std::string, std::string> words{measure::quantity_words(value, unit),
+                                            measure::quantity_words(limit, unit)};
+  if (words.first != words.second) return words;
+  const std::string behind = unit.empty() ? std::string() : fmt::format(" {}", unit);
+  return {number_text(value) + behind, number_text(limit) + behind};
+}
+
+std::string broken_number(const Limit& limit, const Measured& of, double value) {
+  const bool count = is_count(*limit.measure);
+  const auto [found, wanted] =
+      two_numbers(value, limit.number, count ? std::string_view() : limit.measure->unit);
+  std::string text =
+      count ? fmt::format("The {} {} {} {}", of.noun, of.plural ? "have" : "has", found,
+                          things(limit.measure->name, value == 1))
+            : fmt::format("The {} of the {} is {}", limit.measure->name, of.noun, found);
+  const std::string_view what = limit.op == LimitOp::max   ? "the limit is"
+                                : limit.op == LimitOp::min ? "the minimum is"
+                                                           : "it must be";
+  if (count && limit.op == LimitOp::equal) {
+    return text + fmt::format("; exactly {} {} required", wanted, limit.number == 1 ? "is" : "are");
+  }
+  return text + fmt::format("; {} {}", what, wanted);
+}
+
+constexpr std::size_t kMostListed = 8;
+
+std::string broken_text(const Limit& limit, const Measured& of, const std::string& value,
+                        std::optional<std::size_t> same_as) {
+  const std::string text =
+      fmt::format("The {} of the {} is {}", limit.measure->name, of.noun, gltfx::quoted(value));
+  switch (limit.op) {
+    case LimitOp::match:
+      return text + "; it must match " + gltfx::quoted(limit.texts.front());
+    case LimitOp::deny_match:
+      return text + "; it must not match " + gltfx::quoted(limit.texts.front());
+    case LimitOp::unique:
+      return text + fmt::format(", as is that of {} {}", of.noun, same_as.value_or(0));
+    case LimitOp::allow:
+      if (limit.texts.empty()) break;
+      return text + "; it must be " + printable(join_or(limit.texts, kMostListed));
+    default:
+      break;
+  }
+  return text + "; it is not allowed";
+}
+
+std::string broken_set(const Limit& limit, const measure::LimitTexts& texts, const Measured& of,
+                       const std::vector<std::string>& value) {
+  std::vector<std::string> wrong;
+  std::size_t others = 0;
+  for (const std::string& one : value) {
+    if (texts.accepts(one)) continue;
+    if (wrong.size() < kMostListed) {
+      wrong.push_back(gltfx::quoted(one));
+    } else {
+      ++others;
+    }
+  }
+  const bool single = wrong.size() == 1;
+  std::string list = others == 0 ? join_and(wrong)
+                                 : fmt::format("{} and {} others", fmt::join(wrong, ", "), others);
+  return fmt::format("The {} of the {} include {}, which {} not allowed", limit.measure->name,
+                     of.noun, list, single ? "is" : "are");
+}
+
+std::string broken_value(const Limit& limit, const measure::LimitTexts& texts, const Measured& of,
+                         const MeasureValue& value, std::optional<std::size_t> same_as) {
+  if (const auto* number = std::get_if<double>(&value)) return broken_number(limit, of, *number);
+  if (const auto* text = std::get_if<std::string>(&value)) {
+    return broken_text(limit, of, *text, same_as);
+  }
+  if (const auto* set = std::get_if<std::vector<std::string>>(&value)) {
+    return broken_set(limit, texts, of, *set);
+  }
+  return fmt::format("For the {}, {} is {}; it must be {}", of.noun, limit.measure->name,
+                     !limit.flag, limit.flag);
+}
+
+}  // namespace
+
+std::string broken_limit(const Limit& limit, const measure::LimitTexts& texts, const Measured& of,
+                         const MeasureValue& value, std::optional<std::size_t> same_as) {
+  return broken_value(limit, texts, of, value, same_as) + source_of(limit) + '.';
+}
+
+std::string unchecked_limit(const Limit& limit, const Measured& of, std::string_view why) {
+  std::string reason = half_sentence(why);
+  if (reason.size() > 1 && ascii_lower(reason[1]) == reason[1]) reason[0] = ascii_lower(reason[0]);
+  return fmt::format("The limit on {} of the {}{} is not checked: {}.", limit.measure->name,
+                     of.noun, source_of(limit), reason);
+}
+
+}  // namespace gltfx::validate
