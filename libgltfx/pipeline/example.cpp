@@ -10,6 +10,7 @@
 #include "pipeline/example_limit.hpp"
 #include "pipeline/fix_rounds.hpp"
 #include "pipeline/open_asset.hpp"
+#include "pipeline/own_example.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -83,10 +84,12 @@ ValidateOptions options_for(const RuleDescription& rule, std::string_view exampl
 
 }  // namespace
 
-FileReport validate_example(const RuleDescription& rule, Example which) {
+FileReport validate_example(const RuleDescription& rule, Example which,
+                            const std::shared_ptr<const OwnRules>& own) {
   const std::string_view example = which == Example::bad    ? rule.bad
                                    : which == Example::good ? rule.good
                                                             : rule.fixed;
+  if (rule.own) return validate_own_example(rule.code, example, own);
   ValidateOptions options = options_for(rule, example);
   options.limits = example_limits(rule, which == Example::bad);
   // An example that has a value need not be perfect.

@@ -34,6 +34,7 @@
 #include "pipeline/validation_key.hpp"
 #include "prove/findings.hpp"
 #include "report/packed.hpp"
+#include "rules/own/own_rules.hpp"
 #include "rules/validated_asset.hpp"
 #include "rules/validator.hpp"
 #include "schema/compile.hpp"
@@ -152,7 +153,7 @@ void add(HashParts& parts, const TargetChoice& choice) {
 Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
   const auto& [profile, pixels, limits, products, lfs, inline_suppressions, root, searched,
                max_issues, changed_lines, propose_fixes, targets, jobs, select, ignore, severity,
-               schemas, cache] = options;
+               schemas, own_rules, cache] = options;
   // The same report comes of any number of threads, with and without cache; with lines that changed
   // nothing is kept.
   static_cast<void>(changed_lines);
@@ -185,6 +186,7 @@ Hash128 validation_key(const ValidateOptions& options, const std::string& folder
   parts.add(std::uint64_t{targets.size()});
   for (const TargetChoice& choice : targets) add(parts, choice);
   parts.add(schemas ? schemas->sources() : Hash128());
+  parts.add(own_rules ? own_rules->sources() : Hash128());
   return parts.finish();
 }
 
@@ -239,7 +241,7 @@ struct ValidateVerb {
     return report::pack(validation.report);
   }
   std::optional<Validation> unpack(const std::string& kept, model::OpenedAsset* asset) const {
-    auto report = report::unpack(kept, rules());
+    auto report = report::unpack(kept, rules(options.own_rules.get()));
     if (!report) return std::nullopt;
     report->path = path;
     Validation validation{*std::move(report), std::nullopt};

@@ -14,7 +14,8 @@ namespace gltfx::report {
 /// All members except path and position.
 std::string pack(const FileReport& report);
 
-/// Nothing when the bytes are not from pack(). `rules`: sorted by code, of static storage.
+/// Nothing when the bytes are not from pack(). `rules`: sorted by code, with codes
+/// of static storage.
 std::optional<FileReport> unpack(std::string_view bytes, std::span<const RuleDescription> rules);
 
 }  // namespace gltfx::report

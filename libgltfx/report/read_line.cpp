@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/code.hpp"
+#include "base/interned.hpp"
 #include "json/parse.hpp"
 #include "report/entry.hpp"
 #include "report/fields.hpp"
@@ -65,8 +67,9 @@ class JsonIn {
     std::string word;
     text(name, word);
     const RuleDescription* rule = find_rule_in(rules_, word);
-    if (rule == nullptr) return blame(name);
-    value = rule->code;
+    // A rule of the user, whose page this run does not have.
+    if (rule == nullptr && !has_code_form(word)) return blame(name);
+    value = rule == nullptr ? interned(word) : rule->code;
   }
   void severity(std::string_view name, Severity& value) {
     std::string word;

@@ -30,8 +30,10 @@ std::string help_markdown(const RuleDescription& rule) {
   return text;
 }
 
-// The page of the rule if the build has its address, else the section of the specification.
+// The page of the rule if the build has its address, else the section of the specification. A
+// user's rule has the link of its page.
 std::string help_uri(const RuleDescription& rule) {
+  if (rule.own) return std::string(rule.link);
   constexpr std::string_view kDocs = GLTFX_DOCS_URL;
   if (!kDocs.empty()) return fmt::format("{}/schema/rules/{}.md", kDocs, rule.code);
   return std::string(rule.link.empty() ? kSpecification : rule.link);
@@ -98,7 +100,8 @@ void SarifRules::write_rule(json::Writer& writer, const Met& met) const {
     writer.member("text", rule->help);
     writer.member("markdown", help_markdown(*rule));
     writer.end_object();
-    writer.member("helpUri", help_uri(*rule));
+    const std::string uri = help_uri(*rule);
+    if (!uri.empty()) writer.member("helpUri", uri);
   }
   writer.key("defaultConfiguration");
   writer.begin_object();

@@ -111,7 +111,7 @@ bool ChangedLines::touches(Span span) const {
 }
 
 bool accepts(const ValidateOptions& options, Code code, Severity severity) {
-  const RuleDescription& rule = description(code);
+  const RuleDescription& rule = description(options, code);
   if (!options.select.empty() && !options.select.contains(rule.code)) return false;
   if (options.ignore.contains(rule.code)) return false;
   if (options.profile == Profile::khronos) return rule.khronos;
@@ -121,7 +121,7 @@ bool accepts(const ValidateOptions& options, Code code, Severity severity) {
 }
 
 bool is_enabled(const ValidateOptions& options, Code code) {
-  const RuleDescription& rule = description(code);
+  const RuleDescription& rule = description(options, code);
   const auto wanted = options.severity.find(rule.code);
   return accepts(options, code, wanted != options.severity.end() ? wanted->second : rule.severity);
 }
@@ -142,14 +142,15 @@ void Collector::PhaseSink::report(const Path& path, Finding finding) {
 }
 
 Severity Collector::severity_of(const Finding& finding) const {
-  const RuleDescription& rule = description(finding.code);
+  const RuleDescription& rule = description(options_, finding.code);
   const auto wanted = options_.severity.find(rule.code);
   if (wanted != options_.severity.end()) return wanted->second;
   if (deviations_.severity_follows_code) return rule.khronos_severity;
   if (options_.lfs == LfsPolicy::error && finding.code == Code::GIT_LFS_POINTER)
     return Severity::error;
   if (finding.severity) return *finding.severity;
-  return options_.profile == Profile::strict ? strict_severity(finding.code) : rule.severity;
+  if (rule.own || options_.profile != Profile::strict) return rule.severity;
+  return strict_severity(finding.code);
 }
 
 // Where findings are not folded, those beyond max_issues are only counted.
@@ -201,7 +202,15 @@ void Collector::keep_text(SharedText text) {
   if (options_.changed_lines && text_) changed_.emplace(*options_.changed_lines, *text_);
 }
 
+// An object of a wrong form, or with a broken reference, whatever the options make of the finding.
+void Collector::note_broken(Phase phase, const Path& path, const Finding& finding) {
+  if (broken_ == nullptr || (phase != Phase::schema && phase != Phase::reference)) return;
+  const RuleDescription& rule = description(options_, finding.code);
+  if (finding.severity.value_or(rule.severity) == Severity::error) broken_->add(path, finding.span);
+}
+
 void Collector::add(Phase phase, const Path& path, Finding finding) {
+  note_broken(phase, path, finding);
   const Severity severity = severity_of(finding);
   if (!wants(finding, severity)) return;
   if (suppressions_ != nullptr &&
@@ -256,11 +265,11 @@ Collector::Entry Collector::entry_of(Phase phase, Severity severity, Finding fin
   const bool between_objects = phase == Phase::reference || phase == Phase::resources;
   const bool loud = severity == Severity::error || severity == Severity::warning;
   if (finding.help.empty() && between_objects && loud && !deviations_.each_finding_is_listed) {
-    finding.help = as_help(description(finding.code).help);
+    finding.help = as_help(description(options_, finding.code).help);
   }
   Entry entry;
   entry.span = finding.span;
-  entry.diagnostic.code = code_name(finding.code);
+  entry.diagnostic.code = description(options_, finding.code).code;
   entry.diagnostic.severity = severity;
   entry.diagnostic.message = std::move(finding.message);
   entry.diagnostic.help = std::move(finding.help);

@@ -19,6 +19,7 @@
 #include "json/document.hpp"
 #include "json/lines.hpp"
 #include "model/fields.hpp"
+#include "rules/broken_places.hpp"
 #include "rules/fix_entry.hpp"
 #include "rules/khronos/deviations.hpp"
 #include "rules/suppressions.hpp"
@@ -43,8 +44,16 @@ class ChangedLines {
 };
 
 /// The order of a report. Within a phase, findings are in the order in which they were found.
-enum class Phase : std::uint8_t { container, json, schema, reference, container_end, resources };
-inline constexpr std::size_t kPhaseCount = 6;
+enum class Phase : std::uint8_t {
+  container,
+  json,
+  schema,
+  reference,
+  container_end,
+  resources,
+  own_rules
+};
+inline constexpr std::size_t kPhaseCount = 7;
 static_assert(kPhaseCount <= Suppressions::kMostPhases);
 
 /// Whether the options include findings of that code and severity.
@@ -75,6 +84,8 @@ class Collector {
   void keep_text(SharedText text);
   /// Suppressions of the asset from now on; null: none. Outlives the collector's phases.
   void suppress(Suppressions* suppressions) { suppressions_ = suppressions; }
+  /// Where errors of form and references are noted from now on. Outlives the collector's phases.
+  void note_broken(BrokenPlaces* places) { broken_ = places; }
 
   /// The places of findings whose rules have a fix, of all phases; the first million of each rule.
   Sites take_sites();
@@ -118,6 +129,7 @@ class Collector {
   };
 
   void add(Phase phase, const Path& path, Finding finding);
+  void note_broken(Phase phase, const Path& path, const Finding& finding);
   bool wants(const Finding& finding, Severity severity);
   void keep_site(Phase phase, Severity severity, const Finding& finding);
   bool leave_out(Phase phase, Severity severity, const Finding& finding);
@@ -140,6 +152,7 @@ class Collector {
   std::uint64_t unchanged_ = 0;   ///< findings on other lines than `changed_`
   std::size_t repeats_kept_ = 0;  ///< number of repeats in all entries
   Suppressions* suppressions_ = nullptr;
+  BrokenPlaces* broken_ = nullptr;
   std::optional<json::LineIndex> lines_;
   std::optional<model::ArrayLookup> arrays_;
 };

@@ -5,6 +5,7 @@
 #include <gltfx/validate.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -107,9 +108,13 @@ struct RuleGroup {
 /// All groups, in the order in which they run (rules/order.cpp).
 std::span<const RuleGroup> rule_groups();
 
-/// The description of a rule.
+/// The description of a rule of gltfx.
 const RuleDescription& description(Code code);
-/// The severity of a rule in the profile `strict`.
+/// The description of any rule: also of a user's that the options have.
+const RuleDescription& description(const ValidateOptions& options, Code code);
+/// The code of that name, also of a page of `own`, which may be null; or nothing.
+std::optional<Code> code_of(std::string_view name, const OwnRules* own);
+/// The severity of a rule of gltfx in the profile `strict`.
 Severity strict_severity(Code code);
 
 /// Span of a member's value, or of the first character of the object when it has no such member.

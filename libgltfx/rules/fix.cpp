@@ -26,7 +26,8 @@ std::vector<const FixEntry*> table_of_fixes() {
 
 const FixEntry* find_fix(Code code) {
   static constinit MadeOnce<std::vector<const FixEntry*>> table;
-  return table.get(table_of_fixes)[static_cast<std::size_t>(code)];
+  const auto position = static_cast<std::size_t>(code);
+  return position < rules().size() ? table.get(table_of_fixes)[position] : nullptr;
 }
 
 namespace {

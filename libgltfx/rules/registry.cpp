@@ -10,6 +10,7 @@
 
 #include "container/base64.hpp"
 #include "rules/context.hpp"
+#include "rules/own/own_rules.hpp"
 
 namespace gltfx {
 namespace {
@@ -63,6 +64,23 @@ namespace validate {
 
 const RuleDescription& description(Code code) {
   return gltfx::rules()[static_cast<std::size_t>(code)];
+}
+
+const RuleDescription& description(const ValidateOptions& options, Code code) {
+  const std::size_t count = gltfx::rules().size();
+  const auto position = static_cast<std::size_t>(code);
+  return position < count ? description(code) : options.own_rules->descriptions()[position - count];
+}
+
+std::optional<Code> code_of(std::string_view name, const OwnRules* own) {
+  const RuleDescription* const rule = gltfx::find_rule(name);
+  if (rule != nullptr) return static_cast<Code>(rule - gltfx::rules().data());
+  if (own == nullptr) return std::nullopt;
+  const auto all = own->descriptions();
+  const auto at = std::find_if(all.begin(), all.end(),
+                               [&](const RuleDescription& one) { return one.code == name; });
+  if (at == all.end()) return std::nullopt;
+  return own_code(static_cast<std::size_t>(at - all.begin()));
 }
 
 }  // namespace validate

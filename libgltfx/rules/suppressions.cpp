@@ -106,16 +106,16 @@ void with_path(std::string_view pointer, const Use& use) {
   }
 }
 
-std::string nearest_code(std::string_view word) {
+std::string nearest_code(std::string_view word, const OwnRules* own) {
   std::vector<std::string_view> codes;
-  for (const RuleDescription& rule : rules()) codes.push_back(rule.code);
+  for (const RuleDescription& rule : rules(own)) codes.push_back(rule.code);
   const std::string_view near = nearest(word, codes);
   return near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
 }
 
 // Whether a rule only runs with pixels or limits, and so may have no finding in other runs.
 bool may_be_silent(Code code, const ValidateOptions& options) {
-  const RuleDescription& rule = description(code);
+  const RuleDescription& rule = description(options, code);
   if (rule.code.starts_with("BUDGET_")) return true;
   return rule.pixels && pixel_level(options) == PixelLevel::headers;
 }
@@ -126,7 +126,8 @@ std::uint64_t Suppressions::Entry::total() const {
   return std::accumulate(hits.begin(), hits.end(), std::uint64_t{0});
 }
 
-Suppressions::Suppressions(const json::Document& document) : document_(&document) {
+Suppressions::Suppressions(const json::Document& document, const OwnRules* own)
+    : document_(&document), own_(own) {
   Walk(document).run([this](json::NodeId wish, const std::string& host) { read(wish, host); });
   for (std::size_t i = 0; i < entries_.size(); ++i) {
     if (entries_[i].code) by_code_[*entries_[i].code].emplace(entries_[i].host, i);
@@ -156,11 +157,11 @@ void Suppressions::read_entry(json::NodeId item, const std::string& host, std::s
       reason != json::kNoNode && document_->is_string(reason) && !document_->string(reason).empty();
   if (code == json::kNoNode || !document_->is_string(code)) {
     entry.problem = "the entry has no string 'code'";
-  } else if (const RuleDescription* rule = find_rule(document_->string(code)); rule != nullptr) {
-    entry.code = static_cast<Code>(rule - rules().data());
+  } else if (const auto known = code_of(document_->string(code), own_)) {
+    entry.code = known;
   } else {
     const std::string word = document_->string(code);
-    entry.problem = fmt::format("unknown rule {}{}", gltfx::quoted(word), nearest_code(word));
+    entry.problem = fmt::format("unknown rule {}{}", gltfx::quoted(word), nearest_code(word, own_));
   }
   entries_.push_back(std::move(entry));
 }
@@ -206,14 +207,14 @@ void Suppressions::report_entry(const Entry& entry, const ValidateOptions& optio
   }
   if (!entry.has_reason) {
     say(Code::SUPPRESSION_WITHOUT_REASON,
-        fmt::format("The suppression of {} has no reason.", code_name(*entry.code)),
+        fmt::format("The suppression of {} has no reason.", description(options, *entry.code).code),
         "add a 'reason'");
   }
   if (entry.total() == 0 && is_enabled(options, *entry.code) &&
       !may_be_silent(*entry.code, options)) {
     say(Code::SUPPRESSION_UNUSED,
         fmt::format("The suppression of {} has no effect: there is no such finding here.",
-                    code_name(*entry.code)),
+                    description(options, *entry.code).code),
         "remove the suppression");
   }
 }

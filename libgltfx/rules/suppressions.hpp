@@ -29,8 +29,8 @@ class Suppressions {
   static constexpr std::size_t kMostPhases = 8;
 
   Suppressions() = default;
-  /// Reads the suppressions. The document outlives this.
-  explicit Suppressions(const json::Document& document);
+  /// Reads the suppressions. The document, and `own`, which may be null, outlive this.
+  explicit Suppressions(const json::Document& document, const OwnRules* own = nullptr);
 
   bool empty() const { return entries_.empty(); }
   /// Whether a finding at `path` is suppressed, counted for `phase` (below kMostPhases).
@@ -59,6 +59,7 @@ class Suppressions {
   void report_entry(const Entry& entry, const ValidateOptions& options, Sink& sink) const;
 
   const json::Document* document_ = nullptr;
+  const OwnRules* own_ = nullptr;
   std::vector<Entry> entries_;
   std::unordered_map<Code, Places> by_code_;  ///< code -> host -> entry
 };

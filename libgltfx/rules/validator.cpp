@@ -12,6 +12,7 @@
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
 #include "rules/extensions/interactivity_draft.hpp"
+#include "rules/own/own_rules.hpp"
 #include "rules/payload/phases.hpp"
 #include "rules/phases.hpp"
 #include "rules/rules_of_types.hpp"
@@ -163,9 +164,17 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
     DataUris data_uris(context.uri_reading());
     context.data_uris = &data_uris;
     Suppressions suppressions;
-    if (options.inline_suppressions && additions) suppressions = Suppressions(document);
+    if (options.inline_suppressions && additions) {
+      suppressions = Suppressions(document, options.own_rules.get());
+    }
     if (!suppressions.empty()) collector.suppress(&suppressions);
+    BrokenPlaces broken;
+    if (options.own_rules && additions) collector.note_broken(&broken);
     if (check_identity(context, collector) && check_document(context, own, collector, report)) {
+      if (options.own_rules && additions) {
+        broken.finish();
+        check_own_rules(context, broken, report.path, collector.sink(Phase::own_rules));
+      }
       suppressions.report(options, links);
       if (!hides) opened.keep_views(std::move(context.views));
     }

@@ -9,6 +9,7 @@
 /// look-around, back references, `\b`.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -30,6 +31,8 @@ class Pattern {
   bool matches(std::string_view text) const;
 
   const std::string& text() const { return text_; }
+  /// Number of instructions.
+  std::size_t size() const { return program_.size(); }
 
   enum class Op : std::uint8_t { character, any, set, split, jump, begin, end, match };
   /// Jumps are relative, so that a fragment can be repeated by copying it.

@@ -55,15 +55,27 @@ void add_json_errors(const SourceFile& file, const json::Parsed& parsed,
   const json::LineIndex lines(file.text);
   for (const json::ParseError& error : parsed.errors) {
     const Location at = lines.locate(error.span);
-    std::string message(error_text(error.error));
-    if (!error.detail.empty()) message += ": " + error.detail;
-    errors.push_back({file.name, at.line, at.column, "", std::move(message)});
+    errors.push_back({file.name, at.line, at.column, "", json_mistake(error)});
   }
 }
 
 std::string too_long(std::size_t size) {
   return "the file has " + std::to_string(size) + " bytes; a schema file has at most " +
          std::to_string(kLongestFile);
+}
+
+constexpr std::string_view kCore = "gltfx:core/";
+
+// A file in place of one of core would switch off what that one checks.
+void add_core_error(const SourceFile& file, const Source& source,
+                    std::vector<SchemaError>& errors) {
+  const json::NodeId id = source.document.find(source.document.root(), "$id");
+  const Location at = json::LineIndex(file.text).locate(source.document.span(id));
+  errors.push_back({file.name, at.line, at.column, source.document.pointer_of(id),
+                    quoted(source.id) +
+                        " cannot be replaced: its checks would no longer run; write a rule of your "
+                        "own, which adds to them: 'gltfx rules --new ACME_MESH_NAME --on mesh' "
+                        "makes one"});
 }
 
 std::vector<Keyword> keywords_of(const json::Document& document) {
@@ -79,6 +91,12 @@ std::string id_of(const json::Document& document) {
 }
 
 }  // namespace
+
+std::string json_mistake(const json::ParseError& error) {
+  std::string message(error_text(error.error));
+  if (!error.detail.empty()) message += ": " + error.detail;
+  return message;
+}
 
 std::string_view Source::short_name() const {
   const std::size_t slash = id.find('/');
@@ -123,6 +141,10 @@ std::vector<Source> load_sources(const std::vector<SourceFile>& files,
     if (parsed.document.empty()) continue;
     Source source{file.name, file.from_user, std::move(parsed.document), {}, {}};
     source.id = id_of(source.document);
+    if (file.from_user && source.id.starts_with(kCore)) {
+      add_core_error(file, source, errors);
+      continue;
+    }
     source.keywords = keywords_of(source.document);
     const auto [place, is_new] = by_id.emplace(source.id, sources.size());
     if (is_new || source.id.empty() || !source.from_user) {

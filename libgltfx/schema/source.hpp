@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "json/document.hpp"
+#include "json/parse.hpp"
 #include "schema/compile.hpp"
 #include "schema/vocabulary.hpp"
 
@@ -76,6 +77,9 @@ class ErrorList {
 /// be parsed are reported in `errors`.
 std::vector<Source> load_sources(const std::vector<SourceFile>& files,
                                  std::vector<SchemaError>& errors);
+
+/// The mistake in a JSON text, such as "a comma is missing".
+std::string json_mistake(const json::ParseError& error);
 
 /// " Did you mean 'x'?" or nothing.
 std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);

@@ -31,7 +31,10 @@ void check_values(const std::vector<tool::ConfigValue>& values, bool by_path) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(reinterpret_cast<const char*>(data), size);
-  if (const auto config = tool::parse_config(text, "gltfx.toml")) {
+  // Pages are text of their own: none is read.
+  const auto resolve = [](const std::string&) { return std::string("/dev/null/none"); };
+  const auto pages = std::make_shared<tool::OwnPages>();
+  if (const auto config = tool::parse_config(text, "gltfx.toml", resolve, pages)) {
     check_values(config->values, false);
     for (const tool::ConfigOverride& part : config->overrides) {
       require(!part.paths.empty());
@@ -45,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(!config.error().message.empty());
   }
   if (const auto imported = tool::khronos_config_as_toml(text, "config.yaml")) {
-    require(static_cast<bool>(tool::parse_config(imported->toml, "gltfx.toml")));
+    require(static_cast<bool>(tool::parse_config(imported->toml, "gltfx.toml", resolve, pages)));
   } else {
     require(!imported.error().message.empty());
   }

@@ -34,7 +34,7 @@ const std::vector<Verb>& verbs() {
   static const std::vector<Verb> kVerbs{
       {"validate",
        words("PATH --format --min-severity --group-by --statistics --fail-on --profile --select "
-             "--ignore --severity "
+             "--ignore --severity --rules "
              "--inline-suppressions --diff-base --config --isolated --unsandboxed-decoders "
              "--max-issues --pixels --preset --budget --product --max-texture-size "
              "--max-total-pixels --max-triangles "
@@ -81,7 +81,7 @@ const std::vector<Verb>& verbs() {
        words("PATH --output --title --previous --no-thumbnails --thumbnail-size --quality "
              "--quality --fail-on "
              "--profile "
-             "--select --ignore --severity --inline-suppressions --config --isolated "
+             "--select --ignore --severity --rules --inline-suppressions --config --isolated "
              "--unsandboxed-decoders --max-issues --pixels --preset --budget --product "
              "--max-texture-size "
              "--max-total-pixels --max-triangles --max-draw-calls --max-file-size --quiet "
@@ -94,9 +94,9 @@ const std::vector<Verb>& verbs() {
                         "--isolated --jobs --color")},
       {"merge",
        words("REPORT --output --format --min-severity --group-by --statistics --sarif-notes "
-             "--fail-on --quiet --color")},
-      {"explain", words("CODE --color")},
-      {"rules", words("--format --color")},
+             "--fail-on --rules --config --isolated --quiet --color")},
+      {"explain", words("CODE --rules --config --isolated --color")},
+      {"rules", words("--format --rules --test --new --on --config --isolated --color")},
       {"targets", words("NAME[@VERSION] --format --target --target-file --color")},
       {"schema", words("NAME --format --status --new --check --test --schema --schema-dir --config "
                        "--isolated --color")},

@@ -36,6 +36,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/report.hpp", "report"},
     {"gltfx/targets.hpp", "target"},
     {"gltfx/validate.hpp", "rules"},
+    {"gltfx/own_rules.hpp", "rules"},
     {"gltfx/upgrade.hpp", "steps"},
     {"gltfx/convert.hpp", "steps"},
     {"gltfx/edited_file.hpp", "change"},

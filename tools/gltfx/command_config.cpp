@@ -76,7 +76,7 @@ ExitCode import(const std::string& file) {
 
 ExitCode run(const ConfigRequest& request) {
   if (!request.import_file.empty()) return import(request.import_file);
-  const auto configuration = Configuration::load(request.choice);
+  const auto configuration = Configuration::load(request.choice, std::make_shared<OwnPages>());
   if (!configuration) {
     complain(configuration.error().message);
     return ExitCode::usage;

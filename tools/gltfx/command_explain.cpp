@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
 
+#include <memory>
 #include <string>
 
 #include <fmt/format.h>
@@ -21,12 +22,14 @@ std::string example_text(std::string_view example) {
 }
 
 // The output of `gltfx validate` for an example.
-std::string verdict_on(const RuleDescription& rule, bool color) {
+std::string verdict_on(const RuleDescription& rule, const std::shared_ptr<const OwnRules>& own,
+                       bool color) {
   FormatOptions format;
   format.color = color;
   format.quiet = true;
   format.command = "gltfx";
-  const FileReport report = validate_example(rule, Example::bad);
+  format.rules = rules(own.get());
+  const FileReport report = validate_example(rule, Example::bad, own);
   const auto writer = make_report_writer(ReportFormat::text, format);
   std::string text;
   writer->begin(text);
@@ -51,7 +54,8 @@ std::string way_to_fix(const RuleDescription& rule) {
   return fmt::format("'gltfx fix --unsafe --only {}' does it, with a loss", rule.code);
 }
 
-std::string explanation(const RuleDescription& rule, bool color) {
+std::string explanation(const RuleDescription& rule, const std::shared_ptr<const OwnRules>& own,
+                        bool color) {
   const Style style(color);
   std::string text;
   const auto heading = [&](std::string_view title) {
@@ -66,7 +70,7 @@ std::string explanation(const RuleDescription& rule, bool color) {
   heading("Bad");
   text += example_text(rule.bad);
   heading("Reported as");
-  text += indented(verdict_on(rule, color), kIndent + 2);
+  text += indented(verdict_on(rule, own, color), kIndent + 2);
   heading("Good");
   text += rule.good == rule.bad ? "    the same asset with a limit that it keeps\n"
                                 : example_text(rule.good);
@@ -77,6 +81,10 @@ std::string explanation(const RuleDescription& rule, bool color) {
     text += example_text(rule.fixed);
   }
   heading("See also");
+  if (rule.own) {
+    if (!rule.link.empty()) text += fmt::format("    {}\n", printable(rule.link));
+    return text + "    an own rule, which no program fixes\n";
+  }
   if (!rule.section.empty()) text += fmt::format("    {}: {}\n", rule.section, rule.link);
   text += fmt::format("    fix: {}\n", way_to_fix(rule));
   if (!rule.picture) text += "    gltfx bake draws no asset with this error\n";
@@ -92,15 +100,15 @@ ExitCode run(const ExplainRequest& request) {
   ExitCode code = ExitCode::ok;
   std::string text;
   for (const std::string& name : request.codes) {
-    const RuleDescription* rule = rule_from_user(name);
+    const RuleDescription* rule = rule_from_user(name, request.own_rules.get());
     if (rule == nullptr) {
       complain(fmt::format("explain: there is no rule {}.{} 'gltfx rules' lists them all.",
-                           gltfx::quoted(name), suggest_code(name)));
+                           gltfx::quoted(name), suggest_code(name, request.own_rules.get())));
       code = ExitCode::usage;
       continue;
     }
     if (!text.empty()) text += '\n';
-    text += explanation(*rule, color);
+    text += explanation(*rule, request.own_rules, color);
   }
   return worse(code, print(text));
 }

@@ -35,7 +35,7 @@ PageOptions page_options(const PageRequest& request) {
   if (options.title.empty()) options.title = "Assets";
   options.profile = profile_name(validate.validation.profile);
   options.pixel_level = pixel_level_name(pixel_level(validate.validation));
-  options.rules = rules();
+  options.rules = rules(validate.own_rules.get());
   options.shard = validate.paths.shard;
   options.fail_on = validate.fail_on;
   return options;

@@ -40,6 +40,7 @@ enum class ConfigForm : std::uint8_t {
   patterns,  ///< ["old/", "*.draft.gltf"]
   files,     ///< ["ACME_leaf.schema.json"]: those of a list of paths that are not folders
   folders,   ///< ["schemas"]: those of the same list that are folders
+  paths,     ///< ["house"]: files and folders
   levels,    ///< a table: UNUSED_OBJECT = "info"
   limits,    ///< tables of limits: ConfigPart::limits has them
 };

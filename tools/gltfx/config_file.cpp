@@ -92,6 +92,7 @@ ConfigObstacle find_obstacle(std::string_view text) {
 constexpr std::string_view kOverrides = "overrides";
 constexpr std::string_view kPaths = "paths";
 constexpr std::string_view kExtends = "extends";
+constexpr std::string_view kRules = "rules";
 constexpr std::size_t kMostMistakes = 100;
 
 std::string_view form_words(ConfigForm form) {
@@ -104,6 +105,7 @@ std::string_view form_words(ConfigForm form) {
     case ConfigForm::names:
     case ConfigForm::patterns:
     case ConfigForm::files:
+    case ConfigForm::paths:
       return "a list of strings";
     case ConfigForm::levels:
       return "a table of CODE = \"level\"";
@@ -114,17 +116,21 @@ std::string_view form_words(ConfigForm form) {
 
 class Reader {
  public:
-  explicit Reader(const std::string& name)
+  Reader(const std::string& name, const ResolvePath& resolve, std::shared_ptr<OwnPages> pages)
       : name_(name),
         limits_([this](std::uint32_t line) { return fmt::format("{}:{}", name_, line); },
                 [this](std::uint32_t line, const std::string& text) {
                   complain(line, text);
                   return !is_full();
-                }) {
+                }),
+        resolve_(resolve),
+        pages_(std::move(pages)) {
     declare_checks(checks_, scratch_);
+    checks_.own_pages = pages_;
   }
 
   void read(const toml::table& root) {
+    if (!read_pages(root)) return;
     for (const auto& [key, node] : root) {
       if (key.str() == kOverrides) {
         read_overrides(node);
@@ -163,6 +169,30 @@ class Reader {
   static void by_line(Values& values) {
     std::stable_sort(values.begin(), values.end(),
                      [](const auto& a, const auto& b) { return a.line < b.line; });
+  }
+
+  // Before anything that names codes: the pages of the file and of its overrides. False if they
+  // have mistakes.
+  bool read_pages(const toml::table& root) {
+    std::vector<std::string> paths;
+    std::uint32_t line = 0;
+    const auto add = [&](const toml::table& table) {
+      const toml::array* list = table[kRules].as_array();
+      if (list == nullptr) return;
+      if (line == 0) line = line_of(*list);
+      for (const toml::node& item : *list) {
+        if (item.is_string()) paths.push_back(resolve_(**item.as_string()));
+      }
+    };
+    add(root);
+    if (const toml::array* overrides = root[kOverrides].as_array()) {
+      for (const toml::node& item : *overrides) {
+        if (item.is_table()) add(*item.as_table());
+      }
+    }
+    const auto mistake = pages_->read(paths);
+    if (mistake) complain(line, fmt::format("{}: {}", kRules, mistake->message));
+    return !mistake;
   }
 
   void read_member(const toml::key& key, const toml::node& node, bool by_path, ConfigPart& part) {
@@ -212,7 +242,8 @@ class Reader {
     } else if (key.form == ConfigForm::levels) {
       fits = read_levels(key, node, values);
     } else if (key.form == ConfigForm::codes || key.form == ConfigForm::names ||
-               key.form == ConfigForm::patterns || key.form == ConfigForm::files) {
+               key.form == ConfigForm::patterns || key.form == ConfigForm::files ||
+               key.form == ConfigForm::paths) {
       fits = read_strings(key, node, values);
     } else {
       fits = node.is_string();
@@ -321,6 +352,8 @@ class Reader {
 
   const std::string& name_;
   LimitTables limits_;
+  const ResolvePath& resolve_;
+  std::shared_ptr<OwnPages> pages_;
   ConfigFile file_;
   std::multimap<std::uint32_t, std::string> mistakes_;
   std::set<bool> unknown_keys_;  ///< where they occur: outside of overrides, in them
@@ -332,8 +365,10 @@ class Reader {
 
 }  // namespace
 
-Result<ConfigFile> parse_config(std::string_view text, const std::string& name) {
-  Reader reader(name);
+Result<ConfigFile> parse_config(std::string_view text, const std::string& name,
+                                const ResolvePath& resolve,
+                                const std::shared_ptr<OwnPages>& pages) {
+  Reader reader(name, resolve, pages);
   if (const ConfigObstacle obstacle = find_obstacle(text); obstacle.line > 0) {
     reader.complain(obstacle.line, obstacle.problem);
     return reader.finish();

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "base/result.hpp"
 #include "command_table.hpp"
 #include "measure/limit.hpp"
+#include "own_pages.hpp"
 
 namespace gltfx::tool {
 
@@ -43,8 +46,12 @@ struct ConfigFile : ConfigPart {
   std::vector<ConfigOverride> overrides;
 };
 
+/// A path that a configuration names, from the working folder.
+using ResolvePath = std::function<std::string(const std::string& path)>;
+
 /// Reads the text of a configuration. Every value is valid on the command line. The Error has a
-/// line for each mistake: "NAME:3: mistake".
-Result<ConfigFile> parse_config(std::string_view text, const std::string& name);
+/// line for each mistake: "NAME:3: mistake". The pages that it names are added to `pages`.
+Result<ConfigFile> parse_config(std::string_view text, const std::string& name,
+                                const ResolvePath& resolve, const std::shared_ptr<OwnPages>& pages);
 
 }  // namespace gltfx::tool

@@ -132,7 +132,7 @@ class Reader {
   }
 
   std::optional<std::string> known(std::string_view word) {
-    const RuleDescription* rule = rule_from_user(unquoted(word));
+    const RuleDescription* rule = rule_from_user(unquoted(word), nullptr);
     if (rule != nullptr) return std::string(rule->code);
     constexpr std::size_t kMostNotes = 100;
     if (notes_.size() == kMostNotes)

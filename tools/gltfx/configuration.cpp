@@ -52,11 +52,11 @@ void put_first(Words& words, Words before) {
 }
 
 // A code that the command line selects is enabled even if a file ignores it.
-void drop_selected(Words& ignored, const Words& select) {
-  const auto asked = parse_codes("--select", select);
+void drop_selected(Words& ignored, const Words& select, const OwnRules* own) {
+  const auto asked = parse_codes("--select", select, own);
   if (!asked) return;
   std::erase_if(ignored, [&](const std::string& code) {
-    const RuleDescription* rule = rule_from_user(code);
+    const RuleDescription* rule = rule_from_user(code, own);
     return rule != nullptr && asked->count(rule->code) > 0;
   });
 }
@@ -66,7 +66,7 @@ void drop_selected(Words& ignored, const Words& select) {
 /// Reads a file and what it extends. Depth and number are bounded: a file may be named often.
 class Configuration::Loader {
  public:
-  explicit Loader(Configuration& to) : to_(to) {}
+  Loader(Configuration& to, const std::shared_ptr<OwnPages>& pages) : to_(to), pages_(pages) {}
 
   std::optional<Error> add(const fs::path& file, const std::string& shown) {
     std::error_code error;
@@ -81,7 +81,9 @@ class Configuration::Loader {
 
   std::optional<Error> add_text(std::string_view text, const fs::path& whole,
                                 const std::string& shown) {
-    auto content = parse_config(text, shown);
+    const std::string folder = whole.parent_path().native();
+    const auto resolve = [&](const std::string& path) { return path_from_folder(folder, path); };
+    auto content = parse_config(text, shown, resolve, pages_);
     if (!content) return content.error();
     open_.push_back(whole);
     for (const ConfigBase& base : content->extends) {
@@ -127,10 +129,12 @@ class Configuration::Loader {
   }
 
   Configuration& to_;
+  const std::shared_ptr<OwnPages>& pages_;
   std::vector<fs::path> open_;  // from the first file to the one that is read
 };
 
-Result<Configuration> Configuration::load(const ConfigChoice& choice) {
+Result<Configuration> Configuration::load(const ConfigChoice& choice,
+                                          const std::shared_ptr<OwnPages>& pages) {
   Configuration found;
   if (!choice.config.empty() && choice.isolated) {
     return Error{"--config and --isolated are mutually exclusive."};
@@ -143,7 +147,7 @@ Result<Configuration> Configuration::load(const ConfigChoice& choice) {
   const fs::path whole = fs::absolute(file, error).lexically_normal();
   const std::string shown =
       choice.config.empty() ? whole.lexically_proximate(here).native() : choice.config;
-  if (auto problem = Loader(found).add(file, shown)) return *std::move(problem);
+  if (auto problem = Loader(found, pages).add(file, shown)) return *std::move(problem);
   return found;
 }
 
@@ -221,7 +225,8 @@ Words Configuration::words_of(const ConfigKey& key,
   Words words;
   const bool files = key.form == ConfigForm::files, folders = key.form == ConfigForm::folders;
   const bool patterns = key.form == ConfigForm::patterns;
-  const bool paths = key.form == ConfigForm::path || files || folders || patterns;
+  const bool paths = key.form == ConfigForm::path || key.form == ConfigForm::paths || files ||
+                     folders || patterns;
   for (const Holding& one : holding(key, overrides)) {
     const std::string& word = one.value->word;
     const bool plain = !paths || (patterns && holds_anywhere(word));
@@ -240,14 +245,14 @@ void Configuration::fill(Options& options, const std::vector<std::size_t>& overr
     if (row.key.name.empty()) continue;
     Words said = words_of(row.key, overrides);
     if (row.key.name == "ignore" && options.given("--select")) {
-      drop_selected(said, options.words("--select"));
+      drop_selected(said, options.words("--select"), options.own_rules().get());
     }
     if (row.key.adds_up || row.words.empty()) put_first(row.words, std::move(said));
   }
 }
 
 PathOptions::PathOptions(const Options& options, Configuration configuration)
-    : configuration_(std::move(configuration)) {
+    : own_pages_(options.own_pages), configuration_(std::move(configuration)) {
   for (const Option& row : options.rows()) {
     if (row.given) given_.emplace(row.name, row.words);
   }
@@ -258,6 +263,7 @@ void PathOptions::apply(const std::vector<std::size_t>& kind, ValidateOptions& o
   request.validation = std::move(options);
   Options rows;
   declare_checks(rows, request);
+  rows.own_pages = own_pages_;
   for (Option& row : rows.rows()) {
     const auto words = given_.find(row.name);
     row.given = words != given_.end();
@@ -274,7 +280,12 @@ ConfigChoice config_choice(const Options& options) {
 
 std::optional<Error> configure(Options& options) {
   if (!options.has_keys()) return {};
-  auto configuration = Configuration::load(config_choice(options));
+  const auto pages = std::make_shared<OwnPages>();
+  if (auto mistake = pages->read(options.words("--rules"))) {
+    return Error{"--rules: " + mistake->message};
+  }
+  options.own_pages = pages;
+  auto configuration = Configuration::load(config_choice(options), pages);
   if (!configuration) return configuration.error();
   if (configuration->has_overrides()) {
     options.by_path = std::make_shared<const PathOptions>(options, *configuration);

@@ -38,8 +38,10 @@ struct Holding {
 class Configuration {
  public:
   /// The named configuration, else the nearest, with what it extends; an empty one when there is
-  /// none. The Error describes the mistakes in a file.
-  static Result<Configuration> load(const ConfigChoice& choice);
+  /// none. The Error describes the mistakes in a file. The pages of rules that they name are added
+  /// to `pages`.
+  static Result<Configuration> load(const ConfigChoice& choice,
+                                    const std::shared_ptr<OwnPages>& pages);
 
   /// The path from the working folder; empty: there is none.
   std::string file() const { return sources_.empty() ? std::string() : sources_.back().shown; }
@@ -93,6 +95,7 @@ class PathOptions {
 
  private:
   std::map<std::string, Words, std::less<>> given_;  ///< by name of the option
+  std::shared_ptr<const OwnPages> own_pages_;
   Configuration configuration_;
 };
 

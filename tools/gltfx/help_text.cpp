@@ -128,6 +128,8 @@ constexpr std::string_view kExplainExamples = R"(Examples:
 constexpr std::string_view kRulesExamples = R"(Examples:
   gltfx rules
   gltfx rules --format json | jq -r '.rules[].code'
+  gltfx rules --new ACME_MESH_NAME --on mesh
+  gltfx rules --test house/
 )";
 
 constexpr std::string_view kTargetsExamples = R"(Examples:

@@ -145,25 +145,26 @@ PageFile* first_page(std::vector<PageFile>& files) {
   return first;
 }
 
-PageOptions page_options_of(const report::PageHead& head) {
+PageOptions page_options_of(const report::PageHead& head, const OwnRules* own) {
   PageOptions options;
   options.title = head.title;
   options.profile = head.profile;
   options.pixel_level = head.pixel_level;
-  options.rules = rules();
+  options.rules = rules(own);
   return options;
 }
 
 // Returns the problem with a part, or nothing; sums the counts of the parts.
-Trouble write_page(std::vector<PageFile>& files, Output& output, RunSummary& sum) {
+Trouble write_page(std::vector<PageFile>& files, const OwnRules* own, Output& output,
+                   RunSummary& sum) {
   std::string text;
-  PageWriter(page_options_of(files.front().head())).begin(text);
+  PageWriter(page_options_of(files.front().head(), own)).begin(text);
   std::set<std::string_view> codes;
   std::set<std::string> targets;
   std::string_view between = "\n";
   for (PageFile* file = first_page(files); file != nullptr; file = first_page(files)) {
     for (const std::string& code : file->next()->codes) {
-      if (const RuleDescription* rule = find_rule(code)) codes.insert(rule->code);
+      if (const RuleDescription* rule = find_rule(code, own)) codes.insert(rule->code);
     }
     text.append(between).append(file->next()->json);
     between = ",\n";
@@ -176,7 +177,7 @@ Trouble write_page(std::vector<PageFile>& files, Output& output, RunSummary& sum
     add_counts(sum, file.end().summary);
     targets.insert(file.end().targets.begin(), file.end().targets.end());
   }
-  output.write(text + report::page_tail(codes, targets, rules(), sum));
+  output.write(text + report::page_tail(codes, targets, rules(own), sum));
   output.finish();
   return std::nullopt;
 }
@@ -188,7 +189,8 @@ ExitCode merge_pages(const MergeRequest& request) {
   Trouble trouble = files ? check_pages(*files) : Trouble(files.error());
   RunSummary sum;
   Output output(request.page == "-" ? std::string() : request.page);
-  if (!trouble && output.problem().empty()) trouble = write_page(*files, output, sum);
+  if (!trouble && output.problem().empty())
+    trouble = write_page(*files, request.own_rules.get(), output, sum);
   if (trouble) {
     complain(trouble->message);
     return ExitCode::unreadable;

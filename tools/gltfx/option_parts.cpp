@@ -105,6 +105,32 @@ void add_schema_sources(Options& options, Words& files, Words& folders) {
               {.name = "schemas", .form = ConfigForm::folders, .place = 131, .adds_up = true});
 }
 
+void add_own_rules(Options& options, std::shared_ptr<const OwnRules>& rules) {
+  options.add("--rules", "PATH", "Add own rules: pages or folders of them (repeatable)",
+              parsed_list(
+                  rules,
+                  [&options](std::string_view, const Words& words) {
+                    return Result<std::shared_ptr<const OwnRules>>(
+                        options.own_pages ? options.own_pages->of(words) : nullptr);
+                  },
+                  values::pages),
+              {.name = "rules",
+               .form = ConfigForm::paths,
+               .place = 65,
+               .otherwise = "none",
+               .by_path = true,
+               .adds_up = true});
+}
+
+Binding codes(Options& options, std::set<std::string, std::less<>>& member) {
+  return parsed_list(
+      member,
+      [&options](std::string_view option, const Words& words) {
+        return parse_codes(option, words, options.own_rules().get());
+      },
+      values::code_list);
+}
+
 void add_targets(Options& options, std::vector<TargetChoice>& targets) {
   options.add("--target", "NAME[@VERSION]", "What an engine refuses or ignores (repeatable)",
               parsed_list(

@@ -2,7 +2,10 @@
 /// Rows of options that several verbs have.
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "option_rows.hpp"
@@ -33,6 +36,10 @@ void add_search(Options& options, NamedPaths& paths);
 void add_root(Options& options, std::string& root);
 void add_cache(Options& options, CacheChoice& cache, const char* text);
 void add_schema_sources(Options& options, Words& files, Words& folders);
+/// --rules of the verbs that know codes.
+void add_own_rules(Options& options, std::shared_ptr<const OwnRules>& rules);
+/// Words that are codes, also of the run's own rules.
+Binding codes(Options& options, std::set<std::string, std::less<>>& member);
 /// Options of engines, and files about further ones.
 void add_targets(Options& options, std::vector<TargetChoice>& targets);
 void add_target_files(Options& options);

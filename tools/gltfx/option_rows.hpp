@@ -20,6 +20,7 @@
 #include "base/result.hpp"
 #include "command_table.hpp"
 #include "options.hpp"
+#include "own_pages.hpp"
 
 namespace gltfx::tool {
 
@@ -79,6 +80,12 @@ class Options {
   bool hook = false;                           ///< the verb runs on the assets of a commit
   std::vector<Limit>* limits = nullptr;        ///< those that options change; null: it has none
   std::shared_ptr<const PathOptions> by_path;  ///< null: all paths have the same options
+  std::shared_ptr<const OwnPages> own_pages;   ///< of the run; null: none was named
+
+  /// All rules of users; null: none.
+  std::shared_ptr<const OwnRules> own_rules() const {
+    return own_pages ? own_pages->all() : nullptr;
+  }
 
  private:
   const Option* find(std::string_view name) const;

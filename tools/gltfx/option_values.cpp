@@ -127,6 +127,8 @@ Values folder() { return {.folders = true}; }
 
 Values assets() { return {.files = true, .folders = true, .endings = {"gltf", "glb", "vrm"}}; }
 
+Values pages() { return {.files = true, .folders = true, .endings = {"md"}}; }
+
 Values pictures() { return files({"png", "webp", "jpeg", "jpg", "exr"}); }
 
 Values pictures_or_folder() {

@@ -35,6 +35,8 @@ Values json_file();
 Values folder();
 /// Files and folders of assets.
 Values assets();
+/// Files and folders of pages of rules.
+Values pages();
 /// Files of pictures.
 Values pictures();
 Values pictures_or_folder();

@@ -47,9 +47,9 @@ Result<std::vector<std::string_view>> code_parts(std::string_view option,
   return all;
 }
 
-Error unknown_code(std::string_view option, std::string_view code) {
-  return Error{
-      fmt::format("{}: there is no rule {}.{}", option, gltfx::quoted(code), suggest_code(code))};
+Error unknown_code(std::string_view option, std::string_view code, const OwnRules* own) {
+  return Error{fmt::format("{}: there is no rule {}.{}", option, gltfx::quoted(code),
+                           suggest_code(code, own))};
 }
 
 Result<FormatTarget> parse_target(std::string_view option, std::string_view text) {
@@ -148,27 +148,28 @@ Result<std::vector<FormatTarget>> parse_targets(std::string_view option,
 }
 
 Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
-                                                       const std::vector<std::string>& texts) {
+                                                       const std::vector<std::string>& texts,
+                                                       const OwnRules* own) {
   const auto parts = code_parts(option, texts);
   if (!parts) return parts.error();
   std::set<std::string, std::less<>> codes;
   for (const std::string_view code : *parts) {
-    const RuleDescription* rule = rule_from_user(code);
-    if (rule == nullptr) return unknown_code(option, code);
+    const RuleDescription* rule = rule_from_user(code, own);
+    if (rule == nullptr) return unknown_code(option, code, own);
     codes.emplace(rule->code);
   }
   return codes;
 }
 
 Result<std::map<std::string, Severity, std::less<>>> parse_severities(
-    std::string_view option, const std::vector<std::string>& texts) {
+    std::string_view option, const std::vector<std::string>& texts, const OwnRules* own) {
   const auto parts = code_parts(option, texts);
   if (!parts) return parts.error();
   std::map<std::string, Severity, std::less<>> severities;
   for (const std::string_view part : *parts) {
     const std::size_t equals = std::min(part.find('='), part.size());
-    const RuleDescription* rule = rule_from_user(part.substr(0, equals));
-    if (rule == nullptr) return unknown_code(option, part.substr(0, equals));
+    const RuleDescription* rule = rule_from_user(part.substr(0, equals), own);
+    if (rule == nullptr) return unknown_code(option, part.substr(0, equals), own);
     const auto level = severity_from_name(part.substr(std::min(equals + 1, part.size())));
     if (!level) {
       return Error{fmt::format("{}: {} should read {}=error, =warning, =info or =hint.", option,
@@ -179,11 +180,13 @@ Result<std::map<std::string, Severity, std::less<>>> parse_severities(
   return severities;
 }
 
-const RuleDescription* rule_from_user(std::string_view code) { return find_rule(upper_case(code)); }
+const RuleDescription* rule_from_user(std::string_view code, const OwnRules* own) {
+  return find_rule(upper_case(code), own);
+}
 
-std::string suggest_code(std::string_view code) {
+std::string suggest_code(std::string_view code, const OwnRules* own) {
   std::vector<std::string_view> codes;
-  for (const RuleDescription& rule : rules()) codes.push_back(rule.code);
+  for (const RuleDescription& rule : rules(own)) codes.push_back(rule.code);
   return suggestion(upper_case(code), codes);
 }
 

@@ -73,6 +73,8 @@ struct CacheChoice {
 /// Output and verdict of reports.
 struct ReportRequest {
   CommonOptions common;
+  /// Rules of users that reports may name; null: none.
+  std::shared_ptr<const OwnRules> own_rules;
   /// At least one, at most one of them to standard output.
   std::vector<FormatTarget> targets{FormatTarget{}};
   std::optional<Severity> fail_on = Severity::error;  ///< nothing: never
@@ -181,12 +183,16 @@ struct HookRequest {
 
 struct ExplainRequest {
   CommonOptions common;
+  std::shared_ptr<const OwnRules> own_rules;  ///< null: none
   std::vector<std::string> codes;
 };
 
 struct RulesRequest {
   CommonOptions common;
+  std::shared_ptr<const OwnRules> own_rules;  ///< null: none
   TableFormat format = TableFormat::text;
+  std::vector<std::string> tests;  ///< pages whose examples are validated, and folders of them
+  std::string new_page, new_on;    ///< not empty: the page to write, and what it is about
 };
 
 /// How a matrix of engines is printed.
@@ -254,14 +260,15 @@ Result<std::vector<FormatTarget>> parse_targets(std::string_view option,
                                                 const std::vector<std::string>& texts);
 /// Comma lists of rule codes, in any case; an unknown code is an Error with the nearest one.
 Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
-                                                       const std::vector<std::string>& texts);
+                                                       const std::vector<std::string>& texts,
+                                                       const OwnRules* own);
 /// CODE=level, comma lists allowed.
 Result<std::map<std::string, Severity, std::less<>>> parse_severities(
-    std::string_view option, const std::vector<std::string>& texts);
+    std::string_view option, const std::vector<std::string>& texts, const OwnRules* own);
 
-/// The rule with that code in any case, or null.
-const RuleDescription* rule_from_user(std::string_view code);
+/// The rule with that code in any case, or null. `own` may be null.
+const RuleDescription* rule_from_user(std::string_view code, const OwnRules* own);
 /// " Did you mean 'X'?" for the code nearest to `code`, or empty.
-std::string suggest_code(std::string_view code);
+std::string suggest_code(std::string_view code, const OwnRules* own);
 
 }  // namespace gltfx::tool

@@ -62,9 +62,9 @@ void check_edit(Reading& reading, std::string_view verb) {
 }
 
 // A lossy fix needs its name and --unsafe.
-std::string find_unasked(const FixOptions& options) {
+std::string find_unasked(const FixOptions& options, const OwnRules* own) {
   for (const std::string& code : options.only) {
-    const Fix kind = find_rule(code)->fix;
+    const Fix kind = find_rule(code, own)->fix;
     if (kind == Fix::unsafe && !options.unsafe) {
       return fmt::format("--only: the fix of {} is unsafe; add --unsafe.", code);
     }
@@ -140,9 +140,9 @@ void read_upgrade(Reading& reading, UpgradeRequest&) {
 void declare_fix(Options& options, FixRequest& request) {
   declare_destination(options, request, request.fix);
   options.add("--only", "CODES", "Fix only these codes (comma-separated, repeatable)",
-              parsed_list(request.fix.only, parse_codes, values::code_list));
+              codes(options, request.fix.only));
   options.add("--skip", "CODES", "Leave these codes alone (comma-separated, repeatable)",
-              parsed_list(request.fix.skip, parse_codes, values::code_list));
+              codes(options, request.fix.skip));
   options.add("--unsafe", "", "With --only: allow fixes that lose something",
               flag(request.fix.unsafe));
   add_selection(options, request.validation);
@@ -157,7 +157,7 @@ void declare_fix(Options& options, FixRequest& request) {
 void read_fix(Reading& reading, FixRequest& request) {
   check_edit(reading, "fix");
   reading.read();
-  const std::string unasked = find_unasked(request.fix);
+  const std::string unasked = find_unasked(request.fix, reading.options().own_rules().get());
   reading.require(unasked.empty(), unasked);
   request.fix.validation = [common = request.validation,
                             by_path = reading.options().by_path](const std::string& path) {

@@ -36,21 +36,42 @@ void read_inspect(Reading& reading, InspectRequest&) {
 void declare_explain(Options& options, ExplainRequest& request) {
   options.positional("CODE", "Codes of rules, in any case",
                      list(request.codes, values::code_choice));
+  add_own_rules(options, request.own_rules);
+  add_configuration(options);
   add_color(options, request.common);
 }
 
-void read_explain(Reading& reading, ExplainRequest&) {
+void read_explain(Reading& reading, ExplainRequest& request) {
   reading.require(!reading.options().arguments().words.empty(),
                   "explain: name a code; 'gltfx rules' lists them all.");
   reading.read();
+  request.own_rules = reading.options().own_rules();
 }
 
 void declare_rules(Options& options, RulesRequest& request) {
   add_table_format(options, request.format);
+  add_own_rules(options, request.own_rules);
+  options.add("--test", "PATH", "Validate the examples of own rules (repeatable)",
+              list(request.tests, values::pages));
+  options.add("--new", "CODE", "Write a page of a rule to start with: CODE.md",
+              text(request.new_page));
+  options.add("--on", "KIND", "Kind of object of the new rule (default: node)",
+              text(request.new_on, [] {
+                const auto scopes = own_rule_scopes();
+                return values::choice({scopes.begin(), scopes.end()});
+              }));
+  add_configuration(options);
   add_color(options, request.common);
 }
 
-void read_rules(Reading& reading, RulesRequest&) { reading.read(); }
+void read_rules(Reading& reading, RulesRequest& request) {
+  const Options& options = reading.options();
+  reading.require(!options.given("--test") || !options.given("--new"),
+                  "--test and --new exclude each other.");
+  reading.require(!options.given("--on") || options.given("--new"), "--on goes with --new.");
+  reading.read();
+  request.own_rules = options.own_rules();
+}
 
 void declare_targets(Options& options, TargetsRequest& request) {
   options.positional("NAME[@VERSION]", "Engines and versions (default: the newest of each)",

@@ -127,14 +127,14 @@ void add_selection(Options& options, ValidateOptions& validation) {
                                           {"strict", Profile::strict}}),
               {.name = "profile", .place = 10, .otherwise = "default"});
   options.add("--select", "CODES", "Only these codes (comma-separated, repeatable)",
-              parsed_list(validation.select, parse_codes, values::code_list),
+              codes(options, validation.select),
               {.name = "select",
                .form = ConfigForm::codes,
                .place = 40,
                .otherwise = "all",
                .by_path = true});
   options.add("--ignore", "CODES", "Not these codes (comma-separated, repeatable)",
-              parsed_list(validation.ignore, parse_codes, values::code_list),
+              codes(options, validation.ignore),
               {.name = "ignore",
                .form = ConfigForm::codes,
                .place = 50,
@@ -142,7 +142,12 @@ void add_selection(Options& options, ValidateOptions& validation) {
                .by_path = true,
                .adds_up = true});
   options.add("--severity", "CODE=LEVEL", "Severity of a code (repeatable)",
-              parsed_list(validation.severity, parse_severities, values::code_levels),
+              parsed_list(
+                  validation.severity,
+                  [&options](std::string_view option, const Words& words) {
+                    return parse_severities(option, words, options.own_rules().get());
+                  },
+                  values::code_levels),
               {.name = "severity",
                .form = ConfigForm::levels,
                .place = 60,
@@ -181,6 +186,7 @@ void declare_checks(Options& options, ValidateRequest& request) {
   add_fail_on(options, request.fail_on, "Exit 1 at error (default), warning, info or never",
               fail_on_key());
   add_selection(options, request.validation);
+  add_own_rules(options, request.validation.own_rules);
   add_checks(options, request.validation);
   add_schema_sources(options, request.schema_files, request.schema_folders);
   add_inputs(options, request.paths);
@@ -225,6 +231,7 @@ void read_validate(Reading& reading, ValidateRequest& request) {
                     quoted(request.write_baseline, 200), report_format_name(target.format)));
   }
   request.by_path = options.by_path;
+  request.own_rules = options.own_rules();
   // All findings are then known: counts are enough.
   const bool unasked = !options.given("--group-by") && !options.given("--min-severity");
   if (!request.write_baseline.empty() && unasked) request.layout = TextLayout::statistics;
@@ -257,6 +264,7 @@ void read_report(Reading& reading, PageRequest& request) {
   reading.require(!request.output.empty(), "report: say where the page goes with --output.");
   if (request.output == "-") request.output.clear();
   request.validate.by_path = reading.options().by_path;
+  request.validate.own_rules = reading.options().own_rules();
 }
 
 void declare_merge(Options& options, MergeRequest& request) {
@@ -267,6 +275,8 @@ void declare_merge(Options& options, MergeRequest& request) {
   add_listing(options, request);
   add_sarif_notes(options, request);
   add_fail_on(options, request.fail_on, "Exit 1 at error, warning, info, never (else as run)");
+  add_own_rules(options, request.own_rules);
+  add_configuration(options);
   add_quiet(options, request.quiet, "Print findings only, no summary and no notes");
   add_color(options, request.common);
 }
@@ -284,6 +294,7 @@ void read_merge(Reading& reading, MergeRequest& request) {
   reading.require_companions();
   reading.read();
   request.as_loud_as_runs = !options.given("--fail-on");
+  request.own_rules = options.own_rules();
 }
 
 }  // namespace gltfx::tool

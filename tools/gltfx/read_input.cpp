@@ -77,20 +77,10 @@ using SetPointer = std::shared_ptr<const schema::Set>;
 constexpr std::string_view kEnding = ".schema.json";
 
 Result<std::vector<std::string>> schema_files_in(const std::string& folder) {
-  std::vector<std::string> files;
-  DirectoryReader directory(folder);
-  while (const char* entry = directory.next()) {
-    if (std::string_view(entry).ends_with(kEnding)) files.push_back(fs::path(folder) / entry);
-  }
-  if (directory.error()) {
-    return Error{"--schema-dir: cannot list " + quoted(folder, 200) + ": " +
-                 directory.error().message()};
-  }
-  if (files.empty()) {
-    return Error{"--schema-dir: " + quoted(folder, 200) + " holds no file named *.schema.json"};
-  }
-  std::sort(files.begin(), files.end());
-  return files;
+  auto files = files_in(folder, kEnding);
+  if (!files) return Error{"--schema-dir: " + files.error().message};
+  if (!files->empty()) return files;
+  return Error{"--schema-dir: " + quoted(folder, 200) + " holds no file named *.schema.json"};
 }
 
 std::string error_lines(const std::vector<schema::SchemaError>& errors) {
@@ -110,6 +100,19 @@ Result<std::string> read_text_file(const std::string& path, std::uint64_t most) 
   auto text = read_all(file.fd.get(), most);
   if (text) return text;
   return cannot_read(path, text.error().message);
+}
+
+Result<std::vector<std::string>> files_in(const std::string& folder, std::string_view ending) {
+  std::vector<std::string> files;
+  DirectoryReader directory(folder);
+  while (const char* entry = directory.next()) {
+    if (std::string_view(entry).ends_with(ending)) files.push_back(fs::path(folder) / entry);
+  }
+  if (directory.error()) {
+    return Error{"cannot list " + quoted(folder, 200) + ": " + directory.error().message()};
+  }
+  std::sort(files.begin(), files.end());
+  return files;
 }
 
 Result<LineReader> LineReader::open(const std::string& path) {

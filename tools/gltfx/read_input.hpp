@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,9 @@ Result<std::string> read_stdin(std::uint64_t most);
 /// All bytes of a regular file that the user named for gltfx itself. The Error names it: also when
 /// it is a pipe or a device, or has more than `most` bytes.
 Result<std::string> read_text_file(const std::string& path, std::uint64_t most);
+
+/// The files of a folder whose names have that ending, sorted.
+Result<std::vector<std::string>> files_in(const std::string& folder, std::string_view ending);
 
 /// A regular file, one line after the other.
 class LineReader {

@@ -29,7 +29,7 @@ FormatOptions format_options(const ReportRequest& request, const ReportTargets::
   options.profile = look.profile;
   options.pixel_level = look.pixel_level;
   options.shard = look.shard;
-  options.rules = rules();
+  options.rules = rules(request.own_rules.get());
   std::error_code error;
   options.folder = std::filesystem::current_path(error).native();
   options.repository = repository_of(options.folder).native();

@@ -69,6 +69,7 @@ std::string_view form_of(ConfigForm form) {
       return "list of names";
     case ConfigForm::patterns:
     case ConfigForm::files:
+    case ConfigForm::paths:
       return "list of paths";
     case ConfigForm::levels:
       return "table of CODE = \"LEVEL\"";

@@ -30,7 +30,8 @@ enum class Fix : std::uint8_t { none, safe, unsafe, upgrade };
 std::string_view fix_name(Fix fix);
 
 /// One rule: the single source of `explain`, `rules` and every format that links a finding to its
-/// explanation. All text has static storage duration.
+/// explanation. All text has static storage duration; that of a user's rule, except its code, lives
+/// as long as the OwnRules.
 struct RuleDescription {
   std::string_view code;     ///< SCREAMING_SNAKE, stable once released
   Severity severity;         ///< default severity
@@ -48,6 +49,7 @@ struct RuleDescription {
   bool pixels = false;        ///< needs decoded pixels: see PixelLevel
   bool picture = true;        ///< `gltfx bake` draws an asset with this error
   Severity khronos_severity = Severity::error;  ///< that validator's, where it has the code
+  bool own = false;                             ///< a page of the user (<gltfx/own_rules.hpp>)
 };
 
 /// A place in a JSON text. Lines and columns count from 1, columns in UTF-8 characters (code

@@ -16,8 +16,10 @@
 #include <gltfx/upgrade.hpp>
 #include <gltfx/validate.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -38,13 +40,24 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
 /// Validates an asset in memory, with its resources.
 FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options = {});
 
+/// What the examples of a user's rules show.
+struct OwnRuleTests {
+  std::size_t examples = 0;           ///< that were validated
+  std::vector<std::string> failures;  ///< bad ones that are not reported, good ones that are
+  std::vector<std::string> notes;     ///< errors of other rules in examples
+};
+
+/// Validates the bad and the good example of each page. `rules` may be null.
+OwnRuleTests test_own_rules(const std::shared_ptr<const OwnRules>& rules);
+
 /// The examples of a rule. Those of a limit on a measure are the same asset, with a limit that it
 /// breaks and one that it keeps.
 enum class Example : std::uint8_t { bad, good, fixed };
 
 /// The findings on an example of a rule, in the strict profile: the bad one raises the rule, the
-/// others nothing.
-FileReport validate_example(const RuleDescription& rule, Example which);
+/// others nothing. `own`: the pages of a user's rule.
+FileReport validate_example(const RuleDescription& rule, Example which,
+                            const std::shared_ptr<const OwnRules>& own = nullptr);
 
 /// Validates many files on `jobs` threads (at least 1) and hands over the reports in the order of
 /// `paths`, one at a time. Memory does not grow with the number of files.

@@ -5,6 +5,7 @@
 
 #include <gltfx/diagnostic.hpp>
 #include <gltfx/limit.hpp>
+#include <gltfx/own_rules.hpp>
 #include <gltfx/searched_folders.hpp>
 #include <gltfx/targets.hpp>
 
@@ -84,6 +85,8 @@ struct ValidateOptions {
   std::map<std::string, Severity, std::less<>> severity;  ///< instead of a rule's default
   /// Schemas; null: the built-in set. Shared with other threads, never changed.
   std::shared_ptr<const schema::Set> schemas;
+  /// Rules of the user, checked after those of gltfx, except in the khronos profile; null: none.
+  std::shared_ptr<const OwnRules> own_rules;
   /// Cache of reports of earlier runs (<gltfx/result_cache.hpp>); null: none.
   std::shared_ptr<ResultCache> cache;
 };

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "schema/compiler/page_reader.hpp"
+#include "schema/page_reader.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -110,10 +110,10 @@ MeasurePage read_measure_page(std::string stem, std::string_view text, std::stri
   if (page.on == 0 || page.by.empty()) reader.fail("expected 'on' and 'by'");
   if (!total_fits(page)) reader.fail("expected a total that fits the type");
   page.summary = reader.summary_below("# " + page.name());
-  page.definition = reader.paragraph_below("## Definition");
-  page.help = reader.paragraph_below("## How to meet a limit");
-  page.example = reader.block_below("## Example");
-  page.values = reader.block_below("## Values");
+  page.definition = reader.sentences_below("## Definition");
+  page.help = reader.sentences_below("## How to meet a limit");
+  page.example = reader.block_below("## Example").text;
+  page.values = reader.block_below("## Values").text;
   reader.expect_end();
   return page;
 }

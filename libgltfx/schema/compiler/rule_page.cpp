@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "schema/compiler/page_reader.hpp"
+#include "schema/page_reader.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -77,21 +77,13 @@ RulePage read_rule_page(std::string code, std::string_view text, std::string& mi
   PageReader reader(text, mistake);
   read_front_matter(page, reader);
   page.summary = reader.summary_below("# " + page.code);
-  const std::pair<const char*, std::string*> paragraphs[] = {{"## Why it matters", &page.why},
-                                                             {"## How to fix it", &page.help}};
-  for (const auto& [heading, paragraph] : paragraphs) {
-    *paragraph = reader.paragraph_below(heading);
-  }
+  page.why = reader.sentences_below("## Why it matters");
+  page.help = reader.sentences_below("## How to fix it");
   const bool fixes = page.fix == Fix::safe || page.fix == Fix::unsafe;
-  if (fixes) {
-    page.fix_does = reader.paragraph_below("## What the fix does");
-  }
-  const std::pair<const char*, std::string*> blocks[] = {
-      {"## Bad", &page.bad}, {"## Good", &page.good}, {"## Fixed", &page.fixed}};
-  for (const auto& [heading, block] : blocks) {
-    if (block == &page.fixed && !fixes) break;
-    *block = reader.block_below(heading);
-  }
+  if (fixes) page.fix_does = reader.sentences_below("## What the fix does");
+  page.bad = reader.block_below("## Bad").text;
+  page.good = reader.block_below("## Good").text;
+  if (fixes) page.fixed = reader.block_below("## Fixed").text;
   reader.expect_end();
   return page;
 }

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rules/own/own_members.hpp"
+
+#include <algorithm>
+
+#include "json/parse.hpp"
+
+namespace gltfx::validate {
+
+using model::RootArray;
+
+OwnMembers::OwnMembers(const Context& context, const std::string& name)
+    : context_(context), path_(name) {
+  std::string_view file = path_;
+  file.remove_prefix(std::min(file.find_last_of('/') + 1, file.size()));
+  const std::size_t dot = file.rfind('.');
+  stem_ = file.substr(0, dot == 0 ? file.size() : dot);
+}
+
+json::Document OwnMembers::document(const OwnScope& scope, const OwnSubject& subject) const {
+  std::string text;
+  json::Writer writer(text);
+  writer.begin_object();
+  writer.member("path", path_);
+  writer.member("stem", stem_);
+  if (subject.index) writer.member("index", std::uint64_t{*subject.index});
+  if (subject.mesh) writer.member("mesh", name_of(RootArray::meshes, *subject.mesh));
+  const bool element = scope.place == OwnScope::Place::element;
+  if (element && scope.array == RootArray::nodes) write_node(writer, *subject.index);
+  write_measures(writer, scope, subject);
+  writer.end_object();
+  return json::parse(text).document;
+}
+
+// The names of what the node belongs to: empty without a name, missing if there is none.
+void OwnMembers::write_node(json::Writer& writer, std::size_t node) const {
+  if (const auto mesh = context_.asset.index(context_.asset.elements(RootArray::nodes)[node],
+                                             "mesh", RootArray::meshes)) {
+    writer.member("mesh", name_of(RootArray::meshes, *mesh));
+  }
+  const auto index = static_cast<model::NodeIndex>(node);
+  if (node >= context_.graph.size()) return;
+  if (const auto parent = context_.graph.parent(index); parent != model::kNoNodeIndex) {
+    writer.member("parent", name_of(RootArray::nodes, parent));
+  }
+  if (const auto root = context_.graph.root(index); root != model::kNoNodeIndex) {
+    writer.member("root", name_of(RootArray::nodes, root));
+  }
+}
+
+// Measures of the object join here, under their names.
+void OwnMembers::write_measures(json::Writer&, const OwnScope&, const OwnSubject&) const {}
+
+std::string OwnMembers::name_of(RootArray array, std::size_t index) const {
+  const json::NodeId object = context_.asset.elements(array)[index];
+  return object == json::kNoNode ? std::string() : context_.asset.name(object);
+}
+
+}  // namespace gltfx::validate

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The member `gltfx` that a user's rule sees in each object: what the object's text does not say.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "json/document.hpp"
+#include "json/writer.hpp"
+#include "rules/context.hpp"
+#include "rules/own/own_page.hpp"
+
+namespace gltfx::validate {
+
+inline constexpr std::string_view kOwnMember = "gltfx";
+
+/// An object that a rule checks.
+struct OwnSubject {
+  json::NodeId object = json::kNoNode;
+  std::optional<std::size_t> index = {};  ///< in its array
+  std::optional<std::size_t> mesh = {};   ///< of a primitive
+};
+
+/// Makes the member of objects of one asset.
+class OwnMembers {
+ public:
+  /// `name`: the path of the asset, as the user gave it. The context outlives this.
+  OwnMembers(const Context& context, const std::string& name);
+
+  json::Document document(const OwnScope& scope, const OwnSubject& subject) const;
+
+ private:
+  void write_node(json::Writer& writer, std::size_t node) const;
+  void write_measures(json::Writer& writer, const OwnScope& scope, const OwnSubject& subject) const;
+  std::string name_of(model::RootArray array, std::size_t index) const;
+
+  const Context& context_;
+  std::string path_, stem_;
+};
+
+}  // namespace gltfx::validate
