@@ -104,7 +104,10 @@ void write_outcome(json::Writer& writer, const CheckedElements& elements) {
                          std::holds_alternative<double>(elements.shown->value);
   writer.key("value");
   write_checked_value(writer, one_value ? elements.shown->value : CheckedValue());
-  writer.member("count", elements.count);
+  const Verdict verdict = elements.failed > 0         ? Verdict::fail
+                          : elements.not_measured > 0 ? Verdict::not_measured
+                                                      : elements.limit->verdict;
+  writer.member("verdict", verdict_name(verdict));
   if (elements.failed > 0) writer.member("failed", elements.failed);
   if (elements.not_measured > 0) writer.member("notMeasured", elements.not_measured);
 }

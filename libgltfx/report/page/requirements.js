@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Requirements: limits and what was measured, of one asset and over all.
 
-const RESULTS = [["fail", "✗", "fail"], ["not-measured", "?", "not measured"], ["pass", "✓", "pass"]];
+const RESULTS = [["fail", "✗", "fail"], ["not-measured", "?", "not measured"], ["pass", "✓", "pass"],
+  ["not-applicable", "–", "not applicable"]];
 const ELEMENTS_AT_ONCE = 3;
 
-/** "fail", "not-measured" or "pass": of all elements of a limit. */
+/** The result on all elements of a limit. */
 function resultOf(checked) {
-  return checked.failed ? "fail" : checked.notMeasured ? "not-measured" : "pass";
+  return checked.verdict;
 }
 
 /** Colour of a result: a limit that does not hold has that of its finding. */
@@ -70,11 +71,10 @@ function limitKey(entry) {
   return [entry.on, entry.measure, entry.op, Array.isArray(entry.limit) ? entry.limit.join(",") : String(entry.limit)].join(" ");
 }
 
-/** "3 of 41 meshes do not"; empty for a single element. */
+/** "5 meshes": those that a limit does not hold for; empty for the asset itself. */
 function shareText(entry) {
-  if (entry.count < 2) return "";
-  const outside = entry.failed || entry.notMeasured || 0;
-  return outside > 0 ? grouped(outside) + " of " + grouped(entry.count) : "all " + grouped(entry.count);
+  const outside = (entry.failed || 0) + (entry.notMeasured || 0);
+  return outside === 0 || entry.on === "asset" ? "" : counted(outside, entry.on, entry.on + (entry.on === "mesh" ? "es" : "s"));
 }
 
 /** What an earlier run measured, and the result if it was another one. */
@@ -100,7 +100,7 @@ function elementsPart(entry) {
   const left = outside - all.length;
   if (left > 0) lines.push(make("li.soft", {}, grouped(left) + " more"));
   if (lines.length <= ELEMENTS_AT_ONCE) return make("ul.elements", {}, lines);
-  return make("details", {}, make("summary", {}, counted(outside, entry.on)), make("ul.elements", {}, lines));
+  return make("details", {}, make("summary", {}, "which"), make("ul.elements", {}, lines));
 }
 
 const RESULT_ORDER = RESULTS.map(([name]) => name);
@@ -128,7 +128,7 @@ function limitCounts() {
   for (const asset of report.assets) {
     for (const entry of asset.requirements || []) {
       const key = limitKey(entry);
-      const limit = counts.get(key) || { key, entry, "fail": 0, "not-measured": 0, "pass": 0, before: 0, compared: 0, from: new Set() };
+      const limit = counts.get(key) || { key, entry, "fail": 0, "not-measured": 0, "pass": 0, "not-applicable": 0, before: 0, compared: 0, from: new Set() };
       ++limit[resultOf(entry)];
       limit.from.add(entry.from);
       if (entry.before) ++limit.compared;
@@ -174,7 +174,7 @@ function matrixCell(entry) {
   if (!entry) return make("td.num.soft", {}, make("span", { "aria-hidden": "true" }, "·"), make("span.hidden", {}, "no limit"));
   const result = resultOf(entry);
   const [, sign, words] = RESULTS.find(([name]) => name === result);
-  const share = entry.count > 1 && result !== "pass" ? make("small", {}, shareText(entry)) : null;
+  const share = shareText(entry) ? make("small", {}, shareText(entry)) : null;
   const before = entry.before && valueText(entry.before.value, entry.unit) !== valueText(entry.value, entry.unit)
     ? make("small", {}, "was " + shortValue({ ...entry, ...entry.before })) : null;
   return make("td.num.on-" + toneOf(result, entry.severity), {}, make("span.result.is-" + toneOf(result, entry.severity), {},
