@@ -39,7 +39,7 @@ FileReport report_on(const std::string& asset, const ValidateOptions& options) {
   return validate_bytes(asset, "test", options);
 }
 
-Lines findings(const std::string& asset, const std::vector<std::string>& texts) {
+Lines limit_findings(const std::string& asset, const std::vector<std::string>& texts) {
   Lines lines;
   for (const std::string& line : verdict(asset, against(texts))) {
     if (line.starts_with("BUDGET_")) lines.push_back(line);
@@ -77,31 +77,34 @@ std::string two_meshes(const std::string& names = R"("A", "A")") {
 }
 
 TEST(Budget, NoneByDefault) {
-  EXPECT_THAT(findings(two_images(), {}), IsEmpty());
+  EXPECT_THAT(limit_findings(two_images(), {}), IsEmpty());
   EXPECT_THAT(report_on(two_images(), {}).requirements, IsEmpty());
 }
 
 TEST(Budget, OfEachElement) {
-  EXPECT_THAT(findings(two_images(), {"image.texture-size=8"}), IsEmpty());
-  EXPECT_THAT(findings(two_images(), {"image.texture-size=7"}),
+  EXPECT_THAT(limit_findings(two_images(), {"image.texture-size=8"}), IsEmpty());
+  EXPECT_THAT(limit_findings(two_images(), {"image.texture-size=7"}),
               ElementsAre("BUDGET_TEXTURE_SIZE /images/1"));
-  EXPECT_THAT(findings(two_images(), {"image.texture-size=3"}),
+  EXPECT_THAT(limit_findings(two_images(), {"image.texture-size=3"}),
               ElementsAre("BUDGET_TEXTURE_SIZE /images/0 x2"));
-  EXPECT_THAT(findings(two_meshes(), {"mesh.triangles=2"}),
+  EXPECT_THAT(limit_findings(two_meshes(), {"mesh.triangles=2"}),
               ElementsAre("BUDGET_TRIANGLES /meshes/1"));
-  EXPECT_THAT(findings(two_meshes(), {"primitive.mode.allow=TRIANGLES"}),
+  EXPECT_THAT(limit_findings(two_meshes(), {"primitive.mode.allow=TRIANGLES"}),
               ElementsAre("BUDGET_MODE /meshes/1/primitives/0"));
 }
 
 TEST(Budget, OfTheAssetStandsWhereItsValueIsFrom) {
-  EXPECT_THAT(findings(two_images(), {"total-pixels=24"}), IsEmpty());
-  EXPECT_THAT(findings(two_images(), {"total-pixels=23"}), ElementsAre("BUDGET_TOTAL_PIXELS "));
-  EXPECT_THAT(findings(two_meshes(), {"triangles=5"}), IsEmpty());
-  EXPECT_THAT(findings(two_meshes(), {"triangles=4"}), ElementsAre("BUDGET_TRIANGLES /meshes"));
-  EXPECT_THAT(findings(two_meshes(), {"meshes=1"}), ElementsAre("BUDGET_MESHES /meshes"));
-  EXPECT_THAT(findings(two_meshes(), {"draw-calls=2"}), IsEmpty());
-  EXPECT_THAT(findings(two_meshes(), {"draw-calls=1"}), ElementsAre("BUDGET_DRAW_CALLS /scenes/0"));
-  EXPECT_THAT(findings(two_meshes(), {"materials.min=1"}), ElementsAre("BUDGET_MATERIALS "));
+  EXPECT_THAT(limit_findings(two_images(), {"total-pixels=24"}), IsEmpty());
+  EXPECT_THAT(limit_findings(two_images(), {"total-pixels=23"}),
+              ElementsAre("BUDGET_TOTAL_PIXELS "));
+  EXPECT_THAT(limit_findings(two_meshes(), {"triangles=5"}), IsEmpty());
+  EXPECT_THAT(limit_findings(two_meshes(), {"triangles=4"}),
+              ElementsAre("BUDGET_TRIANGLES /meshes"));
+  EXPECT_THAT(limit_findings(two_meshes(), {"meshes=1"}), ElementsAre("BUDGET_MESHES /meshes"));
+  EXPECT_THAT(limit_findings(two_meshes(), {"draw-calls=2"}), IsEmpty());
+  EXPECT_THAT(limit_findings(two_meshes(), {"draw-calls=1"}),
+              ElementsAre("BUDGET_DRAW_CALLS /scenes/0"));
+  EXPECT_THAT(limit_findings(two_meshes(), {"materials.min=1"}), ElementsAre("BUDGET_MATERIALS "));
 }
 
 TEST(Budget, OfBytesIncludesFilesOnce) {
@@ -146,7 +149,7 @@ TEST(Budget, SaysValueLimitAndSource) {
 }
 
 TEST(Budget, NamesAreUniqueWhereTheyDiffer) {
-  EXPECT_THAT(findings(two_meshes(R"("A", "B")"), {"mesh.name.unique=true"}), IsEmpty());
+  EXPECT_THAT(limit_findings(two_meshes(R"("A", "B")"), {"mesh.name.unique=true"}), IsEmpty());
 }
 
 TEST(Budget, OfTwoTiersAreTwoFindings) {
@@ -233,9 +236,10 @@ TEST(Budget, AThousandElementsMakeFewRows) {
 
 TEST(Budget, RoundingIsNoViolation) {
   const std::string asset = two_images();
-  EXPECT_THAT(findings(asset, {"image.aspect=1.9999999..4.0000001"}), IsEmpty());
-  EXPECT_THAT(findings(asset, {"image.aspect=3.9999990"}), IsEmpty());
-  EXPECT_THAT(findings(asset, {"image.aspect=3.99999"}), ElementsAre("BUDGET_ASPECT /images/1"));
+  EXPECT_THAT(limit_findings(asset, {"image.aspect=1.9999999..4.0000001"}), IsEmpty());
+  EXPECT_THAT(limit_findings(asset, {"image.aspect=3.9999990"}), IsEmpty());
+  EXPECT_THAT(limit_findings(asset, {"image.aspect=3.99999"}),
+              ElementsAre("BUDGET_ASPECT /images/1"));
 }
 
 TEST(Budget, OfProducts) {

@@ -51,6 +51,13 @@ void put_first(Words& words, Words before) {
   words = std::move(before);
 }
 
+// A path that a file of that folder names, from the working folder.
+std::string path_from_folder(const std::string& folder, const std::string& path) {
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  return (fs::path(folder) / path).lexically_normal().lexically_proximate(here).native();
+}
+
 // A code that the command line selects is enabled even if a file ignores it.
 void drop_selected(Words& ignored, const Words& select, const OwnRules* own) {
   const auto asked = parse_codes("--select", select, own);
@@ -207,13 +214,6 @@ std::vector<Limit> Configuration::limits(const std::vector<std::size_t>& overrid
   return found;
 }
 
-// A path that a file of that folder names, from the working folder.
-std::string path_from_folder(const std::string& folder, const std::string& path) {
-  std::error_code error;
-  const fs::path here = fs::current_path(error);
-  return (fs::path(folder) / path).lexically_normal().lexically_proximate(here).native();
-}
-
 // A pattern with a folder applies from the folder of the file; a name applies anywhere.
 bool holds_anywhere(std::string_view pattern) {
   const std::size_t slash = pattern.find('/');
@@ -225,8 +225,8 @@ Words Configuration::words_of(const ConfigKey& key,
   Words words;
   const bool files = key.form == ConfigForm::files, folders = key.form == ConfigForm::folders;
   const bool patterns = key.form == ConfigForm::patterns;
-  const bool paths = key.form == ConfigForm::path || key.form == ConfigForm::paths || files ||
-                     folders || patterns;
+  const bool paths =
+      key.form == ConfigForm::path || key.form == ConfigForm::paths || files || folders || patterns;
   for (const Holding& one : holding(key, overrides)) {
     const std::string& word = one.value->word;
     const bool plain = !paths || (patterns && holds_anywhere(word));
