@@ -6,6 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "report/safe_text.hpp"
+
 namespace gltfx::report {
 namespace {
 
@@ -105,11 +107,9 @@ void write_measure_value(Writer& writer, const MeasureValue& value) {
   } else if (const auto* flag = std::get_if<bool>(&value)) {
     writer.boolean(*flag);
   } else if (const auto* text = std::get_if<std::string>(&value)) {
-    writer.string(*text);
+    writer.string(long_value(*text));
   } else if (const auto* set = std::get_if<std::vector<std::string>>(&value)) {
-    writer.begin_array();
-    for (const std::string& each : *set) writer.string(each);
-    writer.end_array();
+    write_long_values(writer, *set);
   } else {
     writer.null();
   }

@@ -101,7 +101,8 @@ TEST(Quantities, HaveThousandsAndUnits) {
 TEST(Limits, LaterOnesReplaceThoseOfTheSameMeasureAndOp) {
   std::vector<Limit> limits;
   for (const char* const text : {"triangles=1..5", "mesh.triangles=7", "triangles=3", "nodes=2"}) {
-    for (const LimitChange& change : *read_budget(text, {})) measure::apply(limits, change);
+    const auto changes = read_budget(text, {});
+    for (const LimitChange& change : *changes) measure::apply(limits, change);
   }
   std::string all;
   for (const Limit& limit : limits) {

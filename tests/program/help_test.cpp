@@ -89,9 +89,10 @@ const std::vector<Verb>& verbs() {
              "--exclude --no-ignore "
              "--allow-empty --cache "
              "--cache-key --baseline --jobs --color")},
-      {"inspect", words("PATH --format --top --exclude --no-ignore --allow-empty --root --schema "
-                        "--schema-dir --quiet --config "
-                        "--isolated --jobs --color")},
+      {"inspect",
+       words("PATH --format --top --pixels --exclude --no-ignore --allow-empty --root --schema "
+             "--schema-dir --quiet --config "
+             "--isolated --jobs --color")},
       {"merge",
        words("REPORT --output --format --min-severity --group-by --statistics --sarif-notes "
              "--fail-on --rules --config --isolated --quiet --color")},

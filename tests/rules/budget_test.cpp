@@ -48,7 +48,7 @@ Lines limit_findings(const std::string& asset, const std::vector<std::string>& t
 }
 
 // The first message about a limit.
-std::string message(const std::string& asset, const std::string& text) {
+std::string limit_message(const std::string& asset, const std::string& text) {
   for (const Diagnostic& found : report_on(asset, against({text})).diagnostics) {
     if (found.code.starts_with("BUDGET_")) return found.message;
   }
@@ -123,29 +123,29 @@ TEST(Budget, OfBytesIncludesFilesOnce) {
 }
 
 TEST(Budget, SaysValueLimitAndSource) {
-  EXPECT_EQ(message(two_meshes(), "mesh.triangles=1"),
+  EXPECT_EQ(limit_message(two_meshes(), "mesh.triangles=1"),
             "The mesh has 2 triangles; the limit is 1 (test).");
-  EXPECT_EQ(message(two_meshes(), "mesh.triangles=3.."),
+  EXPECT_EQ(limit_message(two_meshes(), "mesh.triangles=3.."),
             "The mesh has 2 triangles; the minimum is 3 (test).");
-  EXPECT_EQ(message(two_meshes(), "meshes.equal=1"),
+  EXPECT_EQ(limit_message(two_meshes(), "meshes.equal=1"),
             "The asset has 2 meshes; exactly 1 is required (test).");
-  EXPECT_EQ(message(two_images(), "image.texture-size=1"),
+  EXPECT_EQ(limit_message(two_images(), "image.texture-size=1"),
             "The texture-size of the image is 4 px; the limit is 1 px (test).");
-  EXPECT_EQ(message(two_images(), "image.power-of-two.equal=false"),
+  EXPECT_EQ(limit_message(two_images(), "image.power-of-two.equal=false"),
             "For the image, power-of-two is true; it must be false (test).");
-  EXPECT_EQ(message(two_meshes(), "mesh.name.match=^SM_"),
+  EXPECT_EQ(limit_message(two_meshes(), "mesh.name.match=^SM_"),
             "The name of the mesh is 'A'; it must match '^SM_' (test).");
-  EXPECT_EQ(message(two_meshes(), "mesh.name.deny-match=A"),
+  EXPECT_EQ(limit_message(two_meshes(), "mesh.name.deny-match=A"),
             "The name of the mesh is 'A'; it must not match 'A' (test).");
-  EXPECT_EQ(message(two_meshes(), "mesh.name.unique=true"),
+  EXPECT_EQ(limit_message(two_meshes(), "mesh.name.unique=true"),
             "The name of the mesh is 'A', as is that of mesh 0 (test).");
-  EXPECT_EQ(message(two_meshes(), "primitive.mode.allow=POINTS,LINE_*"),
+  EXPECT_EQ(limit_message(two_meshes(), "primitive.mode.allow=POINTS,LINE_*"),
             "The mode of the primitive is 'TRIANGLES'; it must be POINTS or LINE_* (test).");
-  EXPECT_EQ(message(two_meshes(), "primitive.mode.deny=TRI*"),
+  EXPECT_EQ(limit_message(two_meshes(), "primitive.mode.deny=TRI*"),
             "The mode of the primitive is 'TRIANGLES'; it is not allowed (test).");
-  EXPECT_EQ(message(two_meshes(), "primitive.attributes.deny=POS*"),
+  EXPECT_EQ(limit_message(two_meshes(), "primitive.attributes.deny=POS*"),
             "The attributes of the primitive include 'POSITION', which is not allowed (test).");
-  EXPECT_THAT(message(two_meshes(), "file-size=0.1 kB"), HasSubstr("the limit is 100 bytes"));
+  EXPECT_THAT(limit_message(two_meshes(), "file-size=0.1 kB"), HasSubstr("the limit is 100 bytes"));
 }
 
 TEST(Budget, NamesAreUniqueWhereTheyDiffer) {

@@ -16,8 +16,7 @@ void declare_inspect(Options& options, InspectRequest& request) {
   add_table_format(options, request.format);
   options.add("--top", "N", "Rows per table, largest first (default: 10, 0: all)",
               number(request.most));
-  options.add("--pixels", "LEVEL",
-              "With json: decode images for measures of pixels: headers (none, default), needed",
+  options.add("--pixels", "LEVEL", "With json: decode images: headers (none), needed",
               one_of(request.inspect.pixels, {{"headers", false}, {"needed", true}}));
   add_search(options, request.paths);
   add_root(options, request.inspect.root);
@@ -161,8 +160,7 @@ void read_presets(Reading& reading, PresetsRequest&) {
 }
 
 void declare_config(Options& options, ConfigRequest& request) {
-  options.positional("PATH", "Path, or import FILE of a Khronos tool",
-                     text(request.path, [] {
+  options.positional("PATH", "Path, or import FILE of a Khronos tool", text(request.path, [] {
                        Values values = values::choice({"import"});
                        values.files = values.folders = true;
                        return values;
