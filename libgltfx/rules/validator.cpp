@@ -12,6 +12,7 @@
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
 #include "rules/extensions/interactivity_draft.hpp"
+#include "rules/own/own_measures.hpp"
 #include "rules/own/own_rules.hpp"
 #include "rules/payload/phases.hpp"
 #include "rules/phases.hpp"
@@ -51,7 +52,8 @@ unsigned jobs_for(const Context& context) {
 
 // Phases 5 to 7: bytes of buffers and images, and checks that depend on them. The Khronos validator
 // does not run them for a GLB that ends too early or an asset with an unknown version.
-void check_bytes(const Context& context, Sink& sink, FileReport& report) {
+void check_bytes(const Context& context, Sink& sink, FileReport& report,
+                 std::optional<Measurements>& measured) {
   const container::Container& container = context.container;
   const bool is_short = container.cut_short || container.ends_in_empty_chunk;
   if (context.deviations.data_of_short_files_is_skipped && is_short) return;
@@ -65,6 +67,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report) {
   report.info = model::asset_info(context.asset, context.views);
   check_targets(context, resources.data, sink);
   check_limits(context, resources.data, report, sink);
+  measured = take_own_measures(context, resources.data, report.path);
   report.info->resources = std::move(resources.listed);
 }
 
@@ -95,8 +98,8 @@ void check_links(const Context& context) {
 // Phases 3 to 7. Each phase reports to a separate sink, so that two of them can run at once: shared
 // data is only read, unless phase 3 hides broken members of the document. Returns whether all of
 // them could run.
-bool check_document(Context& context, json::Document& own, Collector& collector,
-                    FileReport& report) {
+bool check_document(Context& context, json::Document& own, Collector& collector, FileReport& report,
+                    std::optional<Measurements>& measured) {
   const unsigned jobs = jobs_for(context);
   schema::CheckResult checked;
   model::Views views;
@@ -116,7 +119,7 @@ bool check_document(Context& context, json::Document& own, Collector& collector,
   context.graph = std::move(graph);
   run_both(
       jobs, [&] { check_links(context); },
-      [&] { check_bytes(context, collector.sink(Phase::resources), report); });
+      [&] { check_bytes(context, collector.sink(Phase::resources), report, measured); });
   return true;
 }
 
@@ -170,10 +173,13 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
     if (!suppressions.empty()) collector.suppress(&suppressions);
     BrokenPlaces broken;
     if (options.own_rules && additions) collector.note_broken(&broken);
-    if (check_identity(context, collector) && check_document(context, own, collector, report)) {
+    std::optional<Measurements> measured;  // for rules of the user
+    if (check_identity(context, collector) &&
+        check_document(context, own, collector, report, measured)) {
       if (options.own_rules && additions) {
         broken.finish();
-        check_own_rules(context, broken, report.path, collector.sink(Phase::own_rules));
+        check_own_rules(context, broken, report.path, measured ? &*measured : nullptr,
+                        collector.sink(Phase::own_rules));
       }
       suppressions.report(options, links);
       if (!hides) opened.keep_views(std::move(context.views));

@@ -214,7 +214,16 @@ TEST_F(OwnRules, AreTestedByTheirExamples) {
 TEST_F(OwnRules, OfTheExamplesPassTheirTests) {
   const Outcome outcome = in_folder({"rules", "--test", kExamples});
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("5 rules: 10 passed"), Not(HasSubstr("note:"))));
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("6 rules: 12 passed"), Not(HasSubstr("note:"))));
+}
+
+TEST_F(OwnRules, WorkWithLimitsAndAPresetInTheExample) {
+  const std::string house = fixture("../examples/house/gltfx.toml");
+  const Outcome outcome =
+      in_folder({"validate", fixture("good/triangle.gltf"), "--config", house, "--format", "json"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, AllOf(HasSubstr("ACME_MESH_NAME"), HasSubstr("BUDGET_OPEN_EDGES"),
+                                 HasSubstr("preset khronos-3d-commerce/mobile-ar")));
 }
 
 TEST_F(OwnRules, ThatAreNewPassTheirTest) {

@@ -4,13 +4,16 @@
 #include <algorithm>
 
 #include "json/parse.hpp"
+#include "report/measures_json.hpp"
+#include "rules/own/own_measures.hpp"
 
 namespace gltfx::validate {
 
 using model::RootArray;
 
-OwnMembers::OwnMembers(const Context& context, const std::string& name)
-    : context_(context), path_(name) {
+OwnMembers::OwnMembers(const Context& context, const std::string& name,
+                       const Measurements* measured)
+    : context_(context), measured_(measured), path_(name) {
   std::string_view file = path_;
   file.remove_prefix(std::min(file.find_last_of('/') + 1, file.size()));
   const std::size_t dot = file.rfind('.');
@@ -48,8 +51,27 @@ void OwnMembers::write_node(json::Writer& writer, std::size_t node) const {
   }
 }
 
-// Measures of the object join here, under their names.
-void OwnMembers::write_measures(json::Writer&, const OwnScope&, const OwnSubject&) const {}
+// The measures of the object that rules ask for, under their names.
+void OwnMembers::write_measures(json::Writer& writer, const OwnScope& scope,
+                                const OwnSubject& subject) const {
+  const auto on = measure_scope_of(scope);
+  if (measured_ == nullptr || !on) return;
+  const std::size_t element = element_of(subject);
+  for (const MeasureColumn& column : measured_->columns[static_cast<std::size_t>(*on)]) {
+    if (element >= column.values.size()) continue;
+    writer.key(column.measure->name);
+    report::write_measure_value(writer, column.values[element]);
+  }
+}
+
+std::size_t OwnMembers::element_of(const OwnSubject& subject) const {
+  if (!subject.mesh) return subject.index.value_or(0);
+  const auto& all = measured_->primitives;
+  const auto first = std::lower_bound(
+      all.begin(), all.end(), *subject.mesh,
+      [](const MeasuredPrimitive& primitive, std::size_t mesh) { return primitive.mesh < mesh; });
+  return static_cast<std::size_t>(first - all.begin()) + subject.index.value_or(0);
+}
 
 std::string OwnMembers::name_of(RootArray array, std::size_t index) const {
   const json::NodeId object = context_.asset.elements(array)[index];

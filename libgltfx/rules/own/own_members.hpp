@@ -2,6 +2,8 @@
 /// The member `gltfx` that a user's rule sees in each object: what the object's text does not say.
 #pragma once
 
+#include <gltfx/measure.hpp>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -26,17 +28,20 @@ struct OwnSubject {
 /// Makes the member of objects of one asset.
 class OwnMembers {
  public:
-  /// `name`: the path of the asset, as the user gave it. The context outlives this.
-  OwnMembers(const Context& context, const std::string& name);
+  /// `name`: the path of the asset, as the user gave it. `measured`: the measures that rules name;
+  /// may be null. All must outlive this.
+  OwnMembers(const Context& context, const std::string& name, const Measurements* measured);
 
   json::Document document(const OwnScope& scope, const OwnSubject& subject) const;
 
  private:
   void write_node(json::Writer& writer, std::size_t node) const;
   void write_measures(json::Writer& writer, const OwnScope& scope, const OwnSubject& subject) const;
+  std::size_t element_of(const OwnSubject& subject) const;
   std::string name_of(model::RootArray array, std::size_t index) const;
 
   const Context& context_;
+  const Measurements* measured_;
   std::string path_, stem_;
 };
 

@@ -188,8 +188,8 @@ class OwnCheck {
 Code own_code(std::size_t page) { return static_cast<Code>(gltfx::rules().size() + page); }
 
 void check_own_rules(const Context& context, const BrokenPlaces& broken, const std::string& name,
-                     Sink& sink) {
-  const OwnMembers members(context, name);
+                     const Measurements* measured, Sink& sink) {
+  const OwnMembers members(context, name, measured);
   const auto& pages = context.options.own_rules->pages();
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const Code code = own_code(i);

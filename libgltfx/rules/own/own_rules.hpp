@@ -2,6 +2,7 @@
 /// Rules of the user, and the phase that runs them.
 #pragma once
 
+#include <gltfx/measure.hpp>
 #include <gltfx/own_rules.hpp>
 
 #include <cstddef>
@@ -45,9 +46,9 @@ namespace validate {
 Code own_code(std::size_t page);
 
 /// Phase 8: checks the objects of each page and reports to `sink`. Objects with errors are left
-/// out. `name`: the path of the asset.
+/// out. `name`: the path of the asset. `measured`: as take_own_measures() gives them; may be null.
 void check_own_rules(const Context& context, const BrokenPlaces& broken, const std::string& name,
-                     Sink& sink);
+                     const Measurements* measured, Sink& sink);
 
 }  // namespace validate
 }  // namespace gltfx

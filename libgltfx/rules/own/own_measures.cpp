@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rules/own/own_measures.hpp"
+
+#include <vector>
+
+#include "measure/source.hpp"
+#include "measure/take.hpp"
+#include "rules/own/own_rules.hpp"
+
+namespace gltfx::validate {
+namespace {
+
+// Members that the schema names at any depth: more than those of `gltfx`, which costs little.
+void add_named(const OwnPage& page, std::vector<measure::Wanted>& wanted) {
+  const auto scope = measure_scope_of(*page.scope);
+  if (!scope) return;
+  for (const schema::Subschema& subschema : page.schema.subschemas()) {
+    for (const schema::Assertion& assertion : subschema.assertions) {
+      for (const std::string& name : assertion.names) {
+        const MeasureDescription* known = find_measure(*scope, name);
+        if (known == nullptr) continue;
+        wanted.push_back({*scope, static_cast<measure::Name>(known - measures().data())});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<MeasureScope> measure_scope_of(const OwnScope& scope) {
+  if (scope.place == OwnScope::Place::root) return MeasureScope::asset;
+  return measure_scope_from_name(scope.name);
+}
+
+std::optional<Measurements> take_own_measures(const Context& context,
+                                              const model::ResourceData& resources,
+                                              const std::string& name) {
+  const bool runs = context.options.own_rules && !context.deviations.no_additional_rules;
+  if (!runs) return std::nullopt;
+  measure::Request request;
+  request.wanted.emplace();
+  for (const auto& page : context.options.own_rules->pages()) add_named(*page, *request.wanted);
+  if (request.wanted->empty()) return std::nullopt;
+  request.pixels = context.options.pixels != PixelLevel::headers;
+  const measure::Source source({name, context.container, context.files, context.asset,
+                                context.views, resources, context.schemas, context.options.jobs});
+  return measure::take(source, request);
+}
+
+}  // namespace gltfx::validate

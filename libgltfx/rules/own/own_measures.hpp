@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The measures that users' rules name.
+#pragma once
+
+#include <gltfx/measure.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/resource_data.hpp"
+#include "rules/context.hpp"
+#include "rules/own/own_page.hpp"
+
+namespace gltfx::validate {
+
+/// The scope of measures for objects of a rule; nothing: they have none.
+std::optional<MeasureScope> measure_scope_of(const OwnScope& scope);
+
+/// Takes the measures whose names are members in a schema of the rules. Nothing without such a
+/// name. `name`: the path of the asset.
+std::optional<Measurements> take_own_measures(const Context& context,
+                                              const model::ResourceData& resources,
+                                              const std::string& name);
+
+}  // namespace gltfx::validate
