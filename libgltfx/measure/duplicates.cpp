@@ -115,10 +115,7 @@ class DuplicateBytes {
 class DuplicateObjects {
  public:
   DuplicateObjects(const Source& source, ContentHash& hash)
-      : source_(source),
-        tree_(source.graph().tree()),
-        hash_(hash),
-        equal_(source.graph()) {
+      : source_(source), tree_(source.graph().tree()), hash_(hash), equal_(source.graph()) {
     for (std::uint32_t i = 0; i < source.views().accessors.size(); ++i) {
       accessors_.emplace(source.views().accessors[i].node, i);
     }

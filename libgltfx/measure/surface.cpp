@@ -92,7 +92,8 @@ Surface make_surface(std::vector<Float3> positions, std::vector<Triangle> triang
 EdgeCounts count_edges(const Surface& surface, double hard_angle, bool vertices) {
   constexpr double kAngleTolerance = 0.01;  // degrees
   constexpr double kRounding = 1e-12;
-  const double angle = std::clamp(hard_angle - kAngleTolerance, 0.0, 180.0) * std::numbers::pi / 180;
+  const double angle =
+      std::clamp(hard_angle - kAngleTolerance, 0.0, 180.0) * std::numbers::pi / 180;
   const double greatest_cosine = std::cos(angle) + kRounding;
   EdgeCounts counts;
   std::vector<Fans> fans;

@@ -158,8 +158,7 @@ class Choice {
   }
   static void add_rotation(const KeyedCurve& curve, const Arc& arc, std::size_t key, double t,
                            Misfit& misfit) {
-    const Quaternion value =
-        slerp(quaternion_at(curve, arc.from), quaternion_at(curve, arc.to), t);
+    const Quaternion value = slerp(quaternion_at(curve, arc.from), quaternion_at(curve, arc.to), t);
     const Quaternion here = unit(quaternion_at(curve, key));
     for (std::size_t i = 0; i < here.size(); ++i)
       misfit.note(std::fabs(value[i] - here[i]), kRotationBound);
