@@ -60,7 +60,7 @@ export interface Requirement extends CheckedLimit {
   measure: string;
   pointer?: string;
   object?: string;
-  verdict: "pass" | "fail" | "not-measured";
+  verdict: "pass" | "fail" | "not-measured" | "not-applicable";
   severity: "error" | "warning" | "info" | "hint";
 }
 
