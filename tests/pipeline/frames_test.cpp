@@ -121,7 +121,7 @@ TEST_F(Frames, AClipMovesBeforeACameraThatStays) {
 
 // Its material turns from nothing to opaque.
 TEST_F(Frames, AClipMayBeginWithNothing) {
-  const auto fade = [this](float before, float after) {
+  const auto fade = [](float before, float after) {
     AssetText asset = moving_cube();
     asset.json()["materials"][0]["alphaMode"] = "MASK";
     asset.uses("KHR_animation_pointer");
