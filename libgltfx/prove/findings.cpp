@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prove/findings.hpp"
 
+#include <gltfx/validate.hpp>
+
 #include <algorithm>
 #include <set>
 #include <utility>
@@ -86,6 +88,7 @@ NewFindings find_new(const Before& before, const validate::ValidatedAsset& after
 CodeCounts::CodeCounts(const FileReport& report) {
   for (const Diagnostic& one : report.diagnostics) {
     Counts& counts = codes_[one.code];
+    has_errors_ = has_errors_ || one.severity == Severity::error;
     for (auto i = static_cast<std::size_t>(one.severity); i < counts.size(); ++i) {
       counts[i] += one.count;
     }
@@ -103,6 +106,8 @@ std::vector<MoreFindings> more_findings(const CodeCounts& before, const FileRepo
   for (const auto& [code, now] : CodeCounts(after).codes_) {
     const auto known = before.codes_.find(code);
     const auto was = known == before.codes_.end() ? CodeCounts::Counts() : known->second;
+    // What an asset shows is only looked at without errors.
+    if (before.has_errors_ && !find_rule(code)->group.empty()) continue;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(least); ++i) {
       if (now[i] <= was[i]) continue;
       worse.push_back({code, static_cast<Severity>(i), now[i] - was[i]});

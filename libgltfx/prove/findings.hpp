@@ -32,6 +32,7 @@ class CodeCounts {
   /// By severity: the findings of this severity or above.
   using Counts = std::array<std::uint64_t, 4>;
   std::map<std::string_view, Counts> codes_;
+  bool has_errors_ = false;
 };
 
 /// A code with more findings in a draft.

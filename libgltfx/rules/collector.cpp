@@ -212,11 +212,12 @@ void Collector::note_broken(Phase phase, const Path& path, const Finding& findin
 void Collector::add(Phase phase, const Path& path, Finding finding) {
   note_broken(phase, path, finding);
   const Severity severity = severity_of(finding);
-  if (!wants(finding, severity)) return;
+  if (!wants(finding, severity)) return note_error(phase, severity, finding);
   if (suppressions_ != nullptr &&
       suppressions_->covers(finding.code, path, static_cast<std::size_t>(phase), finding.count)) {
     return;
   }
+  note_error(phase, severity, finding);
   keep_site(phase, severity, finding);
   if (leave_out(phase, severity, finding) || fold(phase, severity, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
@@ -224,6 +225,7 @@ void Collector::add(Phase phase, const Path& path, Finding finding) {
 
 void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding) {
   const Severity severity = severity_of(finding);
+  note_error(phase, severity, finding);
   if (!wants(finding, severity)) return;
   keep_site(phase, severity, finding);
   store(phase, severity, std::move(finding), {}, offset);
@@ -231,9 +233,20 @@ void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding
 
 void Collector::report_file(Phase phase, Finding finding) {
   const Severity severity = severity_of(finding);
+  note_error(phase, severity, finding);
   if (!wants(finding, severity)) return;
   keep_site(phase, severity, finding);
   store(phase, severity, std::move(finding), {}, std::nullopt);
+}
+
+void Collector::note_error(Phase phase, Severity severity, const Finding& finding) {
+  if (severity != Severity::error || options_.ignore.contains(code_name(finding.code))) return;
+  phases_[static_cast<std::size_t>(phase)].has_errors = true;
+}
+
+bool Collector::has_errors() const {
+  return std::any_of(phases_.begin(), phases_.end(),
+                     [](const PhaseFindings& each) { return each.has_errors; });
 }
 
 void Collector::keep_site(Phase phase, Severity severity, const Finding& finding) {

@@ -87,6 +87,9 @@ class Collector {
   /// Where errors of form and references are noted from now on. Outlives the collector's phases.
   void note_broken(BrokenPlaces* places) { broken_ = places; }
 
+  /// Whether an error was reported that options and asset do not ignore, whether it is listed or
+  /// not. Call it while no phase runs.
+  bool has_errors() const;
   /// The places of findings whose rules have a fix, of all phases; the first million of each rule.
   Sites take_sites();
 
@@ -123,6 +126,7 @@ class Collector {
     PhaseSink sink;
     Sites sites;
     std::vector<Entry> entries;
+    bool has_errors = false;
     Counts left_out;                                        ///< omitted because of max_issues
     std::unordered_map<std::uint64_t, std::size_t> listed;  ///< positions in entries by fold key
     std::unordered_map<std::uint64_t, Places> places;       ///< by code and severity
@@ -131,6 +135,7 @@ class Collector {
   void add(Phase phase, const Path& path, Finding finding);
   void note_broken(Phase phase, const Path& path, const Finding& finding);
   bool wants(const Finding& finding, Severity severity);
+  void note_error(Phase phase, Severity severity, const Finding& finding);
   void keep_site(Phase phase, Severity severity, const Finding& finding);
   bool leave_out(Phase phase, Severity severity, const Finding& finding);
   bool fold(Phase phase, Severity severity, const Path& path, Finding& finding);

@@ -50,16 +50,23 @@ unsigned jobs_for(const Context& context) {
   return context.document.text().size() < kLargeText ? 1 : context.options.jobs;
 }
 
+// The bytes of an asset, and what rules about them share.
+struct CheckedBytes {
+  Resources resources;
+  std::optional<DataPhase> phase;
+  std::optional<Measurements> measured;  // for own rules
+};
+
 // Phases 5 to 7: bytes of buffers and images, and checks that depend on them. The Khronos validator
 // does not run them for a GLB that ends too early or an asset with an unknown version.
-void check_bytes(const Context& context, Sink& sink, FileReport& report,
-                 std::optional<Measurements>& measured) {
+void check_bytes(const Context& context, Sink& sink, FileReport& report, CheckedBytes& checked) {
   const container::Container& container = context.container;
   const bool is_short = container.cut_short || container.ends_in_empty_chunk;
   if (context.deviations.data_of_short_files_is_skipped && is_short) return;
-  Resources resources = load_resources(context, sink, report);
+  Resources& resources = checked.resources;
+  resources = load_resources(context, sink, report);
   decode_views(context, resources.data, sink);
-  DataPhase phase{context, resources.data, sink, report};
+  DataPhase& phase = checked.phase.emplace(DataPhase{context, resources.data, sink, report});
   for (const DataRule& rule : data_rules()) {
     if (!rule.additional || !context.deviations.no_additional_rules) rule.check(phase);
   }
@@ -67,8 +74,15 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report,
   report.info = model::asset_info(context.asset, context.views);
   check_targets(context, resources.data, sink);
   check_limits(context, resources.data, report, sink);
-  measured = take_own_measures(context, resources.data, report.path);
+  checked.measured = take_own_measures(context, resources.data, report.path);
   report.info->resources = std::move(resources.listed);
+}
+
+// What an asset shows is only worth a word where nothing is wrong with it.
+void check_what_is_shown(const Context& context, const Collector& collector,
+                         CheckedBytes& checked) {
+  if (!checked.phase || context.deviations.no_additional_rules || collector.has_errors()) return;
+  for (const DataRule& rule : shown_rules()) rule.check(*checked.phase);
 }
 
 // Phase 3: the schema walk with the object rules. `own` is the document of a profile that hides
@@ -99,7 +113,7 @@ void check_links(const Context& context) {
 // data is only read, unless phase 3 hides broken members of the document. Returns whether all of
 // them could run.
 bool check_document(Context& context, json::Document& own, Collector& collector, FileReport& report,
-                    std::optional<Measurements>& measured) {
+                    CheckedBytes& bytes) {
   const unsigned jobs = jobs_for(context);
   schema::CheckResult checked;
   model::Views views;
@@ -119,7 +133,8 @@ bool check_document(Context& context, json::Document& own, Collector& collector,
   context.graph = std::move(graph);
   run_both(
       jobs, [&] { check_links(context); },
-      [&] { check_bytes(context, collector.sink(Phase::resources), report, measured); });
+      [&] { check_bytes(context, collector.sink(Phase::resources), report, bytes); });
+  check_what_is_shown(context, collector, bytes);
   return true;
 }
 
@@ -173,12 +188,12 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
     if (!suppressions.empty()) collector.suppress(&suppressions);
     BrokenPlaces broken;
     if (options.own_rules && additions) collector.note_broken(&broken);
-    std::optional<Measurements> measured;  // for rules of the user
+    CheckedBytes bytes;
     if (check_identity(context, collector) &&
-        check_document(context, own, collector, report, measured)) {
+        check_document(context, own, collector, report, bytes)) {
       if (options.own_rules && additions) {
         broken.finish();
-        check_own_rules(context, broken, report.path, measured ? &*measured : nullptr,
+        check_own_rules(context, broken, report.path, bytes.measured ? &*bytes.measured : nullptr,
                         collector.sink(Phase::own_rules));
       }
       suppressions.report(options, links);

@@ -56,8 +56,8 @@ Lines said(const std::string& asset, Profile profile = Profile::standard) {
   Lines lines = verdict(asset, profile);
   std::erase_if(lines, [](const std::string& line) {
     return line.starts_with("UNUSED") || line.starts_with("NODE_EMPTY") ||
-           line.starts_with("EXTENSION_") || line.starts_with("UNNEEDED") ||
-           line.starts_with("UNSUPPORTED_EXTENSION ");
+           line.starts_with("EXTENSION_") || line.starts_with("NOTHING_VISIBLE") ||
+           line.starts_with("UNNEEDED") || line.starts_with("UNSUPPORTED_EXTENSION ");
   });
   return lines;
 }

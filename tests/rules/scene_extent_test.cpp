@@ -94,7 +94,7 @@ TEST(UnusualScale, NamesTheNodeThatReachesFarthest) {
   const std::string nodes = R"({"mesh": 0}, {"name": "sun", "mesh": 0, "translation": [0, -15e10,
       0]})";
   const FileReport report =
-      validate_bytes(points(nodes, R"(, "scenes": [{"nodes": [0, 1]}])"), "test", {});
+      validate_bytes(points(nodes, R"(, "scene": 0, "scenes": [{"nodes": [0, 1]}])"), "test", {});
   ASSERT_EQ(report.diagnostics.size(), 1U);
   EXPECT_EQ(report.diagnostics[0].message,
             "The scene is 1.5e+08 km wide because of node 1 ('sun'); 0.1 mm to 100,000 km is "

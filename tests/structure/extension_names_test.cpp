@@ -60,6 +60,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "rules that need a schema which may be a file of its own, and values in buffers and images"},
     {"libgltfx/rules/payload/metadata/schema_source.cpp",
      "checks the file of a schema by the same definition as one inside the asset"},
+    {"libgltfx/rules/shows/nothing_visible.cpp",
+     "asks whether a node is hidden, and whether a behavior may show it later"},
     {"libgltfx/measure/drawn.cpp", "which nodes are lower levels of detail, and so not drawn"},
     {"libgltfx/rules/payload/metadata/feature_ids.cpp",
      "compares ids in buffers and images with counts elsewhere"},

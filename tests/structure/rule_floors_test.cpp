@@ -19,8 +19,8 @@ constexpr std::string_view kRoom = "libgltfx/rules/";
 // A file includes its own folder and lower ones. The empty name is that of the room itself, whose
 // headers are what all rules are given.
 const std::map<std::string, int, std::less<>> kFloors{
-    {"", 0},        {"khronos", 0},    {"core", 1},    {"own", 1},
-    {"payload", 2}, {"extensions", 3}, {"targets", 3},
+    {"", 0},        {"khronos", 0},    {"core", 1},  {"own", 1},
+    {"payload", 2}, {"extensions", 3}, {"shows", 3}, {"targets", 3},
 };
 
 // What core objects have because of an extension, and who asks for it.

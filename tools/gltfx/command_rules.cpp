@@ -25,6 +25,7 @@ void write_rule(json::Writer& writer, const RuleDescription& rule) {
   writer.begin_object();
   writer.member("code", rule.code);
   writer.member("severity", severity_name(rule.severity));
+  if (!rule.group.empty()) writer.member("group", rule.group);
   writer.member("summary", rule.summary);
   writer.member("why", rule.why);
   writer.member("help", rule.help);
@@ -65,14 +66,16 @@ std::string rules_text(const OwnRules* own, const Style& style) {
   }
   std::string text;
   for (const RuleDescription& rule : rules(own)) {
-    text += fmt::format("{}  {}  {}\n", padded(rule.code, width),
+    text += fmt::format("{}  {}  {}{}\n", padded(rule.code, width),
                         style.severity(rule.severity, padded(severity_name(rule.severity), 7)),
-                        printable(rule.summary));
+                        printable(rule.summary),
+                        rule.group.empty() ? "" : fmt::format(" ({})", rule.group));
   }
   const std::size_t more = rules(own).size() - rules().size();
   text += fmt::format(
       "\n{} rules, {} of them under the name they have in the Khronos validator{}. "
-      "'gltfx explain CODE' says more.\n",
+      "'gltfx explain CODE' says more. "
+      "Options take the name of a group, which is in brackets, for all of its codes.\n",
       rules(own).size(), shared, more == 0 ? "" : fmt::format(", and {} of them own", more));
   return text;
 }

@@ -62,10 +62,15 @@ std::string path_from_folder(const std::string& folder, const std::string& path)
 void drop_selected(Words& ignored, const Words& select, const OwnRules* own) {
   const auto asked = parse_codes("--select", select, own);
   if (!asked) return;
-  std::erase_if(ignored, [&](const std::string& code) {
-    const RuleDescription* rule = rule_from_user(code, own);
-    return rule != nullptr && asked->count(rule->code) > 0;
-  });
+  Words left;
+  for (std::string& word : ignored) {
+    const std::vector<std::string_view> codes = codes_from_user(word, own);
+    if (codes.empty()) left.push_back(std::move(word));  // reported later
+    for (const std::string_view code : codes) {
+      if (asked->count(code) == 0) left.emplace_back(code);
+    }
+  }
+  ignored = std::move(left);
 }
 
 }  // namespace

@@ -154,9 +154,9 @@ Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
   if (!parts) return parts.error();
   std::set<std::string, std::less<>> codes;
   for (const std::string_view code : *parts) {
-    const RuleDescription* rule = rule_from_user(code, own);
-    if (rule == nullptr) return unknown_code(option, code, own);
-    codes.emplace(rule->code);
+    const std::vector<std::string_view> named = codes_from_user(code, own);
+    if (named.empty()) return unknown_code(option, code, own);
+    codes.insert(named.begin(), named.end());
   }
   return codes;
 }
@@ -168,20 +168,33 @@ Result<std::map<std::string, Severity, std::less<>>> parse_severities(
   std::map<std::string, Severity, std::less<>> severities;
   for (const std::string_view part : *parts) {
     const std::size_t equals = std::min(part.find('='), part.size());
-    const RuleDescription* rule = rule_from_user(part.substr(0, equals), own);
-    if (rule == nullptr) return unknown_code(option, part.substr(0, equals), own);
+    const std::vector<std::string_view> named = codes_from_user(part.substr(0, equals), own);
+    if (named.empty()) return unknown_code(option, part.substr(0, equals), own);
     const auto level = severity_from_name(part.substr(std::min(equals + 1, part.size())));
     if (!level) {
       return Error{fmt::format("{}: {} should read {}=error, =warning, =info or =hint.", option,
-                               gltfx::quoted(part), rule->code)};
+                               gltfx::quoted(part),
+                               named.size() == 1 ? named.front() : part.substr(0, equals))};
     }
-    severities.insert_or_assign(std::string(rule->code), *level);
+    for (const std::string_view code : named) {
+      severities.insert_or_assign(std::string(code), *level);
+    }
   }
   return severities;
 }
 
 const RuleDescription* rule_from_user(std::string_view code, const OwnRules* own) {
   return find_rule(upper_case(code), own);
+}
+
+std::vector<std::string_view> codes_from_user(std::string_view name, const OwnRules* own) {
+  std::vector<std::string_view> codes;
+  if (const RuleDescription* rule = rule_from_user(name, own)) return {rule->code};
+  const std::string group = lower_case(name);
+  for (const RuleDescription& rule : rules(own)) {
+    if (!group.empty() && rule.group == group) codes.push_back(rule.code);
+  }
+  return codes;
 }
 
 std::string suggest_code(std::string_view code, const OwnRules* own) {

@@ -258,16 +258,19 @@ Result<Shard> parse_shard(std::string_view option, std::string_view text);
 /// NAME or NAME=FILE, no two with the same place.
 Result<std::vector<FormatTarget>> parse_targets(std::string_view option,
                                                 const std::vector<std::string>& texts);
-/// Comma lists of rule codes, in any case; an unknown code is an Error with the nearest one.
+/// Comma lists of rule codes and names of groups, in any case; an unknown code is an Error with the
+/// nearest one.
 Result<std::set<std::string, std::less<>>> parse_codes(std::string_view option,
                                                        const std::vector<std::string>& texts,
                                                        const OwnRules* own);
-/// CODE=level, comma lists allowed.
+/// CODE=level or GROUP=level, comma lists allowed; the last level of a code counts.
 Result<std::map<std::string, Severity, std::less<>>> parse_severities(
     std::string_view option, const std::vector<std::string>& texts, const OwnRules* own);
 
 /// The rule with that code in any case, or null. `own` may be null.
 const RuleDescription* rule_from_user(std::string_view code, const OwnRules* own);
+/// The rule with that code, or the rules of the group with that name, in any case; or none.
+std::vector<std::string_view> codes_from_user(std::string_view name, const OwnRules* own);
 /// " Did you mean 'X'?" for the code nearest to `code`, or empty.
 std::string suggest_code(std::string_view code, const OwnRules* own);
 

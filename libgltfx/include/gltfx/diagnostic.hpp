@@ -50,6 +50,7 @@ struct RuleDescription {
   bool picture = true;        ///< `gltfx bake` draws an asset with this error
   Severity khronos_severity = Severity::error;  ///< that validator's, where it has the code
   bool own = false;                             ///< a page of the user (<gltfx/own_rules.hpp>)
+  std::string_view group;                       ///< of several rules: "shows"; empty: none
 };
 
 /// A place in a JSON text. Lines and columns count from 1, columns in UTF-8 characters (code

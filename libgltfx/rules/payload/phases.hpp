@@ -60,6 +60,9 @@ struct DataRule {
 
 /// All of them, in the order in which they run.
 std::span<const DataRule> data_rules();
+/// Those that run after all others, on an asset without errors: the group `shows`
+/// (rules/shows/shows.hpp).
+std::span<const DataRule> shown_rules();
 
 /// Geometry compressed by Draco: decodes it, compares it with its accessors, and passes its
 /// elements to later rules.

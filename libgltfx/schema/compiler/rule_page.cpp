@@ -52,12 +52,16 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Page
     set(page.picture, yes_or_no(value), "yes, no", reader);
   } else if (key == "fix") {
     set(page.fix, fix_from_name(value), "none, safe, unsafe, upgrade", reader);
+  } else if (key == "group") {
+    if (value != "shows") reader.fail("expected shows");
+    page.group = value;
   } else if (key == "section") {
     page.section = value;
   } else if (key == "link") {
     page.link = value;
   } else {
-    reader.fail("expected one of severity, khronos, strict, pixels, picture, fix, section, link");
+    reader.fail(
+        "expected one of severity, khronos, strict, pixels, picture, fix, group, section, link");
   }
 }
 

@@ -22,6 +22,7 @@ struct RulePage {
   bool pixels = false;
   bool picture = true;  ///< an asset with this error is drawn
   Fix fix = Fix::none;
+  std::string group;          ///< name for options; empty: none
   std::string section, link;  ///< both empty: a rule of gltfx only
   std::string summary;        ///< one sentence, no full stop
   std::string why, help;

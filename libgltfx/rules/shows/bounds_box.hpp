@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Bounds of positions, as `min` and `max` of accessors state them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+
+#include "model/accessor.hpp"
+#include "model/node.hpp"
+
+namespace gltfx::validate {
+
+struct BoundsBox {
+  model::Vector3 least{kMost, kMost, kMost};
+  model::Vector3 most{-kMost, -kMost, -kMost};
+
+  void include(const BoundsBox& other) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      least[k] = std::min(least[k], other.least[k]);
+      most[k] = std::max(most[k], other.most[k]);
+    }
+  }
+  /// The longest side; negative: empty.
+  double width() const {
+    return std::max({most[0] - least[0], most[1] - least[1], most[2] - least[2]});
+  }
+  /// The greatest absolute value of a coordinate; 0: empty.
+  double reach() const {
+    double reach = 0;
+    for (std::size_t k = 0; k < 3; ++k) reach = std::max({reach, -least[k], most[k]});
+    return most[0] < least[0] ? 0 : reach;
+  }
+
+ private:
+  static constexpr double kMost = std::numeric_limits<double>::max() / 4;
+};
+
+/// Nothing: the accessor has no bounds of three numbers.
+inline std::optional<BoundsBox> box_of(const json::Document& document,
+                                       const model::Accessor& accessor) {
+  if (accessor.format.type != model::ElementType::vec3) return std::nullopt;
+  const auto least = model::float_array<3>(document, accessor.min);
+  const auto most = model::float_array<3>(document, accessor.max);
+  if (!least || !most) return std::nullopt;
+  // Bounds of normalized integers are integers, too.
+  const bool scaled = accessor.format.normalized && model::is_integer(accessor.format.component);
+  const double scale = scaled ? model::value_range(accessor.format.component).most : 1;
+  BoundsBox box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.least[k] = static_cast<double>((*least)[k]) / scale;
+    box.most[k] = static_cast<double>((*most)[k]) / scale;
+  }
+  return box;
+}
+
+}  // namespace gltfx::validate

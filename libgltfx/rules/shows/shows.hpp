@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The group `shows`: valid assets that do not show what they are meant to. Its rules run after all
+/// others, and only on an asset without errors, which explain more.
+#pragma once
+
+#include "rules/payload/phases.hpp"
+
+namespace gltfx::validate {
+
+/// Scenes in which nothing can be seen, and files that leave the choice of a scene to viewers.
+/// Stops at the first triangle, line or point that can be seen.
+void check_nothing_visible(DataPhase& phase);
+/// Meshes so far from their origin that positions are rounded visibly. Reads bounds only.
+void check_far_positions(DataPhase& phase);
+/// A few vertices far away from all others. Reads all positions only where a sample is suspicious.
+void check_stray_vertices(DataPhase& phase);
+/// Skins whose inverse bind matrices do not fit the rest pose, so that meshes are pulled apart. Reads
+/// vertices only where joints are in the wrong places.
+void check_rest_pose(DataPhase& phase);
+/// Morph targets that move vertices by many times the size of their mesh. Reads bounds only.
+void check_morph_reach(DataPhase& phase);
+/// Keyframes between which a property jumps or vanishes.
+void check_keyframes(DataPhase& phase);
+/// Animations without a duration, and nearly closed loops. Only if the rules are enabled.
+void check_clips(DataPhase& phase);
+/// Names that engines bind by: those of morph targets, and of nodes that move.
+void check_bound_names(DataPhase& phase);
+
+}  // namespace gltfx::validate
