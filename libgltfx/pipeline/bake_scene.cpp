@@ -45,6 +45,17 @@ bool forbids_picture(const FileReport& report) {
                      });
 }
 
+// What validation says of a scene that shows nothing, as a half sentence; or empty.
+std::string find_unseen(const FileReport& report) {
+  constexpr std::string_view kBegin = "Nothing is visible: ";
+  for (const Diagnostic& each : report.diagnostics) {
+    if (each.code == "NOTHING_VISIBLE" && each.message.starts_with(kBegin)) {
+      return std::string(without_stop(std::string_view(each.message).substr(kBegin.size())));
+    }
+  }
+  return {};
+}
+
 FileReport errors_of(FileReport report) {
   std::erase_if(report.diagnostics,
                 [](const Diagnostic& each) { return each.severity != Severity::error; });
@@ -176,6 +187,7 @@ BakeScene begin_bake_scene(const validate::ValidatedAsset& asset, FileReport rep
   if (auto refusal = find_refusal(options)) {
     return failed(std::move(result), BakeProblem::refused, *std::move(refusal));
   }
+  if (options.scene.empty()) result.unseen = find_unseen(report);
   result.report.validation = errors_of(std::move(report));
   const std::uint64_t errors = result.report.validation.counts.errors;
   if (errors > 0 && (options.strict || forbids_picture(result.report.validation))) {
@@ -226,7 +238,8 @@ BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport rep
 BakeScene prepare_bake_scene(BakeScene result, const BakeOptions& options) {
   if (!result.scene) return result;
   if (!result.subject) {
-    return failed(std::move(result), BakeProblem::nothing_to_see, "nothing in it is visible");
+    return failed(std::move(result), BakeProblem::nothing_to_see,
+                  "nothing in it is visible" + (result.unseen.empty() ? "" : ": " + result.unseen));
   }
   if (!options.frame.empty() && !result.framed) {
     if (!result.scene->framed.empty()) {

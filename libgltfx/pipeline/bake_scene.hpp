@@ -28,6 +28,7 @@ struct BakeScene {
   std::optional<preview::Subject> subject;  ///< all that is drawn
   std::optional<preview::Subject> framed;   ///< what the picture is of; nothing: the subject
   Vec3d origin;                             ///< see BuiltScene
+  std::string unseen = {};                  ///< why nothing in it is visible, if a rule says so
   bool dim_backdrop = false;                ///< see needs_dim_backdrop()
   std::shared_ptr<const Clip> clip;         ///< of a scene that is its first frame; else null
 
