@@ -14,8 +14,8 @@ void check_nothing_visible(DataPhase& phase);
 void check_far_positions(DataPhase& phase);
 /// A few vertices far away from all others. Reads all positions only where a sample is suspicious.
 void check_stray_vertices(DataPhase& phase);
-/// Skins whose inverse bind matrices do not fit the rest pose, so that meshes are pulled apart. Reads
-/// vertices only where joints are in the wrong places.
+/// Skins whose inverse bind matrices do not fit the rest pose, so that meshes are pulled apart.
+/// Reads vertices only where joints are in the wrong places.
 void check_rest_pose(DataPhase& phase);
 /// Morph targets that move vertices by many times the size of their mesh. Reads bounds only.
 void check_morph_reach(DataPhase& phase);
