@@ -48,8 +48,8 @@ std::string row(const RulePage& page) {
          text(page.why) + text(page.help) + text(page.section) + text(page.link) + text(page.bad) +
          text(page.good) + text(page.fix_does) + text(page.fixed) + " " + fix_value(page.fix) +
          ", " + flag(page.khronos) + ", " + flag(page.pixels) + ", " + flag(page.picture) + "," +
-         severity_value(page.khronos_severity.value_or(page.severity)) + "," + text(page.group) +
-         "},\n";
+         severity_value(page.khronos_severity.value_or(page.severity)) + ", " + flag(false) + "," +
+         text(page.group) + "},\n";  // no page of the project is an own rule
 }
 
 std::string rule_table(const std::vector<RulePage>& pages) {
