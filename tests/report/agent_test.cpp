@@ -21,7 +21,8 @@ std::string agent(const std::vector<FileReport>& reports, bool quiet = false) {
                                                            .bad = "",
                                                            .good = "",
                                                            .fix_does = "",
-                                                           .fixed = ""}}};
+                                                           .fixed = "",
+                                                           .group = ""}}};
   FormatOptions options;
   options.profile = "default";
   options.pixel_level = "headers";

@@ -29,7 +29,8 @@ constexpr std::array<RuleDescription, 2> kRules{{{.code = "A_RULE",
                                                   .bad = "{}",
                                                   .good = "{}",
                                                   .fix_does = "",
-                                                  .fixed = ""},
+                                                  .fixed = "",
+                                                  .group = ""},
                                                  {.code = "OTHER_RULE",
                                                   .severity = Severity::info,
                                                   .summary = "other",
@@ -40,7 +41,8 @@ constexpr std::array<RuleDescription, 2> kRules{{{.code = "A_RULE",
                                                   .bad = "{}",
                                                   .good = "{}",
                                                   .fix_does = "",
-                                                  .fixed = ""}}};
+                                                  .fixed = "",
+                                                  .group = ""}}};
 
 std::string page_of(const std::vector<PageAsset>& assets) {
   PageOptions options;

@@ -25,7 +25,8 @@ constexpr std::array<RuleDescription, 2> kSarifRules{{{.code = "TYPE_MISMATCH",
                                                        .bad = "{\"a\": 1}",
                                                        .good = "",
                                                        .fix_does = "",
-                                                       .fixed = ""},
+                                                       .fixed = "",
+                                                       .group = ""},
                                                       {.code = "UNUSED_OBJECT",
                                                        .severity = Severity::info,
                                                        .summary = "Nothing uses an object",
@@ -36,7 +37,8 @@ constexpr std::array<RuleDescription, 2> kSarifRules{{{.code = "TYPE_MISMATCH",
                                                        .bad = "",
                                                        .good = "",
                                                        .fix_does = "",
-                                                       .fixed = ""}}};
+                                                       .fixed = "",
+                                                       .group = ""}}};
 
 FormatOptions sarif_options() {
   FormatOptions sarif_options;

@@ -224,7 +224,7 @@ class SchemaFile : public testing::Test {
     }
     return lines;
   }
-  test::TempFolder folder_;
+  container::test::TempFolder folder_;
 };
 
 TEST_F(SchemaFile, IsCheckedAsOneInTheAsset) {
