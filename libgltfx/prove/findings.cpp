@@ -107,7 +107,8 @@ std::vector<MoreFindings> more_findings(const CodeCounts& before, const FileRepo
     const auto known = before.codes_.find(code);
     const auto was = known == before.codes_.end() ? CodeCounts::Counts() : known->second;
     // What an asset shows is only looked at without errors.
-    if (before.has_errors_ && !find_rule(code)->group.empty()) continue;
+    const RuleDescription* rule = find_rule(code);  // null: an own rule
+    if (before.has_errors_ && rule != nullptr && !rule->group.empty()) continue;
     for (std::size_t i = 0; i <= static_cast<std::size_t>(least); ++i) {
       if (now[i] <= was[i]) continue;
       worse.push_back({code, static_cast<Severity>(i), now[i] - was[i]});

@@ -197,7 +197,9 @@ TEST(Rules, TextHasALineForEachRule) {
   EXPECT_GE(rules.size(), 100U);
   for (const json& rule : rules) {
     EXPECT_THAT(text.out, HasSubstr(rule["code"].get<std::string>() + " "));
-    EXPECT_THAT(text.out, HasSubstr(rule["summary"].get<std::string>() + "\n"));
+    const std::string group =
+        rule.contains("group") ? " (" + rule["group"].get<std::string>() + ")" : "";
+    EXPECT_THAT(text.out, HasSubstr(rule["summary"].get<std::string>() + group + "\n"));
   }
 }
 
