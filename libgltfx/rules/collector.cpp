@@ -240,7 +240,8 @@ void Collector::report_file(Phase phase, Finding finding) {
 }
 
 void Collector::note_error(Phase phase, Severity severity, const Finding& finding) {
-  if (severity != Severity::error || options_.ignore.contains(code_name(finding.code))) return;
+  if (severity != Severity::error) return;
+  if (options_.ignore.contains(description(options_, finding.code).code)) return;
   phases_[static_cast<std::size_t>(phase)].has_errors = true;
 }
 

@@ -56,6 +56,12 @@ class OwnRules : public testing::Test {
   TempFolder folder_;
 };
 
+TEST_F(OwnRules, FailBesideCodesThatAreIgnored) {
+  const Outcome outcome = validate({"--rules", "house", "--ignore", "UNUSED_OBJECT"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.out, HasSubstr("ACME_NODE_NAME"));
+}
+
 TEST_F(OwnRules, OfAFolderOrAFileAreChecked) {
   for (const char* const path : {"house", "house/", "house/ACME_NODE_NAME.md"}) {
     const Outcome outcome = validate({"--rules", path});
