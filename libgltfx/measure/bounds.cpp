@@ -244,8 +244,13 @@ class ExtentColumns {
   void set_deviation(Name name, std::size_t element, const Extents::Extent& extent,
                      std::optional<double> value) {
     if (value) return set(name, element, extent, *value);
-    if (Column* column = taking_.column(on_, name)) {
-      column->does_not_apply(element, "There is no product to compare with.");
+    Column* column = taking_.column(on_, name);
+    if (column == nullptr) return;
+    const auto& product = taking_.parameters().product;
+    if (std::any_of(product.begin(), product.end(), [](double size) { return size > 0; })) {
+      column->does_not_apply(element, "The product may have any size along this axis.");
+    } else {
+      column->could_not_be_taken(element, "No product is known for this asset.");
     }
   }
 

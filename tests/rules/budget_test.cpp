@@ -248,8 +248,9 @@ TEST(Budget, OfProducts) {
   products->by_name["other"] = {2, 0, 0};
   const std::string asset(find_measure("product-deviation")->example);
   ValidateOptions options = against({"product-deviation=3 %"});
-  options.select = {"BUDGET_PRODUCT_DEVIATION"};
-  EXPECT_THAT(verdict(example_bytes(asset), options), IsEmpty()) << "no product";
+  options.select = {"BUDGET_PRODUCT_DEVIATION", "BUDGET_NOT_MEASURED"};
+  EXPECT_THAT(verdict(example_bytes(asset), options), ElementsAre(HasSubstr("BUDGET_NOT_MEASURED")))
+      << "no product";
   options.products = products;
   EXPECT_THAT(verdict(example_bytes(asset), options),
               ElementsAre("BUDGET_PRODUCT_DEVIATION /scenes/0"));
