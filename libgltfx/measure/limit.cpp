@@ -72,6 +72,12 @@ std::string_view a_type(MeasureType type) {
   return kNames[static_cast<std::size_t>(type)];
 }
 
+// Whoever limits such a measure by a number alone usually means a minimum, not a maximum.
+bool is_a_minimum(const MeasureDescription& measure) {
+  return measure.total == MeasureTotal::min || measure.name.starts_with("min-") ||
+         measure.name.ends_with("-min");
+}
+
 Error wrong_value(const Limit& limit, std::string_view what) {
   return {fmt::format("{} of {} is {}", limit_op_name(limit.op), limit.measure->name, what)};
 }
@@ -188,7 +194,12 @@ Result<LimitOp> op_of(const MeasureDescription& measure, const Literal& value) {
   const bool flag = std::holds_alternative<bool>(value);
   const bool number =
       std::holds_alternative<double>(value) || std::holds_alternative<std::string>(value);
-  if (measure.type == MeasureType::number && number) return LimitOp::max;
+  if (measure.type == MeasureType::number && number) {
+    if (!is_a_minimum(measure)) return LimitOp::max;
+    return Error{fmt::format(
+        "{0} is the least of several values: write {0} = {{ min = 10 }} or {0} = {{ max = 10 }}",
+        measure.name)};
+  }
   if (measure.type == MeasureType::flag && flag) return LimitOp::equal;
   const char* const example = measure.type == MeasureType::number ? "10"
                               : measure.type == MeasureType::flag ? "true"

@@ -109,7 +109,7 @@ void add_names(HashParts& parts, const Names& names) {
 void add(HashParts& parts, double number) { parts.add(bit_cast<std::uint64_t>(number)); }
 
 void add(HashParts& parts, const Limit& limit) {
-  const auto& [measure, on, op, number, flag, texts, severity, parameters, from] = limit;
+  const auto& [measure, on, op, number, flag, texts, severity, parameters, from, note] = limit;
   parts.add(measure->code);
   for (const auto choice : {static_cast<std::uint64_t>(on), static_cast<std::uint64_t>(op),
                             std::uint64_t{flag}, static_cast<std::uint64_t>(severity)}) {

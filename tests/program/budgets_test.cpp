@@ -69,6 +69,8 @@ TEST_F(Budgets, HaveOpsSeveritiesAndTiers) {
   EXPECT_THAT(with("[budgets.mesh]\nname = { match = '^SM_', unique = true }\n"),
               HasSubstr("The name of the mesh is 'b'; it must match '^SM_' (gltfx.toml:2)."));
   EXPECT_THAT(with("[budgets]\nfile-size = \"100 B\"\n"), HasSubstr("the limit is 100 bytes"));
+  EXPECT_THAT(with("[budgets.mesh]\ntriangles = { max = 1, note = \"props\" }\n"),
+              HasSubstr("the limit is 1 (gltfx.toml:2: props)."));
   EXPECT_THAT(with("[budgets.primitive]\nattributes = { deny = [\"POS*\"] }\n"),
               HasSubstr("include 'POSITION', which is not allowed"));
 }
@@ -113,6 +115,9 @@ TEST_F(Budgets, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(said("[budgets]\ntriangles = nan\n"), HasSubstr("a finite number"));
   EXPECT_THAT(said("[budgets]\ntriangles = true\n"), HasSubstr("write triangles = 10"));
   EXPECT_THAT(said("[budgets.mesh]\nname = \"a\"\n"), HasSubstr("write name = { match"));
+  EXPECT_THAT(said("[budgets.material]\nuv-gutter = 8\n"), HasSubstr("write uv-gutter = { min"));
+  EXPECT_THAT(said("[budgets]\nmin-y = 0\n"), HasSubstr("write min-y = { min"));
+  EXPECT_THAT(said("[budgets]\ntriangles = { max = 1, note = 2 }\n"), HasSubstr("note must be"));
   EXPECT_THAT(said("[budgets]\ntriangles = { max = 1, severity = \"loud\" }\n"),
               HasSubstr("severity is"));
   EXPECT_THAT(said("budgets = 3\n"), HasSubstr("a table of MEASURE = LIMIT is expected"));

@@ -56,6 +56,7 @@ void write_preset(json::Writer& writer, const Preset& preset) {
     write_value(writer, limit);
     writer.member("unit", limit.measure->unit);
     writer.member("severity", severity_name(limit.severity));
+    if (!limit.note.empty()) writer.member("note", limit.note);
     writer.end_object();
   }
   writer.end_array();
@@ -97,7 +98,7 @@ std::string preset_page(const Preset& preset, const Style& style) {
       fmt::format("{}: {}\n  source: {}\n  dated: {}; read on {}, {}\n\n", style.bold(preset.id),
                   preset.title, preset.source, preset.dated, preset.read, evidence);
   for (const Limit& limit : limits_of(preset)) {
-    text += limit_row(limit, std::string());
+    text += limit_row(limit, limit.note);
   }
   return text;
 }

@@ -18,6 +18,8 @@ constexpr std::size_t kMostChanges = 10'000;  // an asset is compared with each
 constexpr std::size_t kMostTiers = 16;
 constexpr std::size_t kMostParameters = 16;  // measures are taken once for each set of them
 constexpr std::string_view kSeverity = "severity";
+constexpr std::string_view kNote = "note";
+constexpr std::size_t kLongestNote = 200;
 
 std::uint32_t line_of(const toml::node& node) { return node.source().begin.line; }
 
@@ -56,6 +58,7 @@ struct LimitTables::Place {
   MeasureScope on;
   MeasureParameters parameters;
   Severity severity = Severity::error;
+  std::string note = {};
 };
 
 bool LimitTables::complain(const toml::node& node, const std::string& text) {
@@ -150,6 +153,12 @@ bool LimitTables::read_ops(const Place& outer, const toml::table& table,
       const auto level = severity_from_name(node.value_or(std::string_view()));
       if (!level) return complain(node, "severity is \"error\", \"warning\", \"info\" or \"hint\"");
       place.severity = *level;
+    } else if (key.str() == kNote) {
+      const auto* note = node.as_string();
+      if (note == nullptr || note->get().size() > kLongestNote) {
+        return complain(node, fmt::format("note must be a text of at most {} bytes", kLongestNote));
+      }
+      place.note = note->get();
     } else if (measure::is_parameter(key.str())) {
       if (!measure::has_parameter(place.measure, key.str())) {
         return complain(node,
@@ -162,7 +171,9 @@ bool LimitTables::read_ops(const Place& outer, const toml::table& table,
   }
   bool fine = true;
   for (const auto& [key, node] : table) {
-    if (key.str() == kSeverity || measure::is_parameter(key.str())) continue;
+    const bool is_op =
+        key.str() != kSeverity && key.str() != kNote && !measure::is_parameter(key.str());
+    if (!is_op) continue;
     const auto op = measure::op_of(place.measure, place.on, key.str());
     if (!op) {
       fine = complain(node, op.error().message);
@@ -184,6 +195,7 @@ bool LimitTables::add(const Place& place, const toml::node& node, Limit limit,
   limit.on = place.on;
   limit.severity = place.severity;
   limit.parameters = place.parameters;
+  limit.note = place.note;
   limit.from = from_(line_of(node));
   const auto literal = literal_of(node);
   if (!literal) return complain(node, "a number, true, a text or a list of texts is expected");

@@ -37,7 +37,8 @@ struct Limit {
   std::vector<std::string> texts;  ///< of match, deny_match: one pattern; of allow, deny: words
   Severity severity = Severity::error;  ///< of the finding
   MeasureParameters parameters;         ///< how the measure is taken
-  std::string from;                     ///< where the limit is stated: "gltfx.toml:14"
+  std::string from;                     ///< where the limit is stated: "gltfx.toml:8"
+  std::string note;                     ///< what findings add to that, may be empty
   /// Member by member.
   bool operator==(const Limit&) const = default;
 };

@@ -43,7 +43,9 @@ std::string things(std::string_view name, bool one) {
 }
 
 std::string source_of(const Limit& limit) {
-  return limit.from.empty() ? std::string() : fmt::format(" ({})", printable(limit.from));
+  if (limit.from.empty() && limit.note.empty()) return {};
+  const char* const between = limit.from.empty() || limit.note.empty() ? "" : ": ";
+  return fmt::format(" ({}{}{})", printable(limit.from), between, printable(limit.note));
 }
 
 // Both numbers with as many digits as it takes to tell them apart.
