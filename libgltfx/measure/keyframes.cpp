@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keyframes that interpolation gives.
+// Keyframes that interpolation reproduces.
 #include "model/keyframes.hpp"
 
 #include <algorithm>

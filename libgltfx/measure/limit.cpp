@@ -51,7 +51,7 @@ bool is_taken_of(const MeasureDescription& measure, MeasureScope on) {
   return on == MeasureScope::asset ? measure.is_of_asset() : measure.is_on(on);
 }
 
-// The ops that a measure has on a scope.
+// The operators that a measure has on a scope.
 LimitNames ops_of(const MeasureDescription& measure, MeasureScope on) {
   switch (measure.type) {
     case MeasureType::number:
@@ -79,7 +79,7 @@ bool is_a_minimum(const MeasureDescription& measure) {
 }
 
 Error wrong_value(const Limit& limit, std::string_view what) {
-  return {fmt::format("{} of {} is {}", limit_op_name(limit.op), limit.measure->name, what)};
+  return {fmt::format("{} of {} must be {}", limit_op_name(limit.op), limit.measure->name, what)};
 }
 
 std::optional<Error> set_number(Limit& limit, const Literal& value) {
@@ -143,7 +143,7 @@ std::vector<std::string> split_words(std::string_view text, char at) {
   }
 }
 
-// The value of an option in the form that a limit of the op takes.
+// The value of an option in the form that a limit of the operator takes.
 Literal literal_of(std::string_view text, const MeasureDescription& measure, LimitOp op) {
   if (op == LimitOp::allow || op == LimitOp::deny) return split_words(text, ',');
   const bool flag = op == LimitOp::unique || measure.type == MeasureType::flag;
@@ -185,9 +185,12 @@ Result<const MeasureDescription*> measure_of(MeasureScope on, std::string_view n
 Result<LimitOp> op_of(const MeasureDescription& measure, MeasureScope on, std::string_view name) {
   const LimitNames names = ops_of(measure, on);
   if (std::find(names.begin(), names.end(), name) != names.end()) return *limit_op_from_name(name);
-  return Error{fmt::format("{} is not an op of {}, which is {}: it has {}{}", gltfx::quoted(name),
-                           measure.name, a_type(measure.type), fmt::join(names, ", "),
-                           did_you_mean(name, names))};
+  const std::vector<std::string> all(names.begin(), names.end());
+  return Error{fmt::format(
+      "{} is not an operator of {}, which is {}; {}{}", gltfx::quoted(name), measure.name,
+      a_type(measure.type),
+      all.size() == 1 ? "its operator is " + all.front() : "its operators are " + join_and(all),
+      did_you_mean(name, names))};
 }
 
 Result<LimitOp> op_of(const MeasureDescription& measure, const Literal& value) {
@@ -243,7 +246,8 @@ std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_vi
                                    const Literal& value) {
   if (name == "slot") {
     const auto* slot = std::get_if<std::string>(&value);
-    if (slot == nullptr) return Error{"slot is the name of a texture, such as \"normalTexture\""};
+    if (slot == nullptr)
+      return Error{"slot must be the name of a texture, such as \"normalTexture\""};
     parameters.density_slot = *slot;
     return {};
   }
@@ -253,7 +257,7 @@ std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_vi
   if (const auto* plain = std::get_if<double>(&value)) number = *plain;
   if (const auto* text = std::get_if<std::string>(&value)) number = read_quantity(*text, unit);
   if (!number || !(*number >= 0) || !(*number <= most)) {
-    return Error{fmt::format("{} is a number from 0 to {}", name, quantity_words(most, unit))};
+    return Error{fmt::format("{} must be a number from 0 to {}", name, quantity_words(most, unit))};
   }
   if (name == "weld") parameters.weld = *number;
   if (name == "angle") parameters.hard_angle = *number;
@@ -277,7 +281,7 @@ void apply(std::vector<Limit>& limits, const LimitChange& change) {
 
 namespace {
 
-// "mesh.triangles.min": the scope and the op may be missing.
+// "mesh.triangles.min": the scope and the operator may be missing.
 struct BudgetKey {
   const MeasureDescription* measure = nullptr;
   MeasureScope on = MeasureScope::asset;
@@ -342,7 +346,7 @@ Result<std::vector<LimitChange>> read_budget(std::string_view text, std::string_
     const Literal literal = number ? Literal(std::string(value)) : Literal(value == "true");
     const auto op = op_of(*key->measure, literal);
     if (!op)
-      return Error{fmt::format("{}: name an op, as in {}.{}=...", key->measure->name,
+      return Error{fmt::format("{}: name an operator, as in {}.{}=...", key->measure->name,
                                key->measure->name, ops_of(*key->measure, key->on).front())};
     parts.emplace_back(*op, value);
   }

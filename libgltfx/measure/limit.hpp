@@ -21,16 +21,16 @@ Result<MeasureScope> scope_of(std::string_view name);
 /// The measure of that name on the scope. The Error has the nearest one, or the scopes that it is
 /// on.
 Result<const MeasureDescription*> measure_of(MeasureScope on, std::string_view name);
-/// The op of that name, which the measure must have. The Error has those that it has.
+/// The operator of that name, which the measure must have. The Error has those that it has.
 Result<LimitOp> op_of(const MeasureDescription& measure, MeasureScope on, std::string_view name);
 
 /// A value as it is written.
 using Literal = std::variant<bool, double, std::string, std::vector<std::string>>;
 
-/// Takes the value of a limit, whose other members are set: `op` is one that its measure has.
+/// Takes the value of a limit, whose other members are set: `op` is an operator of its measure.
 /// Patterns are compiled.
 std::optional<Error> set_value(Limit& limit, const Literal& value);
-/// The op that a value without one means: a number is a maximum, `true` must be so.
+/// The operator that a value without one means: for a number `max`, for `true` `equal`.
 Result<LimitOp> op_of(const MeasureDescription& measure, const Literal& value);
 
 /// A parameter of measures: "weld", "angle", "at", "slot". False: there is none of that name.
@@ -44,19 +44,19 @@ std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_vi
 struct LimitChange {
   const MeasureDescription* measure = nullptr;
   MeasureScope on = MeasureScope::asset;
-  std::optional<LimitOp> op;  ///< those of this op only; nothing: of all
+  std::optional<LimitOp> op;  ///< those of this operator only; nothing: of all
   std::vector<Limit> limits;  ///< empty: the limit is lifted
 };
 
-/// Changes a list, which is sorted by scope, measure and op.
+/// Changes a list, which is sorted by scope, measure and operator.
 void apply(std::vector<Limit>& limits, const LimitChange& change);
 
-/// "mesh.triangles=20000", "size-y=0.01..5", "file-size=5 MiB", "mesh.closed=true",
-/// "name.match=^SM_", "extensions.allow=KHR_a,KHR_b", "triangles=false". `from` is that of the
+/// "mesh.vertices=65535", "size-z=0.2..4", "gpu-bytes=64 MiB", "mesh.closed=true",
+/// "name.match=^[a-z]", "extensions.allow=KHR_a,KHR_b", "triangles=false". `from` is that of the
 /// limits.
 Result<std::vector<LimitChange>> read_budget(std::string_view text, std::string_view from);
 
-/// The value of a limit: "20,000", "5,242,880 bytes", "true", "^SM_".
+/// The value of a limit: "65,535", "67,108,864 bytes", "true", "^[a-z]".
 std::string value_words(const Limit& limit);
 
 }  // namespace gltfx::measure

@@ -30,8 +30,8 @@ class LimitTexts {
   std::vector<std::string_view> prefixes_;  // of words with '*'
 };
 
-/// Whether a value is within the limit, for all ops but unique. Precondition: it is a value of the
-/// type of the measure.
+/// Whether a value is within the limit, for all operators but unique. Precondition: it is a value
+/// of the type of the measure.
 bool holds(const Limit& limit, const LimitTexts& texts, const MeasureValue& value);
 
 }  // namespace gltfx::measure

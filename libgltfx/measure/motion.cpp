@@ -17,7 +17,7 @@ namespace {
 using model::NodeIndex;
 using model::RootArray;
 
-// The most joints on a way from a root to a joint.
+// The number of joints on the longest path from a root to a joint.
 std::uint64_t joint_depth(const model::SceneGraph& graph, const std::vector<NodeIndex>& joints) {
   const std::unordered_set<NodeIndex> of_skin(joints.begin(), joints.end());
   std::vector<std::uint32_t> depths(graph.size());

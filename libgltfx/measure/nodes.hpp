@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The own transform of a node.
+/// The local transform of a node.
 #pragma once
 
 #include "measure/source.hpp"

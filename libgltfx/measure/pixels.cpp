@@ -149,7 +149,8 @@ class PixelTaker {
       if (wanted || !by_image_[i].empty()) tasks.push_back({i, by_image_[i], {}, {}});
     }
     if (!taking_.pixels()) {
-      for (const ImageTask& task : tasks) miss(task, "The pixels were not asked for.");
+      for (const ImageTask& task : tasks)
+        miss(task, "The pixels were not decoded; use --pixels needed.");
       return;
     }
     parallel_ordered(

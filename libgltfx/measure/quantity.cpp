@@ -106,6 +106,7 @@ std::string quantity_words(double value, std::string_view unit) {
   const std::string number = number_words(value);
   if (unit.empty()) return number;
   if (unit == "B") return number + (value == 1 ? " byte" : " bytes");
+  if (unit == "bit") return number + (value == 1 ? " bit" : " bits");
   return fmt::format("{} {}", number, unit == "1/s" ? "per second" : unit);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Examples of users' rules.
+/// Examples of own rules.
 #pragma once
 
 #include <gltfx/own_rules.hpp>

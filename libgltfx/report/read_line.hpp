@@ -32,7 +32,7 @@ struct RunEnd {};
 
 using ReportLine = std::variant<RunHead, FileReport, RunEnd>;
 
-/// `rules`: sorted by code, of static storage. Other codes are those of users' rules. The Error
+/// `rules`: sorted by code, of static storage. Other codes are those of own rules. The Error
 /// describes the mistake in the line.
 Result<ReportLine> read_line(std::string_view line, std::span<const RuleDescription> rules);
 

@@ -31,7 +31,7 @@ std::string help_markdown(const RuleDescription& rule) {
 }
 
 // The page of the rule if the build has its address, else the section of the specification. A
-// user's rule has the link of its page.
+// own rule has the link of its page.
 std::string help_uri(const RuleDescription& rule) {
   if (rule.own) return std::string(rule.link);
   constexpr std::string_view kDocs = GLTFX_DOCS_URL;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Objects with errors in their form or references, which rules of users do not check.
+/// Objects with errors in their form or references, which own rules do not check.
 #pragma once
 
 #include <cstdint>

@@ -110,7 +110,7 @@ std::span<const RuleGroup> rule_groups();
 
 /// The description of a rule of gltfx.
 const RuleDescription& description(Code code);
-/// The description of any rule: also of a user's that the options have.
+/// The description of any rule: also of an own rule of the options.
 const RuleDescription& description(const ValidateOptions& options, Code code);
 /// The code of that name, also of a page of `own`, which may be null; or nothing.
 std::optional<Code> code_of(std::string_view name, const OwnRules* own);

@@ -64,14 +64,18 @@ TEST(Budgets, MistakesNameWhatIsMeant) {
   EXPECT_THAT(read("mesh.name.mtach=A"), HasSubstr("did you mean 'match'?"));
   EXPECT_THAT(read("node.triangles=1"),
               HasSubstr("is not a measure of node; it is one of the asset, mesh and primitive"));
-  EXPECT_THAT(read("mesh.triangles.match=A"), HasSubstr("it has min, max, equal"));
-  EXPECT_THAT(read("mesh.name=A"), HasSubstr("name an op"));
+  EXPECT_THAT(read("mesh.triangles.match=A"),
+              HasSubstr("is not an operator of triangles, which is a number; its operators are "
+                        "min, max and equal"));
+  EXPECT_THAT(read("mesh.name=A"), HasSubstr("name an operator"));
   EXPECT_THAT(read("triangles"), HasSubstr("MEASURE=LIMIT"));
   EXPECT_THAT(read("mesh.triangles.max.more=1"), HasSubstr("SCOPE.MEASURE"));
   EXPECT_THAT(read("=1"), HasSubstr("no measure"));
   EXPECT_THAT(read("mesh.name.match=("), HasSubstr("not a pattern"));
   EXPECT_THAT(read("extensions.allow=K*R"), HasSubstr("at the end"));
-  EXPECT_THAT(read("file-name.unique=true"), HasSubstr("not an op"));
+  EXPECT_THAT(read("file-name.unique=true"), HasSubstr("not an operator"));
+  EXPECT_THAT(read("image.power-of-two.max=true"), HasSubstr("a flag; its operator is equal"));
+  EXPECT_EQ(read("mesh.name.unique=1"), "unique of name must be true or false");
 }
 
 TEST(Budgets, NumbersAreFinite) {
@@ -92,6 +96,7 @@ TEST(Budgets, UnitsAreThoseOfTheMeasure) {
 TEST(Quantities, HaveThousandsAndUnits) {
   EXPECT_EQ(quantity_words(1234567, "B"), "1,234,567 bytes");
   EXPECT_EQ(quantity_words(1, "B"), "1 byte");
+  EXPECT_EQ(quantity_words(16, "bit"), "16 bits");
   EXPECT_EQ(quantity_words(-1234, ""), "-1,234");
   EXPECT_EQ(quantity_words(999, ""), "999");
   EXPECT_EQ(quantity_words(0.1 + 0.2, "m"), "0.3 m");

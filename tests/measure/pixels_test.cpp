@@ -71,7 +71,8 @@ TEST(ImageValues, AConstantImageHasOneTexel) {
 TEST(ImageValues, AreNotTakenUnlessPixelsAreAskedFor) {
   const std::string text = UvAsset().texture(png(1, 1, PngColor::grey, {7})).text();
   const Taken values(text, measure::Request());
-  EXPECT_THAT(values.reason("value-min", 0, MeasureScope::image).text, HasSubstr("not asked for"));
+  EXPECT_THAT(values.reason("value-min", 0, MeasureScope::image).text,
+              HasSubstr("--pixels needed"));
   EXPECT_TRUE(values.reason("albedo-min").fault);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rules of users: --rules, the key of gltfx.toml, and `gltfx rules`.
+/// Own rules: --rules, the key of gltfx.toml, and `gltfx rules`.
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -207,20 +207,35 @@ TEST_F(OwnRules, AreWhatReplacesASchemaOfCore) {
 TEST_F(OwnRules, AreTestedByTheirExamples) {
   const Outcome good = in_folder({"rules", "--test", "house"});
   EXPECT_EQ(good.code, 0) << good.out << good.err;
-  EXPECT_THAT(good.out, HasSubstr("1 rule: 2 passed, 0 failed"));
+  EXPECT_THAT(good.out, HasSubstr("1 rule: 2 examples passed, 0 failed"));
   folder_.write("house/ACME_NODE_NAME.md", page("ACME_NODE_NAME", "^x"));
   const Outcome bad = in_folder({"rules", "--test", "house"});
   EXPECT_EQ(bad.code, 1);
   EXPECT_THAT(bad.out, AllOf(HasSubstr("ACME_NODE_NAME.md:30: bad example"),
-                             HasSubstr("good example"), HasSubstr("0 passed, 2 failed")));
+                             HasSubstr("good example"), HasSubstr("0 examples passed, 2 failed")));
   folder_.write("house/ACME_NODE_NAME.md", "");
   EXPECT_EQ(in_folder({"rules", "--test", "house"}).code, 2);
+}
+
+// The configuration may name a folder before it has a page, and other pages may have mistakes.
+TEST_F(OwnRules, AreWrittenAndTestedWithoutTheConfiguration) {
+  folder_.write("gltfx.toml", "rules = [\"more\"]\n");
+  EXPECT_EQ(in_folder({"rules"}).code, 2);
+  folder_.write("more/README.md", "");
+  EXPECT_EQ(in_folder({"rules"}).code, 2);
+  EXPECT_EQ(in_folder({"rules", "--new", "more/ACME_TITLE", "--on", "mesh"}).code, 0);
+  EXPECT_EQ(in_folder({"rules"}).code, 0);
+  folder_.write("more/ACME_BROKEN.md", "");
+  const Outcome outcome = in_folder({"rules", "--test", "more/ACME_TITLE.md"});
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(in_folder({"rules", "--test", "more"}).code, 2);
 }
 
 TEST_F(OwnRules, OfTheExamplesPassTheirTests) {
   const Outcome outcome = in_folder({"rules", "--test", kExamples});
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
-  EXPECT_THAT(outcome.out, AllOf(HasSubstr("6 rules: 12 passed"), Not(HasSubstr("note:"))));
+  EXPECT_THAT(outcome.out,
+              AllOf(HasSubstr("6 rules: 12 examples passed"), Not(HasSubstr("note:"))));
 }
 
 TEST_F(OwnRules, WorkWithLimitsAndAPresetInTheExample) {
@@ -229,7 +244,7 @@ TEST_F(OwnRules, WorkWithLimitsAndAPresetInTheExample) {
       in_folder({"validate", fixture("good/triangle.gltf"), "--config", house, "--format", "json"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_THAT(outcome.out, AllOf(HasSubstr("ACME_MESH_NAME"), HasSubstr("BUDGET_OPEN_EDGES"),
-                                 HasSubstr("preset khronos-3d-commerce/mobile-ar")));
+                                 HasSubstr("preset khronos-3d-commerce/desktop-web")));
 }
 
 TEST_F(OwnRules, ThatAreNewPassTheirTest) {

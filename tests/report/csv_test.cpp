@@ -32,7 +32,7 @@ TEST(Csv, HasARowForEachLimit) {
   EXPECT_EQ(
       csv("models/leaf.gltf", requirements()),
       std::string(kHead) +
-          "models/leaf.gltf,mesh,/meshes/0 (Body),triangles,31204,max,20000,fail,gltfx.toml:14\r\n"
+          "models/leaf.gltf,mesh,/meshes/0 (Body),triangles,1250,max,1000,fail,gltfx.toml:8\r\n"
           "models/leaf.gltf,asset,,size-y,0.25,min,0.01,pass,"
           "\"preset shop/mobile (1.0.0, 2020-10-20)\"\r\n"
           "models/leaf.gltf,asset,,root-transform,false,equal,true,fail,"

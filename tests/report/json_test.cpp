@@ -64,8 +64,8 @@ TEST(JsonReport, GivesOffsetOrPointerOrNeither) {
 TEST(JsonReport, NamesTheLimitThatAFindingIsAbout) {
   const json parsed = json::parse(json_text({file("leaf.gltf", {over_budget()})}));
   EXPECT_EQ(parsed["files"][0]["findings"][0]["measure"], json::parse(R"({
-    "name": "triangles", "on": "mesh", "value": 31204, "op": "max", "limit": 20000,
-    "from": "gltfx.toml:14"})"));
+    "name": "triangles", "on": "mesh", "value": 1250, "op": "max", "limit": 1000,
+    "from": "gltfx.toml:8"})"));
 }
 
 TEST(JsonReport, ListsTheRequirements) {
@@ -76,8 +76,8 @@ TEST(JsonReport, ListsTheRequirements) {
   const json parsed = json::parse(json_text({report}))["files"][0];
   EXPECT_EQ(parsed["unlistedRequirements"], 12);
   EXPECT_EQ(parsed["requirements"], json::parse(R"-([
-    {"measure": "triangles", "on": "mesh", "value": 31204, "op": "max", "limit": 20000,
-     "from": "gltfx.toml:14", "pointer": "/meshes/0", "object": "Body", "verdict": "fail",
+    {"measure": "triangles", "on": "mesh", "value": 1250, "op": "max", "limit": 1000,
+     "from": "gltfx.toml:8", "pointer": "/meshes/0", "object": "Body", "verdict": "fail",
      "severity": "error"},
     {"measure": "size-y", "on": "asset", "value": 0.25, "op": "min", "limit": 0.01, "unit": "m",
      "from": "preset shop/mobile (1.0.0, 2020-10-20)", "verdict": "pass", "severity": "error"},

@@ -161,8 +161,8 @@ TEST(Page, ListsTheRequirements) {
   const Json all = requirements_on_page(with_requirements());
   ASSERT_EQ(all.size(), 6U);
   EXPECT_EQ(all[0], Json::parse(R"({"measure": "triangles", "on": "mesh", "op": "max",
-      "limit": 20000, "from": "gltfx.toml:14", "severity": "error", "value": 31204, "verdict": "fail",
-      "failed": 1, "elements": [{"pointer": "/meshes/0", "object": "Body", "value": 31204}]})"));
+      "limit": 1000, "from": "gltfx.toml:8", "severity": "error", "value": 1250, "verdict": "fail",
+      "failed": 1, "elements": [{"pointer": "/meshes/0", "object": "Body", "value": 1250}]})"));
   EXPECT_EQ(all[1]["unit"], "m");
   EXPECT_EQ(all[1]["verdict"], "pass");
   EXPECT_FALSE(all[1].contains("failed"));

@@ -87,8 +87,8 @@ TEST(Sarif, ResultNamesRuleLevelPlaceAndRepeats) {
 
 TEST(Sarif, AResultNamesTheLimitThatItIsAbout) {
   EXPECT_EQ(result(over_budget())["properties"], json::parse(R"({"object": "Body", "measure": {
-      "name": "triangles", "on": "mesh", "value": 31204, "op": "max", "limit": 20000,
-      "from": "gltfx.toml:14"}})"));
+      "name": "triangles", "on": "mesh", "value": 1250, "op": "max", "limit": 1000,
+      "from": "gltfx.toml:8"}})"));
   EXPECT_FALSE(result(wrong_type())["properties"].contains("measure"));
 }
 

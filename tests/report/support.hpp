@@ -125,10 +125,10 @@ inline Diagnostic out_of_range() {
 
 /// Too many triangles, with what was measured.
 inline Diagnostic over_budget() {
-  CheckedLimit limit{"triangles", "mesh", 31204.0, "max", 20000.0, "", "gltfx.toml:14"};
+  CheckedLimit limit{"triangles", "mesh", 1250.0, "max", 1000.0, "", "gltfx.toml:8"};
   Diagnostic d =
       finding("BUDGET_TRIANGLES", Severity::error,
-              "The mesh has 31,204 triangles; the limit is 20,000 (gltfx.toml:14).", "/meshes/0");
+              "The mesh has 1,250 triangles; the limit is 1,000 (gltfx.toml:8).", "/meshes/0");
   d.object_name = "Body";
   d.requirement = std::make_shared<const CheckedLimit>(std::move(limit));
   return d;
@@ -146,8 +146,8 @@ inline std::vector<Requirement> requirements() {
   using Set = std::vector<std::string>;
   const std::string preset = "preset shop/mobile (1.0.0, 2020-10-20)";
   std::vector<Requirement> all;
-  all.push_back(make({"triangles", "mesh", 31204.0, "max", 20000.0, "", "gltfx.toml:14"},
-                     "/meshes/0", Verdict::fail));
+  all.push_back(make({"triangles", "mesh", 1250.0, "max", 1000.0, "", "gltfx.toml:8"}, "/meshes/0",
+                     Verdict::fail));
   all.back().object_name = "Body";
   all.push_back(make({"size-y", "asset", 0.25, "min", 0.01, "m", preset}, "", Verdict::pass));
   all.push_back(

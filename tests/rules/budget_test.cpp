@@ -131,6 +131,14 @@ TEST(Budget, SaysValueLimitAndSource) {
             "The asset has 2 meshes; exactly 1 is required (test).");
   EXPECT_EQ(limit_message(two_images(), "image.texture-size=1"),
             "The texture-size of the image is 4 px; the limit is 1 px (test).");
+  EXPECT_EQ(limit_message(two_images(), "image.pixels=1"),
+            "The pixels of the image are 8 px; the limit is 1 px (test).");
+  EXPECT_EQ(limit_message(two_images(), "image.channels.match=^L"),
+            "The channels of the image are 'rgb'; they must match '^L' (test).");
+  EXPECT_EQ(limit_message(two_images(), "image.channels.unique=true"),
+            "The channels of the image are 'rgb', as are those of image 0 (test).");
+  EXPECT_EQ(limit_message(two_images(), "image.channels.deny=rgb"),
+            "The channels of the image are 'rgb'; they are not allowed (test).");
   EXPECT_EQ(limit_message(two_images(), "image.power-of-two.equal=false"),
             "For the image, power-of-two is true; it must be false (test).");
   EXPECT_EQ(limit_message(two_meshes(), "mesh.name.match=^SM_"),
@@ -146,6 +154,28 @@ TEST(Budget, SaysValueLimitAndSource) {
   EXPECT_EQ(limit_message(two_meshes(), "primitive.attributes.deny=POS*"),
             "The attributes of the primitive include 'POSITION', which is not allowed (test).");
   EXPECT_THAT(limit_message(two_meshes(), "file-size=0.1 kB"), HasSubstr("the limit is 100 bytes"));
+}
+
+// Ratios and amounts with a unit are values, whatever their name ends in.
+TEST(Budget, OnlyCountsAreThingsThatAnElementHas) {
+  EXPECT_EQ(limit_message(two_meshes(), "gpu-bytes=1"),
+            "The gpu-bytes of the asset are 180 bytes; the limit is 1 byte (test).");
+  EXPECT_EQ(limit_message(two_meshes(), "primitive.vertex-bytes=1"),
+            "The vertex-bytes of the primitive are 12 bytes; the limit is 1 byte (test).");
+  EXPECT_EQ(limit_message(two_meshes(), "unnamed=1"),
+            "The asset has 2 objects without a name; the limit is 1 (test).");
+  EXPECT_EQ(limit_message(two_meshes(R"("A", "")"), "unnamed=2"),
+            "The asset has 3 objects without a name; the limit is 2 (test).");
+}
+
+// The value of the asset is that of one element.
+TEST(Budget, TheLargestOfAllElementsIsThatOfOne) {
+  EXPECT_EQ(limit_message(two_meshes(), "morph-targets=1.."),
+            "A mesh of the asset has 0 morph targets; the minimum is 1 (test).");
+  EXPECT_EQ(limit_message(two_meshes(), "mesh.morph-targets=1.."),
+            "The mesh has 0 morph targets; the minimum is 1 (test).");
+  EXPECT_EQ(limit_message(two_images(), "levels=0"),
+            "An image of the asset has 1 level; the limit is 0 (test).");
 }
 
 TEST(Budget, NamesAreUniqueWhereTheyDiffer) {

@@ -24,23 +24,14 @@ std::string reason(const Holding& one) {
                             gltfx::quoted(fmt::format("{}", fmt::join(one.because->paths, ", "))));
 }
 
-std::string rows_of(const Configuration& configuration, const ConfigKey& key,
-                    const std::vector<std::size_t>& overrides, const Style& style) {
-  const std::vector<Holding> all = configuration.holding(key, overrides);
-  if (all.empty()) return config_row(key.name, key.otherwise, style.dim("default"));
-  std::string text;
+void add_values(std::vector<ConfigRow>& rows, const ConfigKey& key, const std::vector<Holding>& all,
+                const Style& style) {
+  std::string name(key.name);
+  if (all.empty()) rows.push_back({name, std::string(key.otherwise), style.dim("default")});
   for (const Holding& one : all) {
-    text += config_row(text.empty() ? key.name : "", printable(one.value->word),
-                       style.dim(reason(one)));
+    rows.push_back({name, printable(one.value->word), style.dim(reason(one))});
+    name.clear();
   }
-  return text;
-}
-
-// Each limit, and the line or option that states it.
-std::string rows_of_limits(const std::vector<Limit>& limits, const Style& style) {
-  std::string text;
-  for (const Limit& limit : limits) text += limit_row(limit, style.dim(printable(limit.from)));
-  return text;
 }
 
 std::string head(const Configuration& configuration, const ConfigRequest& request) {
@@ -84,15 +75,17 @@ ExitCode run(const ConfigRequest& request) {
   const auto overrides = request.path.empty() ? std::vector<std::size_t>()
                                               : configuration->overrides_for(request.path);
   const Style style(colors_on_stdout(request.common.color));
-  std::string text = head(*configuration, request);
+  std::vector<ConfigRow> rows;
   for (const KeyedOption& one : keyed_options()) {
     const ConfigKey& key = one.option.key;
     const auto limits =
         key.form == ConfigForm::limits ? configuration->limits(overrides) : std::vector<Limit>();
-    text += limits.empty() ? rows_of(*configuration, key, overrides, style)
-                           : rows_of_limits(limits, style);
+    if (limits.empty()) add_values(rows, key, configuration->holding(key, overrides), style);
+    for (const Limit& limit : limits) {
+      rows.push_back(limit_row(limit, style.dim(printable(limit.from))));
+    }
   }
-  return print(text);
+  return print(head(*configuration, request) + in_columns(rows));
 }
 
 }  // namespace gltfx::tool

@@ -72,7 +72,7 @@ std::string explanation(const RuleDescription& rule, const std::shared_ptr<const
   heading("Reported as");
   text += indented(verdict_on(rule, own, color), kIndent + 2);
   heading("Good");
-  text += rule.good == rule.bad ? "    the same asset with a limit that it keeps\n"
+  text += rule.good == rule.bad ? "    the same asset with a limit that it meets\n"
                                 : example_text(rule.good);
   if (!rule.fix_does.empty()) {
     heading("What the fix does");

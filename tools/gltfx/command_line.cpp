@@ -107,7 +107,7 @@ class Declaration {
     verb<TargetsRequest>("targets", "Show what engines do with features of glTF", declare_targets,
                          read_targets);
     verb("schema", "Show the schemas of extensions and core types", declare_schema, read_schema);
-    verb("measures", "List measures, which budgets limit", declare_measures, read_measures);
+    verb("measures", "List what can be measured and limited", declare_measures, read_measures);
     verb("presets", "List published limits with source and date", declare_presets, read_presets);
     verb("config", "Show the configuration of a path and its source", declare_config, read_config);
   }

@@ -110,11 +110,12 @@ std::string measure_page(const MeasureDescription& measure, const Style& style) 
       fmt::format("on: {}\ntype: {}\n", scopes_text(measure), measure_type_name(measure.type));
   if (!measure.unit.empty()) rest += fmt::format("unit: {}\n", measure.unit);
   if (measure.total != MeasureTotal::none) {
-    rest += fmt::format("the asset's value: {} of all\n", measure_total_name(measure.total));
+    rest +=
+        fmt::format("value of the asset: {} of the elements\n", measure_total_name(measure.total));
   }
   rest += fmt::format("needs: {}\ncode of a limit: {}\n", measure_needs_name(measure.needs),
                       measure.code);
-  block("See also", rest);
+  block("Details", rest);
   return text;
 }
 

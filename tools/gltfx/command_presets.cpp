@@ -95,12 +95,12 @@ std::string preset_page(const Preset& preset, const Style& style) {
   const char* const evidence =
       preset.evidence == "page" ? "on the page of the owner" : "in a repository of the owner";
   std::string text =
-      fmt::format("{}: {}\n  source: {}\n  dated: {}; read on {}, {}\n\n", style.bold(preset.id),
+      fmt::format("{}: {}\n  source: {}\n  dated: {}\n  read: {}, {}\n\n", style.bold(preset.id),
                   preset.title, preset.source, preset.dated, preset.read, evidence);
-  for (const Limit& limit : limits_of(preset)) {
-    text += limit_row(limit, limit.note);
-  }
-  return text;
+  std::vector<ConfigRow> rows;
+  for (const Limit& limit : limits_of(preset))
+    rows.push_back(limit_row(limit, printable(limit.note)));
+  return text + in_columns(rows);
 }
 
 }  // namespace

@@ -129,7 +129,8 @@ ExitCode test_pages(const std::vector<std::string>& paths) {
     text += fmt::format("note: {}\n", printable(note));
   }
   text += fmt::format("{}: {} passed, {} failed\n", report::counted(tests.examples / 2, "rule"),
-                      tests.examples - tests.failures.size(), tests.failures.size());
+                      report::counted(tests.examples - tests.failures.size(), "example"),
+                      tests.failures.size());
   const ExitCode printed = print(text);
   return printed == ExitCode::ok && !tests.failures.empty() ? ExitCode::findings : printed;
 }

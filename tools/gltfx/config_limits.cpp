@@ -133,7 +133,7 @@ bool LimitTables::read_value(const Place& place, const toml::node& node,
       return complain(node, fmt::format("a limit has at most {} tiers", kMostTiers));
     }
     return std::all_of(list->begin(), list->end(), [&](const toml::node& item) {
-      if (item.is_array()) return complain(item, "a tier is a number or a table");
+      if (item.is_array()) return complain(item, "a tier must be a number or a table");
       return read_value(place, item, limits);
     });
   }
@@ -151,7 +151,8 @@ bool LimitTables::read_ops(const Place& outer, const toml::table& table,
   for (const auto& [key, node] : table) {
     if (key.str() == kSeverity) {
       const auto level = severity_from_name(node.value_or(std::string_view()));
-      if (!level) return complain(node, "severity is \"error\", \"warning\", \"info\" or \"hint\"");
+      if (!level)
+        return complain(node, "severity must be \"error\", \"warning\", \"info\" or \"hint\"");
       place.severity = *level;
     } else if (key.str() == kNote) {
       const auto* note = node.as_string();

@@ -284,7 +284,7 @@ ConfigChoice config_choice(const Options& options) {
 }
 
 std::optional<Error> configure(Options& options) {
-  if (!options.has_keys()) return {};
+  if (!options.has_keys() || options.runs_without_configuration()) return {};
   const auto pages = std::make_shared<OwnPages>();
   if (auto mistake = pages->read(options.words("--rules"))) {
     return Error{"--rules: " + mistake->message};

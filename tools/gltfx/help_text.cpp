@@ -68,9 +68,9 @@ constexpr std::string_view kEditExamples = R"(Examples:
 )";
 
 constexpr std::string_view kConvertExamples = R"(Examples:
-  gltfx convert model.gltf -o model.glb          pack; everything else stays
-  gltfx convert model.glb -o folder/model.gltf   unpack: buffer and images
-  gltfx convert model.gltf --to glb              dry run: nothing is written
+  gltfx convert chair.gltf -o chair.glb          pack into one file
+  gltfx convert chair.glb -o parts/chair.gltf    unpack buffer and images
+  gltfx convert chair.gltf --to glb              dry run: nothing is written
   gltfx convert assets/ -o packed/ --to glb --jobs 4
 )";
 

@@ -5,15 +5,20 @@
 #include <gltfx/limit.hpp>
 
 #include <string>
-#include <string_view>
+#include <vector>
 
 namespace gltfx::tool {
 
-/// "budgets.mesh.triangles  max 20,000 (warning)  WHY" and a line break, in the columns of `gltfx
-/// config`.
-std::string limit_row(const Limit& limit, std::string_view why);
+/// A setting as a row of `gltfx config`.
+struct ConfigRow {
+  std::string name;   ///< "budgets.mesh.triangles"; empty: that of the row above
+  std::string value;  ///< "max 1,000 (warning)"
+  std::string why;    ///< where the value is from
+};
 
-/// A name, a value and where it is from, in these columns.
-std::string config_row(std::string_view name, std::string_view value, std::string_view why);
+ConfigRow limit_row(const Limit& limit, std::string why);
+
+/// A line for each row, in columns.
+std::string in_columns(const std::vector<ConfigRow>& rows);
 
 }  // namespace gltfx::tool

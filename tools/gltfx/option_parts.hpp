@@ -38,7 +38,7 @@ void add_cache(Options& options, CacheChoice& cache, const char* text);
 void add_schema_sources(Options& options, Words& files, Words& folders);
 /// --rules of the verbs that know codes.
 void add_own_rules(Options& options, std::shared_ptr<const OwnRules>& rules);
-/// Words that are codes, also of the run's own rules.
+/// Words that are codes, also of own rules.
 Binding codes(Options& options, std::set<std::string, std::less<>>& member);
 /// Options of engines, and files about further ones.
 void add_targets(Options& options, std::vector<TargetChoice>& targets);

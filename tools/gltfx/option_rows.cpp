@@ -53,6 +53,11 @@ bool Options::has_keys() const {
                      [](const Option& row) { return !row.key.name.empty(); });
 }
 
+bool Options::runs_without_configuration() const {
+  return std::any_of(without_configuration.begin(), without_configuration.end(),
+                     [this](std::string_view name) { return given(name); });
+}
+
 std::optional<Error> Options::read() const {
   if (!arguments_.words.empty()) arguments_.read(arguments_.name, arguments_.words);
   for (const Option& row : rows_) {

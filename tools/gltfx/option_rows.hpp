@@ -77,12 +77,16 @@ class Options {
   /// Reads the words that may differ by path. Precondition: read() found no mistake in them.
   void read_by_path() const;
 
-  bool hook = false;                           ///< the verb runs on the assets of a commit
+  /// Whether the command line has an option that runs without the configuration.
+  bool runs_without_configuration() const;
+
+  bool hook = false;                                    ///< the verb runs on the assets of a commit
+  std::vector<std::string_view> without_configuration;  ///< names of such options
   std::vector<Limit>* limits = nullptr;        ///< those that options change; null: it has none
   std::shared_ptr<const PathOptions> by_path;  ///< null: all paths have the same options
   std::shared_ptr<const OwnPages> own_pages;   ///< of the run; null: none was named
 
-  /// All rules of users; null: none.
+  /// All own rules; null: none.
   std::shared_ptr<const OwnRules> own_rules() const {
     return own_pages ? own_pages->all() : nullptr;
   }

@@ -189,7 +189,7 @@ void declare_convert(Options& options, ConvertRequest& request) {
   options.add("--prune", "", "Remove unused objects and vertices", flag(convert.prune));
   options.add("--weld", "", "Merge vertices that are equal in all bits", flag(convert.weld));
   options.add("--reorder", "", "Order triangles and vertices for a GPU", flag(convert.reorder));
-  options.add("--resample", "", "Remove keyframes that interpolation gives exactly",
+  options.add("--resample", "", "Remove keyframes that interpolation reproduces",
               flag(convert.resample));
   options.add("--shrink", "", "The five above, and PNG images compressed again",
               flag(convert.shrink));

@@ -16,7 +16,7 @@ void declare_inspect(Options& options, InspectRequest& request) {
   add_table_format(options, request.format);
   options.add("--top", "N", "Rows per table, largest first (default: 10, 0: all)",
               number(request.most));
-  options.add("--pixels", "LEVEL", "With json: decode images: headers (none), needed",
+  options.add("--pixels", "LEVEL", "Decode images (json): headers (none), needed",
               one_of(request.inspect.pixels, {{"headers", false}, {"needed", true}}));
   add_search(options, request.paths);
   add_root(options, request.inspect.root);
@@ -60,14 +60,16 @@ void declare_rules(Options& options, RulesRequest& request) {
                 return values::choice({scopes.begin(), scopes.end()});
               }));
   add_configuration(options);
+  // A page is written before the configuration names it, and tested while others have mistakes.
+  options.without_configuration = {"--new", "--test"};
   add_color(options, request.common);
 }
 
 void read_rules(Reading& reading, RulesRequest& request) {
   const Options& options = reading.options();
   reading.require(!options.given("--test") || !options.given("--new"),
-                  "--test and --new exclude each other.");
-  reading.require(!options.given("--on") || options.given("--new"), "--on goes with --new.");
+                  "--test and --new are mutually exclusive.");
+  reading.require(!options.given("--on") || options.given("--new"), "--on needs --new.");
   reading.read();
   request.own_rules = options.own_rules();
 }

@@ -83,13 +83,16 @@ void add_budgets(Options& options, std::vector<Limit>& limits) {
       limits,
       [](std::string_view option, std::string_view word) -> Result<std::vector<LimitChange>> {
         auto read = measure::read_budget(word, option);
-        if (!read) return Error{fmt::format("{}: {}.", option, read.error().message)};
+        if (!read) {
+          const std::string& problem = read.error().message;
+          return Error{fmt::format("{}: {}{}", option, problem, problem.ends_with('?') ? "" : ".")};
+        }
         return read;
       },
       true);
   budget.values = values::measure_choice;
   options.add("--budget", "[SCOPE.]MEASURE=LIMIT",
-              "Limit, such as mesh.triangles=20000 (repeatable)", std::move(budget),
+              "Limit, such as mesh.vertices=65535 (repeatable)", std::move(budget),
               {.name = "budgets",
                .form = ConfigForm::limits,
                .place = 200,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The pages of users' rules that a run names, on the command line and in its configuration.
+/// The pages of own rules that a run names, on the command line and in its configuration.
 #pragma once
 
 #include <gltfx/own_rules.hpp>

@@ -13,7 +13,9 @@
 
 namespace gltfx::tool {
 
-std::string Preset::origin() const { return fmt::format("preset {}, {}", id, dated); }
+std::string Preset::origin() const {
+  return fmt::format("preset {}, {}, read {}", id, dated, read);
+}
 
 Result<Preset> parse_preset(std::string_view id, std::string_view text) {
   const toml::parse_result root = toml::parse(text);
@@ -27,7 +29,7 @@ Result<Preset> parse_preset(std::string_view id, std::string_view text) {
   };
   const auto member = [&](const char* name) {
     const auto value = root.table()[name].value<std::string>();
-    if (!value) complain(1, fmt::format("{} is a string", name));
+    if (!value) complain(1, fmt::format("{} must be a string", name));
     return value.value_or(std::string());
   };
   preset.title = member("title");

@@ -25,12 +25,12 @@ struct Preset {
   std::string id;
   std::string title;
   std::string source;    ///< URL
-  std::string dated;     ///< what the source says of its version and date
-  std::string read;      ///< when the figures were read there
+  std::string dated;     ///< version or date that the source states, else "undated"
+  std::string read;      ///< day on which the limits were read there
   std::string evidence;  ///< "page" or "repository": what was read
   std::vector<measure::LimitChange> limits;
 
-  /// "preset khronos-3d-commerce/mobile-ar, 1.0.0, 2020-10-20".
+  /// "preset khronos-3d-commerce/mobile-ar, 1.0.0, 2020-10-20, read 2026-11-28".
   std::string origin() const;
 };
 

@@ -26,11 +26,11 @@ globs, folders (with / at the end) and names, and any of the keys that are marke
 table overrides an earlier one; `ignore` lists add up, and `select` enables a code again.)";
 
 constexpr std::string_view kLimits =
-    R"(The table `budgets` has limits of measures of the asset, and tables such as `budgets.mesh` with
-limits of each element. A number is a maximum, in the unit of the measure or with its own ("5 MiB").
-A table has `min`, `max` or `equal` for numbers, `equal` for flags, `match`, `deny-match`, `unique`,
-`allow` and `deny` for texts, `allow` and `deny` for sets, and `severity`; a list of tables has
-several. `false` lifts a limit. gltfx-measures(1) lists measures.
+    R"(The table `budgets` limits measures of the asset, tables such as `budgets.mesh` those of each
+element. A plain number is a maximum, in the unit of the measure or with its own ("64 MiB"). A
+table has the operators `min`, `max` or `equal` for numbers, `equal` for flags, `match`,
+`deny-match`, `unique`, `allow` and `deny` for texts, `allow` and `deny` for sets, and `severity`; a
+list of tables has several limits. `false` lifts a limit. gltfx-measures(1) lists measures.
 
 `extends` is a list of presets, see gltfx-presets(1), and of other files (.toml). Their values come
 before those of the file.)";
@@ -43,16 +43,16 @@ schemas = ["schemas", "ACME_leaf.schema.json"]
 UNUSED_OBJECT = "hint"
 
 [budgets]
-triangles = 100000
-file-size = "5 MiB"
+triangles = 80000
+gpu-bytes = "64 MiB"
 
 [budgets.mesh]
-triangles = 20000
+vertices = 65535
 
 [[overrides]]
 paths = ["props/**/*.glb", "old/", "*.draft.gltf"]
 ignore = ["EXTENSION_LEGACY"]
-budgets.triangles = 5000
+budgets.triangles = 3000
 )";
 
 std::string_view form_of(ConfigForm form) {

@@ -55,7 +55,7 @@ struct ConvertOptions : EditOptions {
   bool prune = false;     ///< unused objects and vertices go
   bool weld = false;      ///< equal vertices of a primitive once
   bool reorder = false;   ///< triangles and vertices for the caches of a GPU
-  bool resample = false;  ///< keyframes that interpolation gives exactly go
+  bool resample = false;  ///< removes keyframes that interpolation reproduces
   /// All that loses nothing: the five above, and PNG images compressed again where that is smaller.
   bool shrink = false;
   bool verify = false;  ///< compares rendered pictures before and after

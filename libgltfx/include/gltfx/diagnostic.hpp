@@ -30,7 +30,7 @@ enum class Fix : std::uint8_t { none, safe, unsafe, upgrade };
 std::string_view fix_name(Fix fix);
 
 /// One rule: the single source of `explain`, `rules` and every format that links a finding to its
-/// explanation. All text has static storage duration; that of a user's rule, except its code, lives
+/// explanation. All text has static storage duration; that of an own rule, except its code, lives
 /// as long as the OwnRules.
 struct RuleDescription {
   std::string_view code;     ///< SCREAMING_SNAKE, stable once released
@@ -87,7 +87,7 @@ struct ProposedFix {
   std::vector<Replacement> replacements;  ///< in the order of the text
 };
 
-/// What a measure counts: a number, a truth value, a text or a set of texts, sorted. Nothing: it
+/// What a measure counts: a number, a flag, a text or a set of texts, sorted. Nothing: it
 /// could not be taken, or does not apply.
 using CheckedValue =
     std::variant<std::monostate, double, bool, std::string, std::vector<std::string>>;
@@ -102,7 +102,7 @@ struct CheckedLimit {
   std::string op;
   CheckedValue limit;  ///< in `unit`; a pattern for "match" and "deny-match"
   std::string unit;    ///< "B", "m", "%" and so on; empty: none
-  /// Where the limit is stated: "gltfx.toml:14", or a preset with its version and date.
+  /// Where the limit is stated: "gltfx.toml:8", or a preset with its dates.
   std::string from;
 };
 

@@ -20,7 +20,7 @@ namespace gltfx {
 /// How a value is compared. `min`, `max`, `equal`: numbers, within a millionth of the larger one
 /// unless both are whole; `equal` also flags. `match`, `deny_match`: texts with a pattern.
 /// `unique`: no two elements have the same text. `allow`, `deny`: texts, and each text of a set,
-/// with a list of words; a word that ends in '*' stands for all that begin so.
+/// with a list of words; a word that ends in '*' matches every text with that prefix.
 enum class LimitOp : std::uint8_t { min, max, equal, match, deny_match, unique, allow, deny };
 /// "min", "deny-match" and so on.
 std::string_view limit_op_name(LimitOp op);
@@ -38,7 +38,7 @@ struct Limit {
   Severity severity = Severity::error;  ///< of the finding
   MeasureParameters parameters;         ///< how the measure is taken
   std::string from;                     ///< where the limit is stated: "gltfx.toml:8"
-  std::string note;                     ///< what findings add to that, may be empty
+  std::string note;                     ///< text that findings add to `from`; may be empty
   /// Member by member.
   bool operator==(const Limit&) const = default;
 };

@@ -118,7 +118,7 @@ struct Measurements {
   /// and the values of the default scene.
   std::array<std::vector<MeasureColumn>, kMeasureScopeCount> columns;
   std::vector<MeasuredPrimitive> primitives;  ///< elements of MeasureScope::primitive
-  /// Whether the last element of MeasureScope::material are the primitives without a material.
+  /// Whether the last element of MeasureScope::material stands for the primitives without one.
   bool has_plain_primitives = false;
   std::vector<MeasureReason> reasons;  ///< the first one: the measure does not apply
 

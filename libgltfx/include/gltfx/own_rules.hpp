@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// @file
-/// Rules of a user: pages with a JSON Schema. A page is data: it can neither run nor read anything,
+/// Own rules: pages with a JSON Schema. A page is data: it can neither run nor read anything,
 /// and adds findings to those of gltfx.
 #pragma once
 

@@ -40,7 +40,7 @@ FileReport validate_bytes(std::string bytes, const std::string& name,
 /// Validates an asset in memory, with its resources.
 FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options = {});
 
-/// What the examples of a user's rules show.
+/// What the examples of own rules show.
 struct OwnRuleTests {
   std::size_t examples = 0;           ///< that were validated
   std::vector<std::string> failures;  ///< bad ones that are not reported, good ones that are
@@ -55,7 +55,7 @@ OwnRuleTests test_own_rules(const std::shared_ptr<const OwnRules>& rules);
 enum class Example : std::uint8_t { bad, good, fixed };
 
 /// The findings on an example of a rule, in the strict profile: the bad one raises the rule, the
-/// others nothing. `own`: the pages of a user's rule.
+/// others nothing. `own`: those of its page.
 FileReport validate_example(const RuleDescription& rule, Example which,
                             const std::shared_ptr<const OwnRules>& own = nullptr);
 

@@ -79,29 +79,29 @@ struct Requirement : CheckedLimit {
   std::string pointer;                  ///< of the element (RFC 6901); empty: the asset
   std::string object_name;              ///< `name` of the element, may be empty
   Verdict verdict = Verdict::pass;      ///< on this value
-  Severity severity = Severity::error;  ///< of the finding if the limit does not hold
+  Severity severity = Severity::error;  ///< of the finding if the limit is not met
 };
 
 /// The report on one asset. Owns its text; independent of the asset.
 struct FileReport {
-  std::string path;                         ///< as the user named it, "-" for standard input
-  std::uint64_t position = 0;               ///< among all named files, also those of other shards
-  std::string mime_type;                    ///< "model/gltf+json", "model/gltf-binary" or empty
-  bool readable = true;                     ///< false: the file itself could not be opened
-  std::vector<Diagnostic> diagnostics;      ///< in the order they were found
-  Counts counts;                            ///< of all diagnostics, those not listed included
-  std::vector<Repeat> repeats;              ///< the first thousands of those folded, by `finding`
-  bool truncated = false;                   ///< --max-issues ended the listing
-  std::uint64_t suppressed = 0;             ///< findings in the baseline
-  std::uint64_t left_out = 0;               ///< findings that the asset suppresses
-  std::uint64_t unchanged = 0;              ///< findings on lines that were not requested
-  std::uint64_t fixable = 0;                ///< findings with a safe fix, repeats counted
-  std::uint64_t unverified = 0;             ///< resources that were not checked: Git LFS pointers
-  std::uint64_t images_wanted = 0;          ///< images whose pixels rules need
-  std::uint64_t images_decoded = 0;         ///< of those, the ones that were decoded
-  std::uint64_t microseconds = 0;           ///< that the validation took
-  std::optional<AssetInfo> info;            ///< where the JSON text could be read
-  std::vector<Requirement> requirements;    ///< all limits that were checked, also those that hold
+  std::string path;                       ///< as the user named it, "-" for standard input
+  std::uint64_t position = 0;             ///< among all named files, also those of other shards
+  std::string mime_type;                  ///< "model/gltf+json", "model/gltf-binary" or empty
+  bool readable = true;                   ///< false: the file itself could not be opened
+  std::vector<Diagnostic> diagnostics;    ///< in the order they were found
+  Counts counts;                          ///< of all diagnostics, those not listed included
+  std::vector<Repeat> repeats;            ///< the first thousands of those folded, by `finding`
+  bool truncated = false;                 ///< --max-issues ended the listing
+  std::uint64_t suppressed = 0;           ///< findings in the baseline
+  std::uint64_t left_out = 0;             ///< findings that the asset suppresses
+  std::uint64_t unchanged = 0;            ///< findings on lines that were not requested
+  std::uint64_t fixable = 0;              ///< findings with a safe fix, repeats counted
+  std::uint64_t unverified = 0;           ///< resources that were not checked: Git LFS pointers
+  std::uint64_t images_wanted = 0;        ///< images whose pixels rules need
+  std::uint64_t images_decoded = 0;       ///< of those, the ones that were decoded
+  std::uint64_t microseconds = 0;         ///< that the validation took
+  std::optional<AssetInfo> info;          ///< where the JSON text could be read
+  std::vector<Requirement> requirements;  ///< all limits that were checked, also those that are met
   std::uint64_t unlisted_requirements = 0;  ///< those that are not in the list: it is bounded
 };
 

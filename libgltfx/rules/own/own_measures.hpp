@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The measures that users' rules name.
+/// The measures that own rules name.
 #pragma once
 
 #include <gltfx/measure.hpp>

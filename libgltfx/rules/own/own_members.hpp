@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The member `gltfx` that a user's rule sees in each object: what the object's text does not say.
+/// The member `gltfx` that an own rule sees in each object: what the object's text does not say.
 #pragma once
 
 #include <gltfx/measure.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// A page of a user's rule, read and compiled.
+/// The page of an own rule, read and compiled.
 #pragma once
 
 #include <gltfx/own_rules.hpp>

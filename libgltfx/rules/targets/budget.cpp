@@ -60,7 +60,7 @@ std::vector<Group> groups_of(const std::vector<Limit>& limits, const ValidateOpt
     if (group.limits.empty()) {
       group.request.parameters = limits[i].parameters;
       group.request.wanted.emplace();
-      // Who states a limit on pixels wants them decoded, but for who says the opposite.
+      // A limit on pixels decodes them, unless `--pixels headers` is given.
       group.request.pixels = options.pixels != PixelLevel::headers;
     }
     group.limits.push_back(i);

@@ -15,24 +15,50 @@
 namespace gltfx::validate {
 namespace {
 
+// What a measure counts, if its name does not say it.
+struct Counted {
+  std::string_view name, many, one;
+};
+constexpr std::array<Counted, 9> kCounted{{
+    {"children", "children", "child"},
+    {"double-sided-materials", "double-sided materials", "double-sided material"},
+    {"non-manifold-edges", "non-manifold edges", "non-manifold edge"},
+    {"non-manifold-vertices", "non-manifold vertices", "non-manifold vertex"},
+    {"unnamed", "objects without a name", "object without a name"},
+    {"uv-degenerate", "triangles without an area in the texture",
+     "triangle without an area in the texture"},
+    {"uv-inverted", "mirrored triangles", "mirrored triangle"},
+    {"uv-outside", "triangles outside the texture", "triangle outside the texture"},
+    {"uv-overlap", "triangles that overlap in the texture",
+     "triangle that overlaps in the texture"},
+}};
+
+const Counted* find_counted(std::string_view name) {
+  const auto found = std::find_if(kCounted.begin(), kCounted.end(),
+                                  [&](const Counted& each) { return each.name == name; });
+  return found == kCounted.end() ? nullptr : &*found;
+}
+
+// Names of counts, and of amounts such as "gpu-bytes", are plural.
+bool is_plural(const MeasureDescription& measure) { return measure.name.ends_with('s'); }
+
 // Whether a measure counts things, so that an element has so many of them.
 bool is_count(const MeasureDescription& measure) {
-  return measure.type == MeasureType::number &&
-         (measure.name.ends_with('s') || measure.name == "children");
+  if (measure.type != MeasureType::number || !measure.unit.empty()) return false;
+  const bool ratio = measure.name == "cache-misses";
+  return (is_plural(measure) && !ratio) || find_counted(measure.name) != nullptr;
 }
 
 // "uv-sets": "UV sets", of one "UV set".
 std::string things(std::string_view name, bool one) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kSingular{
-      {{"vertices", "vertex"}, {"meshes", "mesh"}, {"misses", "miss"}, {"children", "child"}}};
+  if (const Counted* counted = find_counted(name)) {
+    return std::string(one ? counted->one : counted->many);
+  }
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 2> kSingular{
+      {{"vertices", "vertex"}, {"meshes", "mesh"}}};
   std::string words(name);
   std::replace(words.begin(), words.end(), '-', ' ');
-  for (const std::string_view prefix : {"uv ", "gpu "}) {
-    if (!words.starts_with(prefix)) continue;
-    for (std::size_t i = 0; i < prefix.size(); ++i) {
-      if (words[i] != ' ') words[i] = static_cast<char>(words[i] - 'a' + 'A');
-    }
-  }
+  if (words.starts_with("uv ")) words.replace(0, 2, "UV");
   if (!one) return words;
   for (const auto& [many, single] : kSingular) {
     if (!words.ends_with(many)) continue;
@@ -57,14 +83,24 @@ std::pair<std::string, std::string> two_numbers(double value, double limit, std:
   return {number_text(value) + behind, number_text(limit) + behind};
 }
 
+// "The mesh has". Of the asset: where its value is that of one element, "A mesh of the asset has".
+std::string holder(const Limit& limit, const Measured& of) {
+  if (limit.on != MeasureScope::asset || limit.measure->total != MeasureTotal::max) {
+    return fmt::format("The {} {}", of.noun, of.plural ? "have" : "has");
+  }
+  const std::string_view element = measure_scope_name(limit.measure->first);
+  const bool vowel = std::string_view("ai").find(element.front()) != std::string_view::npos;
+  return fmt::format("{} {} of the {} has", vowel ? "An" : "A", element, of.noun);
+}
+
 std::string broken_number(const Limit& limit, const Measured& of, double value) {
   const bool count = is_count(*limit.measure);
   const auto [found, wanted] =
       two_numbers(value, limit.number, count ? std::string_view() : limit.measure->unit);
-  std::string text =
-      count ? fmt::format("The {} {} {} {}", of.noun, of.plural ? "have" : "has", found,
-                          things(limit.measure->name, value == 1))
-            : fmt::format("The {} of the {} is {}", limit.measure->name, of.noun, found);
+  std::string text = count ? fmt::format("{} {} {}", holder(limit, of), found,
+                                         things(limit.measure->name, value == 1))
+                           : fmt::format("The {} of the {} {} {}", limit.measure->name, of.noun,
+                                         is_plural(*limit.measure) ? "are" : "is", found);
   const std::string_view what = limit.op == LimitOp::max   ? "the limit is"
                                 : limit.op == LimitOp::min ? "the minimum is"
                                                            : "it must be";
@@ -78,22 +114,27 @@ constexpr std::size_t kMostListed = 8;
 
 std::string broken_text(const Limit& limit, const Measured& of, const std::string& value,
                         std::optional<std::size_t> same_as) {
+  const bool plural = is_plural(*limit.measure);
+  const char* const is = plural ? "are" : "is";
+  const char* const it = plural ? "they" : "it";
   const std::string text =
-      fmt::format("The {} of the {} is {}", limit.measure->name, of.noun, gltfx::quoted(value));
+      fmt::format("The {} of the {} {} {}", limit.measure->name, of.noun, is, gltfx::quoted(value));
   switch (limit.op) {
     case LimitOp::match:
-      return text + "; it must match " + gltfx::quoted(limit.texts.front());
+      return text + fmt::format("; {} must match {}", it, gltfx::quoted(limit.texts.front()));
     case LimitOp::deny_match:
-      return text + "; it must not match " + gltfx::quoted(limit.texts.front());
+      return text + fmt::format("; {} must not match {}", it, gltfx::quoted(limit.texts.front()));
     case LimitOp::unique:
-      return text + fmt::format(", as is that of {} {}", of.noun, same_as.value_or(0));
+      return text + fmt::format(", as {} {} of {} {}", is, plural ? "those" : "that", of.noun,
+                                same_as.value_or(0));
     case LimitOp::allow:
       if (limit.texts.empty()) break;
-      return text + "; it must be " + printable(join_or(limit.texts, kMostListed));
+      return text +
+             fmt::format("; {} must be {}", it, printable(join_or(limit.texts, kMostListed)));
     default:
       break;
   }
-  return text + "; it is not allowed";
+  return text + fmt::format("; {} {} not allowed", it, is);
 }
 
 std::string broken_set(const Limit& limit, const measure::LimitTexts& texts, const Measured& of,

@@ -18,13 +18,13 @@ struct Measured {
   bool plural = false;
 };
 
-/// "The mesh has 31,204 triangles; the limit is 20,000 (gltfx.toml:14)." `texts`: those of the
+/// "The mesh has 1,250 triangles; the limit is 1,000 (gltfx.toml:8)." `texts`: those of the
 /// limit. `same_as`: for unique, the index of the element with the same text. Precondition: the
 /// value breaks the limit.
 std::string broken_limit(const Limit& limit, const measure::LimitTexts& texts, const Measured& of,
                          const MeasureValue& value, std::optional<std::size_t> same_as);
 
-/// "The limit on open-edges of the mesh could not be checked (gltfx.toml:14): ..."
+/// "The limit on open-edges of the mesh (gltfx.toml:8) is not checked: ..."
 std::string unchecked_limit(const Limit& limit, const Measured& of, std::string_view why);
 
 }  // namespace gltfx::validate

@@ -93,7 +93,7 @@ RulePage MeasurePage::rule() const {
   RulePage rule;
   rule.code = code();
   rule.pixels = needs == MeasureNeeds::pixels;
-  rule.summary = name() + " breaks a limit";
+  rule.summary = name() + " is beyond a limit";
   rule.why = definition;
   rule.help = help;
   rule.bad = example;
