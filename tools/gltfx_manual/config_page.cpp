@@ -29,8 +29,9 @@ constexpr std::string_view kLimits =
     R"(The table `budgets` limits measures of the asset, tables such as `budgets.mesh` those of each
 element. A plain number is a maximum, in the unit of the measure or with its own ("64 MiB"). A
 table has the operators `min`, `max` or `equal` for numbers, `equal` for flags, `match`,
-`deny-match`, `unique`, `allow` and `deny` for texts, `allow` and `deny` for sets, and `severity`; a
-list of tables has several limits. `false` lifts a limit. gltfx-measures(1) lists measures.
+`deny-match`, `unique`, `allow` and `deny` for texts, `allow` and `deny` for sets, also `severity`
+and `note`, a text at the end of the findings; a list of tables has several limits. `false` lifts a
+limit. gltfx-measures(1) lists measures.
 
 `extends` is a list of presets, see gltfx-presets(1), and of other files (.toml). Their values come
 before those of the file.)";
