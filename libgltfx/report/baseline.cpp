@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -87,6 +88,29 @@ Error wrong_entry(std::size_t index) {
       index)};
 }
 
+// How many of each finding are known. Those of the mildest severity come first: a finding that is
+// worse than those before it is new.
+std::vector<std::uint64_t> known_of(const FileReport& report, const FindingCounts& baseline) {
+  const std::string path = plain_path(report.path);
+  const std::vector<Diagnostic>& findings = report.diagnostics;
+  std::vector<std::size_t> order(findings.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return findings[a].severity > findings[b].severity;
+  });
+  std::vector<std::uint64_t> known(findings.size());
+  FindingCounts used;
+  for (const std::size_t i : order) {
+    FindingKey key = key_of(path, findings[i]);
+    const auto entry = baseline.find(key);
+    if (entry == baseline.end()) continue;
+    std::uint64_t& spent = used[std::move(key)];
+    known[i] = std::min(findings[i].count, entry->second - spent);
+    spent += known[i];
+  }
+  return known;
+}
+
 void add(FindingCounts& counts, FindingKey key, std::uint64_t count) {
   std::uint64_t& sum = counts[std::move(key)];
   const std::uint64_t room = std::numeric_limits<std::uint64_t>::max() - sum;
@@ -97,21 +121,13 @@ void add(FindingCounts& counts, FindingKey key, std::uint64_t count) {
 
 void Baseline::apply(FileReport& report) const {
   if (!report.readable) return;
-  const std::string path = plain_path(report.path);
-  FindingCounts used;
+  const std::vector<std::uint64_t> all_known = known_of(report, known_);
   std::vector<Diagnostic> fresh;
   std::vector<Repeat> repeats;
   auto repeat = report.repeats.begin();
   for (std::size_t i = 0; i < report.diagnostics.size(); ++i) {
     Diagnostic& finding = report.diagnostics[i];
-    const FindingKey key = key_of(path, finding);
-    const auto entry = known_.find(key);
-    std::uint64_t known = 0;
-    if (entry != known_.end()) {
-      std::uint64_t& spent = used[key];
-      known = std::min(finding.count, entry->second - spent);
-      spent += known;
-    }
+    const std::uint64_t known = all_known[i];
     report.suppressed += known;
     take(report.counts, finding.severity, known);
     if (known == finding.count) continue;

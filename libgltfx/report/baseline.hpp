@@ -35,7 +35,8 @@ class Baseline {
   /// Reads the text of a BaselineWriter. Entries of one key add up, as after a merge of branches.
   static Result<Baseline> parse(std::string_view text);
 
-  /// Removes the known findings from a report and its counts and adds their number to `suppressed`.
+  /// Removes the known findings from a report and its counts, the mildest ones of a key first, and
+  /// adds their number to `suppressed`.
   /// If a folded finding is known in part, the rest stays, with a remark that it is unknown which
   /// ones are new. A file that could not be read is reported in any case.
   void apply(FileReport& report) const;

@@ -142,6 +142,17 @@ TEST(Baseline, TakesFromTheCountOfTheRightSeverity) {
   EXPECT_EQ(left.counts.hints, 1u);
 }
 
+// Made when the asset broke a warning tier only: the error tier is new.
+TEST(Baseline, KnowsTheMildestFindingsFirst) {
+  const Diagnostic mild = finding("A", Severity::warning, "M.", "/meshes/0");
+  const Diagnostic bad = finding("A", Severity::error, "M.", "/meshes/0");
+  const FileReport left = after({file("a.gltf", {mild})}, file("a.gltf", {bad, mild}));
+  ASSERT_EQ(left.diagnostics.size(), 1U);
+  EXPECT_EQ(left.diagnostics[0].severity, Severity::error);
+  EXPECT_EQ(left.counts.errors, 1U);
+  EXPECT_EQ(left.counts.warnings, 0U);
+}
+
 TEST(Baseline, KnowsAPathHoweverItIsWritten) {
   const FileReport known = file("models/a.gltf", {unused("/nodes/1")});
   for (const std::string path : {"./models/a.gltf", "models//a.gltf", "x/../models/./a.gltf"}) {
