@@ -167,7 +167,7 @@ Hash128 validation_key(const ValidateOptions& options, const std::string& folder
   parts.add(build_id());
   parts.add(static_cast<std::uint64_t>(profile));
   parts.add(static_cast<std::uint64_t>(pixel_level(options)));
-  static_cast<void>(pixels);
+  parts.add(std::uint64_t{pixels == PixelLevel::headers});  // limits and own rules read no pixels
   parts.add(std::uint64_t{limits.size()});
   for (const Limit& limit : limits) add(parts, limit);
   parts.add(static_cast<std::uint64_t>(lfs));
@@ -250,14 +250,11 @@ struct ValidateVerb {
   }
 };
 
-// What is kept is found by the bytes of a file, and one measure is its name.
+// What is kept is found by the name and the bytes of a file. Own rules see its path as well.
 Hash128 key_of_file(const std::string& path, const ValidateOptions& options) {
   HashParts parts;
   parts.add(validation_key(options, options.cache->folder()));
-  const bool named =
-      std::any_of(options.limits.begin(), options.limits.end(),
-                  [](const Limit& limit) { return limit.measure->name == "file-name"; });
-  if (named) parts.add(path);
+  if (options.own_rules) parts.add(path);
   if (options.products) {
     for (const double size : options.products->find(path)) add(parts, size);
   }

@@ -131,6 +131,20 @@ TEST_F(Cache, OtherOptionsAreOtherReports) {
   EXPECT_EQ(validate().code, 0);
 }
 
+// A limit on pixels wants them, unless the user says the opposite.
+TEST_F(Cache, AskingForHeadersIsAnotherReport) {
+  const std::string page = read_file(fixture("../schema/measures/albedo-max.md"));
+  const std::string fence = "```json\n";
+  const std::size_t begin = page.find(fence) + fence.size();
+  folder_.write("assets/a.gltf", page.substr(begin, page.find("```", begin) - begin));
+  const std::vector<std::string> limit{"--budget", "material.albedo-max=9"};
+  EXPECT_THAT(validate(limit).out, HasSubstr("BUDGET_ALBEDO_MAX"));
+  std::vector<std::string> headers = limit;
+  headers.insert(headers.end(), {"--pixels", "headers"});
+  EXPECT_THAT(validate(headers).out,
+              testing::AllOf(HasSubstr("BUDGET_NOT_MEASURED"), Not(HasSubstr("BUDGET_ALBEDO"))));
+}
+
 TEST_F(Cache, TheSameBytesElsewhereHaveTheSameReport) {
   folder_.write("assets/a.gltf", kFaulty);
   EXPECT_EQ(validate().code, 1);

@@ -169,6 +169,22 @@ TEST_F(OwnRules, AreCheckedAgainWhenAPageChanges) {
   EXPECT_EQ(cached().code, 0);
 }
 
+// The same bytes under the same name, in another folder.
+TEST_F(OwnRules, AreCheckedAgainInAnotherPlace) {
+  std::string text = page("ACME_NODE_NAME", "^props/");
+  const std::string name = R"("name": {"pattern": "^props/"})";
+  text.replace(text.find(name), name.size(),
+               R"("gltfx": {"properties": {"path": {"pattern": "^props/"}}})");
+  folder_.write("house/ACME_NODE_NAME.md", text);
+  const auto code = [&](const std::string& path) {
+    return in_folder({"validate", path, "--rules", "house", "--cache", "cache"}).code;
+  };
+  EXPECT_EQ(code("a.gltf"), 1);
+  EXPECT_EQ(code("props/a.gltf"), 0);
+  EXPECT_EQ(code("./props/../props/a.gltf"), 0) << "the path without its detours";
+  EXPECT_EQ(code("a.gltf"), 1);
+}
+
 TEST_F(OwnRules, MistakesInPagesEndTheRun) {
   std::string text = page("ACME_NODE_NAME", "^N_");
   text.replace(text.find("\"pattern\""), 9, "\"patern\"");

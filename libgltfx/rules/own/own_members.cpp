@@ -2,6 +2,7 @@
 #include "rules/own/own_members.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "json/parse.hpp"
 #include "report/measures_json.hpp"
@@ -13,7 +14,9 @@ using model::RootArray;
 
 OwnMembers::OwnMembers(const Context& context, const std::string& name,
                        const Measurements* measured)
-    : context_(context), measured_(measured), path_(name) {
+    : context_(context),
+      measured_(measured),
+      path_(std::filesystem::path(name).lexically_normal().native()) {
   std::string_view file = path_;
   file.remove_prefix(std::min(file.find_last_of('/') + 1, file.size()));
   const std::size_t dot = file.rfind('.');

@@ -28,8 +28,8 @@ struct OwnSubject {
 /// Makes the member of objects of one asset.
 class OwnMembers {
  public:
-  /// `name`: the path of the asset, as the user gave it. `measured`: the measures that rules name;
-  /// may be null. All must outlive this.
+  /// `name`: the path of the asset; its "." and ".." are resolved. `measured`: the measures that
+  /// rules name; may be null. All must outlive this.
   OwnMembers(const Context& context, const std::string& name, const Measurements* measured);
 
   json::Document document(const OwnScope& scope, const OwnSubject& subject) const;
