@@ -157,6 +157,7 @@ TEST_F(Budgets, ExtendPresetsAndFilesInOrder) {
               Not(HasSubstr("BUDGET_")));
   folder_.write("props/own.toml", "extends = [\"../house.toml\"]\n");
   EXPECT_THAT(with("extends = [\"props/own.toml\"]\n"), HasSubstr("(house.toml:3)"));
+  EXPECT_THAT(in("", {"config"}).out, HasSubstr("extends house.toml\nextends props/own.toml\n"));
   const std::string preset = "extends = [\"khronos-3d-commerce/mobile-ar\"]\n";
   EXPECT_THAT(with(preset), Not(HasSubstr("BUDGET_")));
   const std::string shown = in("", {"config"}).out;

@@ -126,8 +126,9 @@ class Configuration::Loader {
     const auto text = read_text_file(file.native(), kLongestConfig);
     if (!text) return Error{text.error().message};
     const std::string shown = file.lexically_proximate(fs::current_path(error)).native();
+    auto problem = add_text(*text, file, shown);
     to_.bases_.push_back(shown);
-    return add_text(*text, file, shown);
+    return problem;
   }
 
   std::optional<Error> add_preset(const std::string& id) {
