@@ -25,16 +25,22 @@ bool is_certain(std::string_view unescaped) {
 struct Sides {
   const Document& ours;
   const Document& theirs;
+  bool by_value;  ///< numbers are
 
   bool same_string(NodeId one, NodeId other) const {
     if (ours.raw(one) == theirs.raw(other)) return true;
     const std::string content = ours.string(one);
     return content == theirs.string(other) && is_certain(content);
   }
+  bool same(const Number& one, const Number& other) const {
+    return by_value ? one.value == other.value
+                    : same_number(ours.text(), one, theirs.text(), other);
+  }
   // What is left to compare is added to `pairs`.
   bool same_members(NodeId one, NodeId other, Pairs& pairs) const;
   bool same_elements(NodeId one, NodeId other, Pairs& pairs) const;
   bool same_numbers(NodeId one, NodeId other) const;
+  bool equal(NodeId one, NodeId other) const;
 };
 
 // Up to 15 digits, no two numbers have the same nearest double.
@@ -87,9 +93,32 @@ bool Sides::same_numbers(NodeId one, NodeId other) const {
   NumberCursor here(ours, one);
   NumberCursor there(theirs, other);
   for (; here.valid() && there.valid(); here.advance(), there.advance()) {
-    if (!same_number(ours.text(), here.number(), theirs.text(), there.number())) return false;
+    if (!same(here.number(), there.number())) return false;
   }
   return !here.valid() && !there.valid();
+}
+
+bool Sides::equal(NodeId one, NodeId other) const {
+  Pairs pairs{{one, other}};
+  while (!pairs.empty()) {
+    const auto [here, there] = pairs.back();
+    pairs.pop_back();
+    if (ours.kind(here) != theirs.kind(there)) return false;
+    bool alike = true;
+    if (ours.is_object(here)) {
+      alike = same_members(here, there, pairs);
+    } else if (ours.kind(here) == Kind::number_array) {
+      alike = same_numbers(here, there);
+    } else if (ours.is_array(here)) {
+      alike = same_elements(here, there, pairs);
+    } else if (ours.is_number(here)) {
+      alike = same(ours.number(here), theirs.number(there));
+    } else if (ours.is_string(here) || ours.kind(here) == Kind::key) {
+      alike = same_string(here, there);
+    }
+    if (!alike) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -106,27 +135,11 @@ bool equal(const Document& document, NodeId one, NodeId other) {
 }
 
 bool equal(const Document& ours, NodeId one, const Document& theirs, NodeId other) {
-  const Sides sides{ours, theirs};
-  Pairs pairs{{one, other}};
-  while (!pairs.empty()) {
-    const auto [here, there] = pairs.back();
-    pairs.pop_back();
-    if (ours.kind(here) != theirs.kind(there)) return false;
-    bool same = true;
-    if (ours.is_object(here)) {
-      same = sides.same_members(here, there, pairs);
-    } else if (ours.kind(here) == Kind::number_array) {
-      same = sides.same_numbers(here, there);
-    } else if (ours.is_array(here)) {
-      same = sides.same_elements(here, there, pairs);
-    } else if (ours.is_number(here)) {
-      same = same_number(ours.text(), ours.number(here), theirs.text(), theirs.number(there));
-    } else if (ours.is_string(here) || ours.kind(here) == Kind::key) {
-      same = sides.same_string(here, there);
-    }
-    if (!same) return false;
-  }
-  return true;
+  return Sides{ours, theirs, false}.equal(one, other);
+}
+
+bool equal_by_value(const Document& ours, NodeId one, const Document& theirs, NodeId other) {
+  return Sides{ours, theirs, true}.equal(one, other);
 }
 
 }  // namespace gltfx::json

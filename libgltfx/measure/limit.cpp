@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "measure/quantity.hpp"
 #include "schema/pattern.hpp"
@@ -34,11 +35,6 @@ namespace {
 
 using LimitNames = std::vector<std::string_view>;
 
-std::string did_you_mean(std::string_view word, const LimitNames& names) {
-  const std::string_view near = nearest(word, names);
-  return near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
-}
-
 LimitNames scope_names() {
   LimitNames names;
   for (std::size_t i = 0; i < kMeasureScopeCount; ++i) {
@@ -49,6 +45,10 @@ LimitNames scope_names() {
 
 bool is_taken_of(const MeasureDescription& measure, MeasureScope on) {
   return on == MeasureScope::asset ? measure.is_of_asset() : measure.is_on(on);
+}
+
+std::string_view phrase_of(MeasureScope scope) {
+  return scope == MeasureScope::asset ? "the asset" : measure_scope_name(scope);
 }
 
 // The operators that a measure has on a scope.
@@ -167,16 +167,14 @@ Result<const MeasureDescription*> measure_of(MeasureScope on, std::string_view n
   for (const MeasureDescription& measure : measures()) {
     if (is_taken_of(measure, on)) names.push_back(measure.name);
     if (measure.name != name) continue;
-    if (measure.is_of_asset()) scopes.emplace_back("the asset");
-    for (std::size_t i = 1; i < kMeasureScopeCount; ++i) {
+    for (std::size_t i = 0; i < kMeasureScopeCount; ++i) {
       const auto scope = static_cast<MeasureScope>(i);
-      if (measure.is_on(scope)) scopes.emplace_back(measure_scope_name(scope));
+      if (is_taken_of(measure, scope)) scopes.emplace_back(phrase_of(scope));
     }
   }
   if (!scopes.empty()) {
     return Error{fmt::format("{} is not a measure of {}; it is one of {}", gltfx::quoted(name),
-                             on == MeasureScope::asset ? "the asset" : measure_scope_name(on),
-                             join_and(scopes))};
+                             phrase_of(on), join_and(scopes))};
   }
   return Error{
       fmt::format("there is no measure {}{}", gltfx::quoted(name), did_you_mean(name, names))};
@@ -258,6 +256,9 @@ std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_vi
   if (const auto* text = std::get_if<std::string>(&value)) number = read_quantity(*text, unit);
   if (!number || !(*number >= 0) || !(*number <= most)) {
     return Error{fmt::format("{} must be a number from 0 to {}", name, quantity_words(most, unit))};
+  }
+  if (name == "at" && std::trunc(*number) != *number) {
+    return Error{"at must be a whole number of pixels"};
   }
   if (name == "weld") parameters.weld = *number;
   if (name == "angle") parameters.hard_angle = *number;
@@ -342,6 +343,7 @@ Result<std::vector<LimitChange>> read_budget(std::string_view text, std::string_
   } else if (number && dots != std::string_view::npos) {
     if (dots > 0) parts.emplace_back(LimitOp::min, value.substr(0, dots));
     if (dots + 2 < value.size()) parts.emplace_back(LimitOp::max, value.substr(dots + 2));
+    if (parts.empty()) return Error{fmt::format("{} has neither end", gltfx::quoted(value))};
   } else {
     const Literal literal = number ? Literal(std::string(value)) : Literal(value == "true");
     const auto op = op_of(*key->measure, literal);

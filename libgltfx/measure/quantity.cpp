@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/number.hpp"
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 
 namespace gltfx::measure {
@@ -56,10 +57,9 @@ Error wrong_unit(std::string_view text, std::string_view unit, std::string_view 
     return {fmt::format("{} has a unit, and the measure has none", gltfx::quoted(text))};
   }
   const auto names = units_of(wanted);
-  const std::string_view near = nearest(unit, names);
   const std::vector<std::string> all(names.begin(), names.end());
   return {fmt::format("{} is not in {}{}", gltfx::quoted(text), join_or(all),
-                      near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near))};
+                      did_you_mean(unit, names))};
 }
 
 // "1234567" as "1,234,567".

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
@@ -109,8 +110,7 @@ void with_path(std::string_view pointer, const Use& use) {
 std::string nearest_code(std::string_view word, const OwnRules* own) {
   std::vector<std::string_view> codes;
   for (const RuleDescription& rule : rules(own)) codes.push_back(rule.code);
-  const std::string_view near = nearest(word, codes);
-  return near.empty() ? std::string() : fmt::format("; did you mean '{}'?", near);
+  return did_you_mean(word, codes);
 }
 
 // Whether a rule only runs with pixels or limits, and so may have no finding in other runs.

@@ -8,6 +8,7 @@
 
 #include "base/hash.hpp"
 #include "base/number.hpp"
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "schema/build.hpp"
 #include "schema/form_check.hpp"

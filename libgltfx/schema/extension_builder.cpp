@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "base/number.hpp"
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "schema/shape_builder.hpp"
 

@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "schema/pattern.hpp"
 #include "schema/source.hpp"
@@ -239,8 +240,8 @@ std::optional<Flaw> FormCheck::one_of(Form form, json::NodeId node) const {
   const std::string text = document_.string(node);
   if (std::find(known.begin(), known.end(), text) != known.end()) return std::nullopt;
   const std::vector<std::string> list(known.begin(), known.end());
-  return Flaw{node, "must be " + join_or(list, 12) + ", not " + quoted(text) +
-                        did_you_mean(text, {known.begin(), known.end()})};
+  return Flaw{node,
+              "must be " + join_or(list, 12) + ", not " + quoted(text) + did_you_mean(text, known)};
 }
 
 std::optional<Flaw> FormCheck::list_of(Form element, json::NodeId node, bool may_be_empty) const {

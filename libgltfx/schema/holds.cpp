@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -11,9 +12,12 @@
 namespace gltfx::schema {
 
 bool is_multiple(double number, double of) {
+  if (std::trunc(number) == number && std::trunc(of) == of) return std::fmod(number, of) == 0;
   const double quotient = number / of;
-  return std::isfinite(quotient) &&
-         std::fabs(quotient - std::round(quotient)) <= 1e-9 * std::max(1.0, std::fabs(quotient));
+  // Both decimals and the division are rounded.
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+  return std::isfinite(quotient) && std::fabs(quotient - std::round(quotient)) <=
+                                        kRounding * std::max(1.0, std::fabs(quotient));
 }
 
 bool Holds::holds(ShapeId id, Value value, int depth) {

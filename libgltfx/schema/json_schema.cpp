@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "schema/holds.hpp"
 #include "schema/json_schema_evaluation.hpp"
+#include "schema/phrases.hpp"
 
 namespace gltfx::schema {
 
@@ -19,9 +20,10 @@ using Kind = Assertion::Kind;
 // Values and schemas inside one another: bounds the call stack.
 constexpr int kDeepest = 200;
 
-}  // namespace
+// Bytes of a text that are read in the time of a step.
+constexpr std::uint64_t kBytesOfAStep = 16;
 
-// The member's value; the one more member only of the checked object.
+}  // namespace
 
 bool Evaluation::fits(std::uint32_t id, const JsonValue& value, const Path& path,
                       SchemaFailure* failure) {
@@ -80,8 +82,8 @@ bool Evaluation::has_type(const Assertion& assertion, const Frame& at) const {
   if ((at.value.types() & assertion.types) != 0) return true;
   if (at.failure == nullptr) return false;
   return fail(at, [&] {
-    return fmt::format("it is {} and must be {}", type_words(at.value.types()),
-                       type_words(assertion.types));
+    return fmt::format("it is {} and must be {}", type_phrase(at.value.types()),
+                       type_phrase(assertion.types));
   });
 }
 
@@ -90,7 +92,7 @@ bool Evaluation::equals_one(const Assertion& assertion, const Frame& at) {
   std::vector<std::string> words;
   for (const json::NodeId literal : assertion.literals) {
     const bool numbers = assertion.least == 1;
-    if (!spend(1 + ours.span(literal).end - ours.span(literal).begin)) return true;
+    if (!spend(1 + ours.raw(literal).size() + at.value.raw().size() / kBytesOfAStep)) return true;
     if (!numbers) {
       if (equal_values(at.value, {&ours, literal})) return true;
       if (at.failure != nullptr) words.push_back(shown(ours.raw(literal)));
@@ -128,8 +130,7 @@ bool Evaluation::number_holds(const Assertion& assertion, const Frame& at) const
 }
 
 bool Evaluation::matches(const Pattern& pattern, std::string_view text) {
-  constexpr std::uint64_t kStepsAtOnce = 16;
-  return !spend(1 + text.size() * pattern.size() / kStepsAtOnce) || pattern.matches(text);
+  return !spend(1 + text.size() * pattern.size() / kBytesOfAStep) || pattern.matches(text);
 }
 
 bool Evaluation::text_holds(const Assertion& assertion, const Frame& at) {
@@ -141,7 +142,7 @@ bool Evaluation::text_holds(const Assertion& assertion, const Frame& at) {
              return fmt::format("{} does not match {}", quoted(text), quoted(pattern.text(), 200));
            });
   }
-  if (!spend(text.size() / 16)) return true;
+  if (!spend(text.size() / kBytesOfAStep)) return true;
   return size_holds(assertion, at, count_code_points(text), "character");
 }
 
@@ -155,8 +156,6 @@ bool Evaluation::size_holds(const Assertion& assertion, const Frame& at, std::ui
                        lower ? "least" : "most", assertion.least);
   });
 }
-
-// Keywords about members by their names, without the one more member.
 
 bool Evaluation::combination_holds(const Assertion& assertion, const Frame& at) {
   const auto inside = [&](std::uint32_t id, SchemaFailure* failure) {

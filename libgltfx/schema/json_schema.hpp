@@ -90,6 +90,8 @@ struct CheckedObject {
 struct SchemaFailure {
   std::string pointer;  ///< from the checked object
   std::string reason;   ///< "'Cube' does not match '^SM_'"
+  /// The value; of a number in an array the array. kNoNode: it is in the one more member.
+  json::NodeId node = json::kNoNode;
 };
 
 enum class SchemaVerdict : std::uint8_t { fits, fails, undecided };

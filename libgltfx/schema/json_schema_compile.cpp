@@ -11,8 +11,8 @@
 #include "schema/form_check.hpp"
 #include "schema/json_schema.hpp"
 #include "schema/json_schema_keywords.hpp"
-#include "schema/set.hpp"
 #include "schema/source.hpp"
+#include "schema/value.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -20,20 +20,6 @@ namespace {
 using Kind = Assertion::Kind;
 using S = Shape2020;
 using json::NodeId;
-
-std::uint8_t type_bits(std::string_view name) {
-  constexpr std::array<std::pair<std::string_view, std::uint8_t>, 7> kTypes{{{"object", kObject},
-                                                                             {"array", kArray},
-                                                                             {"string", kString},
-                                                                             {"number", kNumber},
-                                                                             {"integer", kInteger},
-                                                                             {"boolean", kBoolean},
-                                                                             {"null", kNull}}};
-  for (const auto& [known, bit] : kTypes) {
-    if (known == name) return bit;
-  }
-  return 0;
-}
 
 // Whether the schemas of a keyword apply to the same value, and not to a part of it.
 bool is_in_place(Kind kind) {
@@ -110,7 +96,7 @@ class JsonSchemaCompiler {
   }
 
   void read_keyword(const Keyword2020& keyword, NodeId site, NodeId value, Subschema& made) {
-    if (keyword.shape == S::annotation) return check_annotation(keyword, value);
+    if (keyword.shape == S::annotation) return check_annotation(keyword, site, value);
     if (keyword.name == "$defs") {
       // Also those that nothing refers to: a mistake in one is a mistake.
       for_members(keyword, value, [&](NodeId, NodeId inner) { request(inner); });
@@ -132,7 +118,11 @@ class JsonSchemaCompiler {
     made.assertions.push_back(std::move(assertion));
   }
 
-  void check_annotation(const Keyword2020& keyword, NodeId value) {
+  void check_annotation(const Keyword2020& keyword, NodeId site, NodeId value) {
+    if (keyword.name == "$id" && site != document_.root()) {
+      // References below would start from there.
+      return mistake(value, "only the whole schema may have an '$id'");
+    }
     if (keyword.name != "$schema") return;
     if (const auto flaw = FormCheck(document_).flaw(Form::dialect, value)) {
       mistake(value, fmt::format("'$schema' {}", flaw->message));
@@ -207,7 +197,7 @@ class JsonSchemaCompiler {
   void read_types(NodeId value, Assertion& into) {
     const auto add = [&](NodeId word) {
       const std::string name = document_.is_string(word) ? document_.string(word) : std::string();
-      const std::uint8_t bit = type_bits(name);
+      const std::uint8_t bit = type_bit(name);
       if (bit == 0) {
         mistake(word,
                 "'type' must be object, array, string, number, integer, boolean or null, or a list "
@@ -316,7 +306,8 @@ class JsonSchemaCompiler {
     NodeId target = json::kNoNode;
     std::optional<std::uint64_t> element;
     if (text.starts_with('#')) target = document_.resolve(text.substr(1), &element);
-    if (target == json::kNoNode || element) {
+    const bool escaped = text.find('%') != std::string::npos;  // "%20" may stand for a space
+    if (target == json::kNoNode || element || escaped) {
       return mistake(value, fmt::format("'$ref' must name a schema of this page, as in "
                                         "'#/$defs/NAME'; there is no {}",
                                         quoted(text)));

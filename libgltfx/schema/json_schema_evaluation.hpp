@@ -16,7 +16,7 @@
 
 namespace gltfx::schema {
 
-//// One check. Without a failure to fill, reasons are not formatted.
+/// One check. Without a failure to fill, reasons are not formatted.
 class Evaluation {
  public:
   Evaluation(const JsonSchema& schema, const CheckedObject& object, std::uint64_t& work)
@@ -39,12 +39,10 @@ class Evaluation {
   }
   /// `reason` gives the text.
   template <class Reason>
-  static bool fail(const Frame& at, const Reason& reason) {
-    if (at.failure != nullptr) *at.failure = {at.path.pointer(), reason()};
-    return false;
-  }
-  static bool fail(const Path& path, SchemaFailure* failure, std::string reason) {
-    if (failure != nullptr) *failure = {path.pointer(), std::move(reason)};
+  bool fail(const Frame& at, const Reason& reason) const {
+    if (at.failure == nullptr) return false;
+    const bool own = at.value.document == &object_.document;
+    *at.failure = {at.path.pointer(), reason(), own ? at.value.node : json::kNoNode};
     return false;
   }
 

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
-#include "schema/source.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -66,18 +66,29 @@ constexpr std::array kKeywords{
     Keyword2020{"else", S::consumed},
 };
 
-// What to write in place of a keyword that JSON Schema has and a rule has not.
-std::string_view replacement(std::string_view keyword) {
-  if (keyword == "format") return "; write a 'pattern'";
-  if (keyword == "unevaluatedProperties") return "; write 'additionalProperties'";
-  if (keyword == "unevaluatedItems" || keyword == "additionalItems") {
-    return "; write 'items', which applies behind 'prefixItems'";
-  }
-  if (keyword == "definitions") return "; write '$defs'";
-  if (keyword == "dependencies") return "; write 'dependentRequired' or 'dependentSchemas'";
-  if (keyword == "$dynamicRef" || keyword == "$recursiveRef") return "; write '$ref'";
-  return {};
-}
+struct Unsupported {
+  std::string_view name;
+  std::string_view instead;  ///< what to write
+};
+
+// Keywords that JSON Schema has, or had before 2020-12, and a rule has not.
+constexpr std::array kUnsupported{
+    Unsupported{"format", "; write a 'pattern'"},
+    Unsupported{"unevaluatedProperties", "; write 'additionalProperties'"},
+    Unsupported{"unevaluatedItems", "; write 'items', which applies behind 'prefixItems'"},
+    Unsupported{"additionalItems", "; write 'items', which applies behind 'prefixItems'"},
+    Unsupported{"definitions", "; write '$defs'"},
+    Unsupported{"dependencies", "; write 'dependentRequired' or 'dependentSchemas'"},
+    Unsupported{"$anchor", "; write a '$ref' to '#/$defs/NAME'"},
+    Unsupported{"$dynamicAnchor", "; write a '$ref' to '#/$defs/NAME'"},
+    Unsupported{"$recursiveAnchor", "; write a '$ref' to '#/$defs/NAME'"},
+    Unsupported{"$dynamicRef", "; write '$ref'"},
+    Unsupported{"$recursiveRef", "; write '$ref'"},
+    Unsupported{"$vocabulary", ""},
+    Unsupported{"contentEncoding", ""},
+    Unsupported{"contentMediaType", ""},
+    Unsupported{"contentSchema", ""},
+};
 
 }  // namespace
 
@@ -88,9 +99,10 @@ const Keyword2020* find_keyword(std::string_view name) {
 }
 
 std::string unknown_keyword(std::string_view name) {
-  std::string_view hint = replacement(name);
-  if (!hint.empty()) {
-    return fmt::format("{} is a keyword that rules do not have{}", quoted(name), hint);
+  const auto known = std::find_if(kUnsupported.begin(), kUnsupported.end(),
+                                  [&](const Unsupported& keyword) { return keyword.name == name; });
+  if (known != kUnsupported.end()) {
+    return fmt::format("{} is a keyword that rules do not have{}", quoted(name), known->instead);
   }
   std::vector<std::string_view> names;
   for (const Keyword2020& one : kKeywords) names.push_back(one.name);

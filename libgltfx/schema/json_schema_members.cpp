@@ -133,7 +133,8 @@ bool Evaluation::members_hold(const Assertion& assertion, const Frame& at) {
       const JsonValue key{&document, found.key};
       SchemaFailure inner;
       if (fits(assertion.schemas[0], key, path, at.failure == nullptr ? nullptr : &inner)) continue;
-      return fail(path, at.failure, fmt::format("the name is not allowed: {}", inner.reason));
+      return fail({key, path, at.failure},
+                  [&] { return fmt::format("the name is not allowed: {}", inner.reason); });
     }
     if (assertion.kind == Kind::additional_properties) {
       const bool named =

@@ -2,14 +2,13 @@
 #include "schema/json_value.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
 
 #include "base/text.hpp"
 #include "json/equal.hpp"
-#include "schema/set.hpp"
+#include "schema/value.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -86,22 +85,8 @@ json::Kind JsonValue::kind() const {
 }
 
 std::uint8_t JsonValue::types() const {
-  switch (kind()) {
-    case json::Kind::null:
-      return kNull;
-    case json::Kind::false_value:
-    case json::Kind::true_value:
-      return kBoolean;
-    case json::Kind::object:
-      return kObject;
-    case json::Kind::number:
-      return number() == std::floor(number()) ? kNumber | kInteger : kNumber;
-    case json::Kind::array:
-    case json::Kind::number_array:
-      return kArray;
-    default:
-      return kString;
-  }
+  const std::uint8_t bit = type_bit(kind());
+  return bit == kNumber && number() == std::floor(number()) ? kNumber | kInteger : bit;
 }
 
 double JsonValue::number() const {
@@ -117,7 +102,11 @@ bool equal_values(const JsonValue& one, const JsonValue& other) {
     return one.number() == other.number();
   }
   if (one.element != nullptr || other.element != nullptr) return false;
-  return json::equal(*one.document, one.node, *other.document, other.node);
+  if (one.kind() == json::Kind::string && other.kind() == json::Kind::string) {
+    std::string mine, theirs;  // a key is a string
+    return one.document->string(one.node, mine) == other.document->string(other.node, theirs);
+  }
+  return json::equal_by_value(*one.document, one.node, *other.document, other.node);
 }
 
 std::optional<std::pair<std::uint64_t, std::uint64_t>> equal_elements(const JsonValue& array,
@@ -157,22 +146,6 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> equal_elements(const Json
     }
   }
   return first;
-}
-
-std::string type_words(std::uint8_t types) {
-  constexpr std::array<std::pair<std::uint8_t, std::string_view>, 6> kWords{
-      {{kObject, "an object"},
-       {kArray, "an array"},
-       {kString, "a string"},
-       {kNumber, "a number"},
-       {kBoolean, "a boolean"},
-       {kNull, "null"}}};
-  std::vector<std::string> words;
-  for (const auto& [bit, word] : kWords) {
-    if ((types & bit) != 0) words.emplace_back(word);
-  }
-  if ((types & kInteger) != 0 && (types & kNumber) == 0) words.emplace_back("a whole number");
-  return join_or(words);
 }
 
 std::string shown(std::string_view raw) {

@@ -20,7 +20,7 @@ struct JsonValue {
 
   /// A key counts as a string.
   json::Kind kind() const;
-  /// TypeBits that the value has: a whole number has two.
+  /// TypeBits that the value has: an integer has two.
   std::uint8_t types() const;
   bool is_array() const { return element == nullptr && document->is_array(node); }
   /// Precondition: kind() is number.
@@ -54,9 +54,6 @@ bool equal_values(const JsonValue& one, const JsonValue& other);
 std::optional<std::pair<std::uint64_t, std::uint64_t>> equal_elements(const JsonValue& array,
                                                                       std::uint64_t& work,
                                                                       bool& exhausted);
-
-/// "a number", "a string or null".
-std::string type_words(std::uint8_t types);
 
 /// A value of a text for a message: printable, cut.
 std::string shown(std::string_view raw);

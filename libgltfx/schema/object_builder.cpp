@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "schema/shape_builder.hpp"
 

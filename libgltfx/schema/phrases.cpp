@@ -82,7 +82,8 @@ std::string type_phrase(std::uint8_t types) {
       {kNull, "null"}};
   std::vector<std::string> names;
   for (const auto& [bit, name] : kNames) {
-    if ((types & bit) != 0) names.emplace_back(name);
+    const bool named = bit == kInteger && (types & kNumber) != 0;
+    if ((types & bit) != 0 && !named) names.emplace_back(name);
   }
   return join_or(names);
 }

@@ -15,7 +15,7 @@ std::string name_of(const Path& path);
 std::string clause(std::string text);
 /// A scalar as written, cut; "an array", "an object".
 std::string shown(const Values& values, Value value);
-/// "a number", "a string or an object"; for one shape.
+/// "a number", "a string or an object". An integer beside a number is not named.
 std::string type_phrase(std::uint8_t types);
 /// What a number must be: "between 0 and 1", "above 0"; empty without limits.
 std::string range_phrase(const Shape& shape);

@@ -3,6 +3,7 @@
 // contain themselves.
 #include <algorithm>
 
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "schema/build.hpp"
 

@@ -4,21 +4,9 @@
 #include <cstdlib>
 
 #include "schema/shape_builder.hpp"
+#include "schema/value.hpp"
 
 namespace gltfx::schema {
-namespace {
-
-std::uint8_t type_bit(std::string_view name) {
-  if (name == "object") return kObject;
-  if (name == "array") return kArray;
-  if (name == "string") return kString;
-  if (name == "number") return kNumber;
-  if (name == "integer") return kInteger;
-  return name == "boolean" ? kBoolean : kNull;
-}
-
-}  // namespace
-
 void ShapeBuilder::read_keyword(Keyword keyword, Site value, const Where& where, Shape& shape,
                                 Members& members) {
   switch (keyword) {

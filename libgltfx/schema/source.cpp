@@ -156,11 +156,6 @@ std::vector<Source> load_sources(const std::vector<SourceFile>& files,
   return sources;
 }
 
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates) {
-  const std::string_view near = nearest(word, candidates);
-  return near.empty() ? std::string() : "; did you mean " + quoted(near) + "?";
-}
-
 std::string SchemaError::text() const {
   std::string place = file + ":" + std::to_string(line) + ":" + std::to_string(column) + ": ";
   return place + (pointer.empty() ? message : pointer + ": " + message);

@@ -81,7 +81,4 @@ std::vector<Source> load_sources(const std::vector<SourceFile>& files,
 /// The mistake in a JSON text, such as "a comma is missing".
 std::string json_mistake(const json::ParseError& error);
 
-/// " Did you mean 'x'?" or nothing.
-std::string did_you_mean(std::string_view word, const std::vector<std::string_view>& candidates);
-
 }  // namespace gltfx::schema

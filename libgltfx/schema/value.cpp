@@ -1,29 +1,50 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schema/value.hpp"
 
+#include <array>
+#include <utility>
+
 namespace gltfx::schema {
 
-bool Values::has_type(Value v, std::uint8_t types) const {
-  if (types == 0) return true;
-  switch (kind(v)) {
+std::uint8_t type_bit(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, TypeBit>, 7> kTypes{{{"object", kObject},
+                                                                        {"array", kArray},
+                                                                        {"string", kString},
+                                                                        {"number", kNumber},
+                                                                        {"integer", kInteger},
+                                                                        {"boolean", kBoolean},
+                                                                        {"null", kNull}}};
+  for (const auto& [known, bit] : kTypes) {
+    if (known == name) return bit;
+  }
+  return 0;
+}
+
+std::uint8_t type_bit(json::Kind kind) {
+  switch (kind) {
     case json::Kind::null:
-      return (types & kNull) != 0;
+      return kNull;
     case json::Kind::false_value:
     case json::Kind::true_value:
-      return (types & kBoolean) != 0;
+      return kBoolean;
     case json::Kind::string:
-      return (types & kString) != 0;
+    case json::Kind::key:
+      return kString;
     case json::Kind::array:
     case json::Kind::number_array:
-      return (types & kArray) != 0;
+      return kArray;
     case json::Kind::object:
-      return (types & kObject) != 0;
+      return kObject;
     case json::Kind::number:
-      return (types & kNumber) != 0 || ((types & kInteger) != 0 && number(v).is_integer());
-    case json::Kind::key:
       break;
   }
-  return false;
+  return kNumber;
+}
+
+bool Values::has_type(Value v, std::uint8_t types) const {
+  const std::uint8_t bit = type_bit(kind(v));
+  if (types == 0 || (types & bit) != 0) return true;
+  return bit == kNumber && (types & kInteger) != 0 && number(v).is_integer();
 }
 
 bool Values::equals(Value v, const Literal& literal) const {

@@ -3,10 +3,18 @@
 /// not have a node.
 #pragma once
 
+#include <cstdint>
+#include <string_view>
+
 #include "json/document.hpp"
 #include "schema/set.hpp"
 
 namespace gltfx::schema {
+
+/// The bit of a type by its name: "integer". 0: there is none.
+std::uint8_t type_bit(std::string_view name);
+/// The bit of a kind of value; a key is a string, and a number does not have kInteger.
+std::uint8_t type_bit(json::Kind kind);
 
 struct Value {
   json::NodeId node = json::kNoNode;

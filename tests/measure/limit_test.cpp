@@ -78,6 +78,19 @@ TEST(Budgets, MistakesNameWhatIsMeant) {
   EXPECT_EQ(read("mesh.name.unique=1"), "unique of name must be true or false");
 }
 
+TEST(Budgets, RangesHaveAnEnd) {
+  EXPECT_THAT(read("images=.."), HasSubstr("'..' has neither end"));
+  EXPECT_THAT(read("size-y=.."), HasSubstr("neither end"));
+}
+
+TEST(Budgets, PixelsOfAGutterAreWhole) {
+  MeasureParameters parameters;
+  EXPECT_TRUE(set_parameter(parameters, "at", 0.5));
+  EXPECT_TRUE(set_parameter(parameters, "at", std::string("1024.5 px")));
+  EXPECT_FALSE(set_parameter(parameters, "at", 1024.0));
+  EXPECT_EQ(parameters.gutter_at, 1024U);
+}
+
 TEST(Budgets, NumbersAreFinite) {
   for (const char* const number : {"nan", "inf", "1e999", "", "x", "--1"}) {
     EXPECT_THAT(read("triangles.max=" + std::string(number)), HasSubstr("not a number")) << number;

@@ -5,16 +5,17 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/code.hpp"
 #include "base/interned.hpp"
+#include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "json/lines.hpp"
 #include "schema/page_reader.hpp"
-#include "schema/source.hpp"
 
 namespace gltfx::validate {
 namespace {
@@ -49,10 +50,10 @@ constexpr auto kScopeNames = [] {
 
 constexpr std::array<std::string_view, 5> kKeys{"severity", "on", "message", "help", "link"};
 constexpr std::string_view kPageEnding = ".md";
+
 // The nearest of some words, or all of them.
-template <class Words>
-std::string one_of(std::string_view word, const Words& words) {
-  const std::string near = schema::did_you_mean(word, {words.begin(), words.end()});
+std::string one_of(std::string_view word, std::span<const std::string_view> words) {
+  const std::string near = did_you_mean(word, words);
   return near.empty() ? fmt::format("; expected one of {}", fmt::join(words, ", ")) : near;
 }
 
@@ -79,6 +80,10 @@ class OwnPageReader {
     if (!mistake_.empty() || !schema_) return nullptr;
     page_->schema = *std::move(schema_);
     page_->file = file_;
+    HashParts source;
+    source.add(file_);
+    source.add(text_);
+    page_->source = source.finish();
     return std::move(page_);
   }
 
@@ -117,9 +122,10 @@ class OwnPageReader {
         read_scope(value, reader);
       } else if (key == "message") {
         page_->message = unquoted(value);
-        if (std::string_view(".!?").find(page_->message.back()) == std::string_view::npos) {
-          page_->message += '.';
-        }
+        const bool open =
+            !page_->message.empty() &&
+            std::string_view(".!?").find(page_->message.back()) == std::string_view::npos;
+        if (open) page_->message += '.';
       } else if (key == "help") {
         page_->advice = without_stop(unquoted(value));
       } else if (key == "link") {
@@ -148,7 +154,8 @@ class OwnPageReader {
   static std::string unquoted(std::string_view value) {
     const bool quotes = value.size() >= 2 && value.front() == '"' && value.back() == '"';
     if (quotes) value = value.substr(1, value.size() - 2);
-    return value.empty() ? std::string(" ") : std::string(value);
+    if (value.find_first_not_of(" \t") == std::string_view::npos) return {};
+    return std::string(value);
   }
 
   void read_sections(schema::PageReader& reader) {
@@ -160,8 +167,7 @@ class OwnPageReader {
     if (const auto block = reader.block_below("## Schema"); !reader.failed()) read_schema(block);
     page_->bad = example(reader.block_below("## Bad"));
     page_->good = example(reader.block_below("## Good"));
-    reader.skip_blank_lines();
-    if (!reader.failed() && !reader.at_end()) reader.fail("expected nothing after the examples");
+    reader.expect_end();
   }
 
   static std::string text(std::string paragraph, schema::PageReader& reader) {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/hash.hpp"
 #include "model/asset.hpp"
 #include "schema/json_schema.hpp"
 
@@ -46,6 +47,7 @@ struct OwnPage {
   std::string message, advice;  ///< advice: `help` of the page, may be empty
   std::string link, summary, why, help;
   OwnExample bad, good;
+  Hash128 source;  ///< of the page's name and text
   schema::JsonSchema schema;
 
   /// Its texts are those of the page.
