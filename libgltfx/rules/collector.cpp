@@ -138,7 +138,14 @@ void Collector::PhaseSink::bind(Collector& collector, Phase phase) {
 }
 
 void Collector::PhaseSink::report(const Path& path, Finding finding) {
-  collector_->add(phase_, path, std::move(finding));
+  const Span span = finding.span;
+  // What is measured is made of many lines.
+  const bool measured = description(collector_->options_, finding.code).code.starts_with("BUDGET_");
+  collector_->add(phase_, path, std::move(finding), measured ? Span() : span);
+}
+
+void Collector::report(Phase phase, const Path& path, Finding finding, Span extent) {
+  add(phase, path, std::move(finding), extent);
 }
 
 Severity Collector::severity_of(const Finding& finding) const {
@@ -190,9 +197,9 @@ bool Collector::fold(Phase phase, Severity severity, const Path& path, Finding& 
   return true;
 }
 
-bool Collector::wants(const Finding& finding, Severity severity) {
+bool Collector::wants(const Finding& finding, Severity severity, Span extent) {
   if (!accepts(options_, finding.code, severity)) return false;
-  if (!changed_ || changed_->touches(finding.span)) return true;
+  if (!changed_ || changed_->touches(extent)) return true;
   unchanged_ += finding.count;
   return false;
 }
@@ -209,10 +216,10 @@ void Collector::note_broken(Phase phase, const Path& path, const Finding& findin
   if (finding.severity.value_or(rule.severity) == Severity::error) broken_->add(path, finding.span);
 }
 
-void Collector::add(Phase phase, const Path& path, Finding finding) {
+void Collector::add(Phase phase, const Path& path, Finding finding, Span extent) {
   note_broken(phase, path, finding);
   const Severity severity = severity_of(finding);
-  if (!wants(finding, severity)) return note_error(phase, severity, finding);
+  if (!wants(finding, severity, extent)) return note_error(phase, severity, finding);
   if (suppressions_ != nullptr &&
       suppressions_->covers(finding.code, path, static_cast<std::size_t>(phase), finding.count)) {
     return;
@@ -226,7 +233,7 @@ void Collector::add(Phase phase, const Path& path, Finding finding) {
 void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding) {
   const Severity severity = severity_of(finding);
   note_error(phase, severity, finding);
-  if (!wants(finding, severity)) return;
+  if (!wants(finding, severity, finding.span)) return;
   keep_site(phase, severity, finding);
   store(phase, severity, std::move(finding), {}, offset);
 }
@@ -234,7 +241,7 @@ void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding
 void Collector::report_file(Phase phase, Finding finding) {
   const Severity severity = severity_of(finding);
   note_error(phase, severity, finding);
-  if (!wants(finding, severity)) return;
+  if (!wants(finding, severity, finding.span)) return;
   keep_site(phase, severity, finding);
   store(phase, severity, std::move(finding), {}, std::nullopt);
 }

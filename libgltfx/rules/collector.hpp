@@ -76,6 +76,9 @@ class Collector {
 
   /// The sink of a phase; lives as long as the collector.
   Sink& sink(Phase phase) { return phases_[static_cast<std::size_t>(phase)].sink; }
+  /// A finding that depends on more of the text than it marks. `extent`: all of that; empty: the
+  /// whole text.
+  void report(Phase phase, const Path& path, Finding finding, Span extent);
   /// A finding on the container, at a byte of the file.
   void report_offset(Phase phase, std::uint64_t offset, Finding finding);
   /// A finding without a value: about the whole file, or about its text.
@@ -132,9 +135,9 @@ class Collector {
     std::unordered_map<std::uint64_t, Places> places;       ///< by code and severity
   };
 
-  void add(Phase phase, const Path& path, Finding finding);
+  void add(Phase phase, const Path& path, Finding finding, Span extent);
   void note_broken(Phase phase, const Path& path, const Finding& finding);
-  bool wants(const Finding& finding, Severity severity);
+  bool wants(const Finding& finding, Severity severity, Span extent);
   void note_error(Phase phase, Severity severity, const Finding& finding);
   void keep_site(Phase phase, Severity severity, const Finding& finding);
   bool leave_out(Phase phase, Severity severity, const Finding& finding);

@@ -52,13 +52,14 @@ PixelLevel pixel_level(const ValidateOptions& options) {
   return options.pixels.value_or(strict ? PixelLevel::needed : PixelLevel::headers);
 }
 
-const RuleDescription* find_rule(std::string_view code) {
-  const auto all = rules();
+const RuleDescription* find_rule(std::string_view code, std::span<const RuleDescription> all) {
   const auto at = std::lower_bound(
       all.begin(), all.end(), code,
       [](const RuleDescription& rule, std::string_view wanted) { return rule.code < wanted; });
   return at != all.end() && at->code == code ? &*at : nullptr;
 }
+
+const RuleDescription* find_rule(std::string_view code) { return find_rule(code, rules()); }
 
 namespace validate {
 
@@ -76,11 +77,9 @@ std::optional<Code> code_of(std::string_view name, const OwnRules* own) {
   const RuleDescription* const rule = gltfx::find_rule(name);
   if (rule != nullptr) return static_cast<Code>(rule - gltfx::rules().data());
   if (own == nullptr) return std::nullopt;
-  const auto all = own->descriptions();
-  const auto at = std::find_if(all.begin(), all.end(),
-                               [&](const RuleDescription& one) { return one.code == name; });
-  if (at == all.end()) return std::nullopt;
-  return own_code(static_cast<std::size_t>(at - all.begin()));
+  const RuleDescription* const one = find_rule(name, own->descriptions());
+  if (one == nullptr) return std::nullopt;
+  return own_code(static_cast<std::size_t>(one - own->descriptions().data()));
 }
 
 }  // namespace validate

@@ -194,7 +194,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
       if (options.own_rules && additions) {
         broken.finish();
         check_own_rules(context, broken, report.path, bytes.measured ? &*bytes.measured : nullptr,
-                        collector.sink(Phase::own_rules));
+                        collector);
       }
       suppressions.report(options, links);
       if (!hides) opened.keep_views(std::move(context.views));

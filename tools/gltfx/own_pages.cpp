@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "own_pages.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 #include <system_error>
@@ -10,13 +11,12 @@
 
 #include "base/text.hpp"
 #include "read_input.hpp"
+#include "rules/own/own_rules.hpp"
 
 namespace gltfx::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uint64_t kLongestPage = std::uint64_t{1} << 20U;
 
 // The pages of a folder, or the file itself.
 Result<std::vector<std::string>> page_files(const std::string& path) {
@@ -35,24 +35,25 @@ Result<std::vector<std::string>> page_files(const std::string& path) {
 }  // namespace
 
 std::optional<Error> OwnPages::read(const std::vector<std::string>& paths) {
-  const std::size_t before = pages_.size();
+  std::vector<OwnRulePage> fresh;
   for (const std::string& path : paths) {
     if (files_.contains(path)) continue;
     auto files = page_files(path);
     if (!files) return files.error();
     for (std::string& file : *files) {
       file = fs::path(file).lexically_normal().native();
-      if (pages_.contains(file)) continue;
-      auto text = read_text_file(file, kLongestPage);
+      // One page too many is a mistake; more of them need not be read.
+      if (known_.size() > validate::kMostOwnPages || !known_.insert(file).second) continue;
+      auto text = read_text_file(file, validate::kLongestOwnPage);
       if (!text) return text.error();
-      pages_.emplace(file, OwnRulePage{file, *std::move(text)});
+      fresh.push_back({file, *std::move(text)});
     }
     files_.emplace(path, *std::move(files));
   }
-  if (pages_.size() == before) return std::nullopt;
-  std::vector<OwnRulePage> pages;
-  for (const auto& [file, page] : pages_) pages.push_back(page);
-  OwnRulesRead read = read_own_rules(pages);
+  if (fresh.empty()) return std::nullopt;
+  std::sort(fresh.begin(), fresh.end(),
+            [](const OwnRulePage& a, const OwnRulePage& b) { return a.file < b.file; });
+  OwnRulesRead read = read_own_rules(fresh, all_.get());
   if (!read.mistakes.empty()) {
     return Error{
         fmt::format("the pages of rules have mistakes\n{}", fmt::join(read.mistakes, "\n"))};
@@ -67,10 +68,7 @@ std::shared_ptr<const OwnRules> OwnPages::of(const std::vector<std::string>& pat
     const auto found = files_.find(path);
     if (found != files_.end()) files.insert(found->second.begin(), found->second.end());
   }
-  if (files.size() == pages_.size()) return all_;
-  std::vector<OwnRulePage> pages;
-  for (const std::string& file : files) pages.push_back(pages_.at(file));
-  return read_own_rules(pages).rules;
+  return files.size() == known_.size() || all_ == nullptr ? all_ : all_->of(files);
 }
 
 }  // namespace gltfx::tool

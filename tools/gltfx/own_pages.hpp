@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@
 
 namespace gltfx::tool {
 
-/// Each path is read once. Paths that select pages later must have been read.
+/// Each page is read and compiled once. Paths that select pages later must have been read.
 class OwnPages {
  public:
   /// Reads and compiles the pages of files and folders, together with those read before. The Error
@@ -28,7 +29,7 @@ class OwnPages {
 
  private:
   std::map<std::string, std::vector<std::string>> files_;  ///< by path that names them
-  std::map<std::string, OwnRulePage> pages_;               ///< by file
+  std::set<std::string> known_;                            ///< files that were read
   std::shared_ptr<const OwnRules> all_;
 };
 

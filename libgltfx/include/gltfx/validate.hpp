@@ -69,8 +69,8 @@ struct ValidateOptions {
   std::shared_ptr<const SearchedFolders> searched;
   /// Findings kept per file, 0: no limit.
   std::uint64_t max_issues = 0;
-  /// Leave out findings on other lines of the JSON text; those without a place stay when there is
-  /// any range. Nothing: all lines.
+  /// Leave out findings on other lines of the JSON text, those of own rules by all lines of their
+  /// object. Those without a place and on limits stay when there is any range. Nothing: all lines.
   std::optional<std::vector<LineRange>> changed_lines;
   /// Fill Diagnostic::fix where a program can fix the finding and the picture stays the same. Each
   /// proposal is validated, which takes longer than the validation itself.

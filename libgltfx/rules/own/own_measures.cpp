@@ -5,6 +5,7 @@
 
 #include "measure/source.hpp"
 #include "measure/take.hpp"
+#include "rules/collector.hpp"
 #include "rules/own/own_rules.hpp"
 
 namespace gltfx::validate {
@@ -39,7 +40,10 @@ std::optional<Measurements> take_own_measures(const Context& context,
   if (!runs) return std::nullopt;
   measure::Request request;
   request.wanted.emplace();
-  for (const auto& page : context.options.own_rules->pages()) add_named(*page, *request.wanted);
+  const auto& pages = context.options.own_rules->pages();
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    if (is_enabled(context.options, own_code(i))) add_named(*pages[i], *request.wanted);
+  }
   if (request.wanted->empty()) return std::nullopt;
   request.pixels = context.options.pixels != PixelLevel::headers;
   const measure::Source source({name, context.container, context.files, context.asset,

@@ -18,8 +18,8 @@ namespace gltfx::validate {
 /// The scope of measures for objects of a rule; nothing: they have none.
 std::optional<MeasureScope> measure_scope_of(const OwnScope& scope);
 
-/// Takes the measures whose names are members in a schema of the rules. Nothing without such a
-/// name. `name`: the path of the asset.
+/// Takes the measures whose names are members in a schema of a rule that is enabled. Nothing
+/// without such a name. `name`: the path of the asset.
 std::optional<Measurements> take_own_measures(const Context& context,
                                               const model::ResourceData& resources,
                                               const std::string& name);

@@ -22,42 +22,55 @@ bool by_code(const RuleDescription& a, const RuleDescription& b) { return a.code
 
 }  // namespace
 
-OwnRules::OwnRules(std::vector<std::unique_ptr<const validate::OwnPage>> pages)
-    : pages_(std::move(pages)) {
+OwnRules::OwnRules(Pages pages) : pages_(std::move(pages)) {
   std::sort(pages_.begin(), pages_.end(),
             [](const auto& a, const auto& b) { return a->code < b->code; });
-  for (const auto& page : pages_) own_.push_back(page->description());
+  HashParts sources;
+  for (const auto& page : pages_) {
+    own_.push_back(page->description());
+    sources.add(page->source);
+  }
+  sources_ = sources.finish();
   const auto ours = gltfx::rules();
   std::merge(ours.begin(), ours.end(), own_.begin(), own_.end(), std::back_inserter(table_),
              by_code);
 }
 
-OwnRulesRead read_own_rules(std::span<const OwnRulePage> pages) {
+std::shared_ptr<const OwnRules> OwnRules::of(const std::set<std::string>& files) const {
+  Pages some;
+  std::copy_if(pages_.begin(), pages_.end(), std::back_inserter(some),
+               [&](const auto& page) { return files.contains(page->file); });
+  return some.empty() ? nullptr : std::make_shared<const OwnRules>(std::move(some));
+}
+
+OwnRulesRead read_own_rules(std::span<const OwnRulePage> pages, const OwnRules* known) {
   OwnRulesRead read;
-  std::vector<std::unique_ptr<const validate::OwnPage>> good;
+  OwnRules::Pages all;
   std::set<std::string_view> codes;
-  HashParts sources;
-  for (const OwnRulePage& page : pages.first(std::min(pages.size(), validate::kMostOwnPages))) {
-    sources.add(page.file);
-    sources.add(page.text);
+  if (known != nullptr) all = known->pages();
+  for (const auto& page : all) codes.insert(page->code);
+  for (const OwnRulePage& page : pages) {
+    if (all.size() == validate::kMostOwnPages) {
+      read.mistakes.push_back(fmt::format("{}:1: there are more than {} pages",
+                                          printable(page.file), validate::kMostOwnPages));
+      break;
+    }
     auto made = validate::read_own_page(page, read.mistakes);
     if (made == nullptr) continue;
     if (!codes.insert(made->code).second) {
       read.mistakes.push_back(
           fmt::format("{}:1: another page has the code {}", printable(page.file), made->code));
     }
-    good.push_back(std::move(made));
+    all.push_back(std::move(made));
   }
-  if (pages.size() > validate::kMostOwnPages) {
-    read.mistakes.push_back(fmt::format("{}:1: there are more than {} pages",
-                                        printable(pages[validate::kMostOwnPages].file),
-                                        validate::kMostOwnPages));
+  if (read.mistakes.empty() && !all.empty()) {
+    read.rules = std::make_shared<const OwnRules>(std::move(all));
   }
-  if (!read.mistakes.empty() || good.empty()) return read;
-  const auto rules = std::make_shared<OwnRules>(std::move(good));
-  rules->set_sources(sources.finish());
-  read.rules = rules;
   return read;
+}
+
+OwnRulesRead read_own_rules(std::span<const OwnRulePage> pages) {
+  return read_own_rules(pages, nullptr);
 }
 
 std::span<const RuleDescription> rules(const OwnRules* own) {
@@ -65,12 +78,7 @@ std::span<const RuleDescription> rules(const OwnRules* own) {
 }
 
 const RuleDescription* find_rule(std::string_view code, const OwnRules* own) {
-  if (own == nullptr) return find_rule(code);
-  const auto all = own->table();
-  const auto at = std::lower_bound(
-      all.begin(), all.end(), code,
-      [](const RuleDescription& rule, std::string_view wanted) { return rule.code < wanted; });
-  return at != all.end() && at->code == code ? &*at : nullptr;
+  return find_rule(code, rules(own));
 }
 
 namespace validate {
@@ -80,16 +88,28 @@ namespace {
 class OwnCheck {
  public:
   OwnCheck(const Context& context, const BrokenPlaces& broken, const OwnMembers& members,
-           const OwnPage& page, Code code, Sink& sink)
+           const OwnPage& page, Code code, Collector& collector)
       : context_(context),
         broken_(broken),
         members_(members),
         page_(page),
         code_(code),
-        sink_(sink),
+        collector_(collector),
         work_(kLeastWork + kWorkOfAByte * context.document.text().size()) {}
 
   void run() {
+    check_scope();
+    if (unchecked_ > 0) report_unchecked();
+  }
+
+ private:
+  // A small asset is checked whatever it holds; a large one in a time that its size explains.
+  static constexpr std::uint64_t kLeastWork = 4'000'000;
+  static constexpr std::uint64_t kWorkOfAByte = 16;
+  // Bytes of the member `gltfx` that are made in the time of a step.
+  static constexpr std::uint64_t kBytesOfAStep = 16;
+
+  void check_scope() {
     const json::Document& document = context_.document;
     const Path root;
     switch (page_.scope->place) {
@@ -108,15 +128,10 @@ class OwnCheck {
     }
   }
 
- private:
-  // A small asset is checked whatever it holds; a large one in a time that its size explains.
-  static constexpr std::uint64_t kLeastWork = 4'000'000;
-  static constexpr std::uint64_t kWorkOfAByte = 16;
-
   void check_elements(model::RootArray array, const Path& root) {
     const Path list(root, model::root_array_name(array));
     const auto& elements = context_.asset.elements(array);
-    for (std::size_t i = 0; i < elements.size() && work_ > 0; ++i) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
       if (elements[i] != json::kNoNode) check_sound({elements[i], i, {}}, Path(list, i));
     }
   }
@@ -125,7 +140,7 @@ class OwnCheck {
     const json::Document& document = context_.document;
     const Path list(root, "meshes");
     const auto& meshes = context_.asset.elements(model::RootArray::meshes);
-    for (std::size_t i = 0; i < meshes.size() && work_ > 0; ++i) {
+    for (std::size_t i = 0; i < meshes.size(); ++i) {
       const json::NodeId primitives = document.find(meshes[i], "primitives");
       if (primitives == json::kNoNode || document.kind(primitives) != json::Kind::array) continue;
       const Path mesh(list, i);
@@ -146,25 +161,46 @@ class OwnCheck {
   void check(const OwnSubject& subject, const Path& path) {
     std::optional<json::Document> more;
     const auto make_more = [&]() -> const json::Document& {
-      if (!more) more = members_.document(*page_.scope, subject);
+      if (!more) {
+        more = members_.document(*page_.scope, subject);
+        work_ -= std::min(work_, std::uint64_t{more->text().size() / kBytesOfAStep});
+      }
       return *more;
     };
     schema::SchemaFailure failure;
     const schema::CheckedObject object{context_.document, subject.object, kOwnMember, make_more};
-    switch (page_.schema.check(object, work_, failure)) {
-      case schema::SchemaVerdict::fits:
-        return;
-      case schema::SchemaVerdict::undecided:
-        return report(subject, path, "The rule takes too many steps to be checked here.",
-                      "simplify the schema of the rule");
-      case schema::SchemaVerdict::fails:
-        return report(subject, path, page_.message, help(path, failure));
+    const schema::SchemaVerdict verdict =
+        work_ == 0 ? schema::SchemaVerdict::undecided : page_.schema.check(object, work_, failure);
+    if (verdict == schema::SchemaVerdict::fails) {
+      return report(subject.object, path, failure);
     }
+    if (verdict == schema::SchemaVerdict::fits) return;
+    if (unchecked_ == 0) {
+      first_unchecked_ = subject.object;
+      pointer_ = path.pointer();
+    }
+    ++unchecked_;
   }
 
-  void report(const OwnSubject& subject, const Path& path, std::string message, std::string help) {
-    sink_.report(path,
-                 finding_on(context_, subject.object, code_, std::move(message), std::move(help)));
+  // Marks the value that does not fit. A change of the object may have caused that; where the value
+  // is not in the text of the object, any change may.
+  void report(json::NodeId object, const Path& path, const schema::SchemaFailure& failure) {
+    const bool inside = failure.node != json::kNoNode;
+    Finding finding = finding_on(context_, inside ? failure.node : object, code_, page_.message,
+                                 help(path, failure));
+    collector_.report(Phase::own_rules, path, std::move(finding),
+                      inside ? context_.document.span(object) : Span());
+  }
+
+  void report_unchecked() {
+    const std::string which = unchecked_ == 1
+                                  ? "this object is"
+                                  : fmt::format("this object and {} more are", unchecked_ - 1);
+    Finding finding =
+        finding_on(context_, first_unchecked_, code_,
+                   fmt::format("The rule takes too many steps: {} not checked.", which),
+                   "simplify the schema of the rule");
+    report_at(collector_.sink(Phase::own_rules), pointer_, std::move(finding));
   }
 
   std::string help(const Path& path, const schema::SchemaFailure& failure) const {
@@ -179,8 +215,11 @@ class OwnCheck {
   const OwnMembers& members_;
   const OwnPage& page_;
   const Code code_;
-  Sink& sink_;
+  Collector& collector_;
   std::uint64_t work_;
+  std::uint64_t unchecked_ = 0;                   // objects without a verdict
+  json::NodeId first_unchecked_ = json::kNoNode;  // of these
+  std::string pointer_;                           // to it
 };
 
 }  // namespace
@@ -188,13 +227,13 @@ class OwnCheck {
 Code own_code(std::size_t page) { return static_cast<Code>(gltfx::rules().size() + page); }
 
 void check_own_rules(const Context& context, const BrokenPlaces& broken, const std::string& name,
-                     const Measurements* measured, Sink& sink) {
+                     const Measurements* measured, Collector& collector) {
   const OwnMembers members(context, name, measured);
   const auto& pages = context.options.own_rules->pages();
   for (std::size_t i = 0; i < pages.size(); ++i) {
     const Code code = own_code(i);
     if (!is_enabled(context.options, code)) continue;
-    OwnCheck(context, broken, members, *pages[i], code, sink).run();
+    OwnCheck(context, broken, members, *pages[i], code, collector).run();
   }
 }
 
