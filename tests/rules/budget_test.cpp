@@ -198,8 +198,33 @@ TEST(Budget, SeverityOfTheCodeComesFirst) {
   options.severity.emplace("BUDGET_TRIANGLES", Severity::info);
   options.select = {"BUDGET_TRIANGLES"};
   EXPECT_EQ(report_on(two_meshes(), options).counts.infos, 2U);
+  EXPECT_EQ(report_on(two_meshes(), options).requirements.front().severity, Severity::info);
+  options.limits = limits({"mesh.triangles=9"});
+  EXPECT_EQ(report_on(two_meshes(), options).requirements.front().severity, Severity::info);
   options.ignore.emplace("BUDGET_TRIANGLES");
   EXPECT_THAT(report_on(two_meshes(), options).requirements, IsEmpty());
+}
+
+// What is measured is made of many lines.
+TEST(Budget, CountsWhenAnyLineChanged) {
+  ValidateOptions options = against({"mesh.triangles=1"});
+  options.select = {"BUDGET_TRIANGLES"};
+  options.changed_lines.emplace();
+  EXPECT_THAT(verdict(two_meshes(), options), IsEmpty());
+  options.changed_lines = {{1, 1}};
+  EXPECT_THAT(verdict(two_meshes(), options), ElementsAre("BUDGET_TRIANGLES /meshes/0 x2"));
+}
+
+TEST(Budget, ALongListOfWordsIsInFewRows) {
+  std::string meshes, words;
+  for (int i = 0; i < 1000; ++i) {
+    meshes += i == 0 ? "{}" : ", {}";
+    words += (i == 0 ? "w" : ",w") + std::to_string(i);
+  }
+  const FileReport report =
+      report_on(asset_with("\"meshes\": [" + meshes + "]"), against({"mesh.name.allow=" + words}));
+  EXPECT_LE(report.requirements.size(), 16U);
+  EXPECT_EQ(report.requirements.size() + report.unlisted_requirements, 1000U);
 }
 
 TEST(Budget, TheKhronosProfileHasNone) {

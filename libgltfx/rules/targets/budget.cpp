@@ -31,16 +31,22 @@ namespace {
 constexpr std::size_t kMostRequirements = 4096;
 // Of one limit, so that the rows of others have room.
 constexpr std::size_t kMostOfOneLimit = 256;
+// A list with more words counts as several rows.
+constexpr std::size_t kWordsOfARow = 64;
 
 Code code_of_limit(const Limit& limit) {
   return static_cast<Code>(find_rule(limit.measure->code) - rules().data());
 }
 
-bool is_asked(const ValidateOptions& options, const Limit& limit) {
-  if (options.select.contains(code_name(Code::BUDGET_NOT_MEASURED))) return true;
+// Of findings of the limit.
+Severity severity_of(const ValidateOptions& options, const Limit& limit) {
   const auto level = options.severity.find(limit.measure->code);
-  return accepts(options, code_of_limit(limit),
-                 level == options.severity.end() ? limit.severity : level->second);
+  return level == options.severity.end() ? limit.severity : level->second;
+}
+
+bool is_asked(const ValidateOptions& options, const Limit& limit) {
+  return options.select.contains(code_name(Code::BUDGET_NOT_MEASURED)) ||
+         accepts(options, code_of_limit(limit), severity_of(options, limit));
 }
 
 // Limits whose measures are taken in the same way, by position.
@@ -99,8 +105,14 @@ CheckedValue limit_value(const Limit& limit) {
 // Compares the values of one limit.
 class LimitCheck {
  public:
-  LimitCheck(const LimitPlaces& places, const Limit& limit, FileReport& report, Sink& sink)
-      : places_(places), limit_(limit), texts_(limit), report_(report), sink_(sink) {}
+  LimitCheck(const LimitPlaces& places, const Limit& limit, Severity severity, FileReport& report,
+             Sink& sink)
+      : places_(places),
+        limit_(limit),
+        severity_(severity),
+        texts_(limit),
+        report_(report),
+        sink_(sink) {}
 
   void run(const Measurements& taken) {
     const MeasureColumn* column = taken.find(limit_.on, limit_.measure->name);
@@ -145,7 +157,7 @@ class LimitCheck {
     Finding finding(code_of_limit(limit_));
     finding.message =
         broken_limit(limit_, texts_, places_.measured(limit_.on, element), value, same_as);
-    finding.severity = limit_.severity;
+    finding.severity = severity_;
     report(element, value, std::move(finding));
     add_row(Verdict::fail, element, value, true);
   }
@@ -161,11 +173,14 @@ class LimitCheck {
     // Findings about other limits of the same measure are no repeats.
     finding.about = fmt::format("{} {} {} {}", measure_scope_name(limit_.on),
                                 limit_op_name(limit_.op), limit_.number, limit_.from);
-    if (listed_ < kMostRequirements) {
+    if (listed_ < kMostRequirements / weight()) {
       finding.requirement = std::make_shared<const CheckedLimit>(row(value));
     }
     places_.report(limit_, element, std::move(finding), sink_);
   }
+
+  // Each row has all words of the limit.
+  std::size_t weight() const { return 1 + limit_.texts.size() / kWordsOfARow; }
 
   CheckedLimit row(const MeasureValue& value) const {
     return {std::string(limit_.measure->name),
@@ -179,11 +194,11 @@ class LimitCheck {
 
   void add_row(Verdict verdict, std::size_t element, const MeasureValue& value, bool placed) {
     ++listed_;
-    if (listed_ > kMostOfOneLimit || report_.requirements.size() >= kMostRequirements) {
+    if (listed_ > kMostOfOneLimit / weight() || report_.requirements.size() >= kMostRequirements) {
       ++report_.unlisted_requirements;
       return;
     }
-    Requirement requirement{row(value), {}, {}, verdict, limit_.severity};
+    Requirement requirement{row(value), {}, {}, verdict, severity_};
     if (placed && limit_.on != MeasureScope::asset) {
       requirement.pointer = places_.pointer(limit_.on, element);
       requirement.object_name = places_.name(limit_.on, element);
@@ -193,6 +208,7 @@ class LimitCheck {
 
   const LimitPlaces& places_;
   const Limit& limit_;
+  const Severity severity_;
   measure::LimitTexts texts_;
   FileReport& report_;
   Sink& sink_;
@@ -225,7 +241,8 @@ void check_limits(const Context& context, const model::ResourceData& resources, 
     if (!group_of[i]) continue;
     const Measurements& values = taken[*group_of[i]];
     const LimitPlaces places(context, values, source.default_scene());
-    LimitCheck(places, limits[i], report, sink).run(values);
+    LimitCheck(places, limits[i], severity_of(context.options, limits[i]), report, sink)
+        .run(values);
   }
 }
 
