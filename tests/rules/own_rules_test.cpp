@@ -18,6 +18,7 @@
 namespace gltfx::test {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -46,7 +47,7 @@ const std::string kAll = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": 
     {"componentType": 5126, "count": 3, "type": "VEC3"}]})";
 
 TEST(OwnRules, CheckEachKindOfObject) {
-  const std::string never = R"({"required": ["acme"]})";
+  const std::string never = R"({"not": {}})";
   const auto places = [&](const std::string& on) { return verdict(kAll, with_rule(on, never)); };
   EXPECT_THAT(places("glTF"), ElementsAre("ACME_RULE "));
   EXPECT_THAT(places("asset"), ElementsAre("ACME_RULE /asset"));
@@ -113,7 +114,7 @@ TEST(OwnRules, SeeWhatTheTextOfAnObjectDoesNotSay) {
 }
 
 TEST(OwnRules, LeaveBrokenObjectsOut) {
-  const std::string never = R"({"required": ["acme"]})";
+  const std::string never = R"({"not": {}})";
   const auto places = [&](const std::string& on, const std::string& asset) {
     return verdict(asset_with(asset), with_rule(on, never));
   };
@@ -128,7 +129,7 @@ TEST(OwnRules, LeaveBrokenObjectsOut) {
 
 // What is left of an error in the report does not matter.
 TEST(OwnRules, LeaveBrokenObjectsOutWhateverIsReported) {
-  ValidateOptions options = with_rule("node", R"({"required": ["acme"]})");
+  ValidateOptions options = with_rule("node", R"({"not": {}})");
   options.select.clear();
   options.ignore = {"TYPE_MISMATCH", "UNUSED_OBJECT", "NODE_EMPTY"};
   EXPECT_THAT(verdict(asset_with(R"("nodes": [{"name": 1}])"), options), IsEmpty());
@@ -202,7 +203,7 @@ TEST(OwnRules, MistakesHaveTheLineOfThePage) {
   };
   EXPECT_EQ(changed("# ACME_RULE", "# ACME_RUL"), "house/ACME_RULE.md:7: expected '# ACME_RULE'");
   EXPECT_THAT(changed("on: node", "on: noed"),
-              testing::AllOf(HasSubstr("ACME_RULE.md:3: "), HasSubstr("did you mean 'node'")));
+              AllOf(HasSubstr("ACME_RULE.md:3: "), HasSubstr("did you mean 'node'")));
   EXPECT_THAT(changed("severity: error", "severity: fatal"), HasSubstr("ACME_RULE.md:2: expected"));
   EXPECT_THAT(changed("severity: error\n", ""), HasSubstr("expected 'severity: error'"));
   EXPECT_THAT(changed("message:", "mesage:"), HasSubstr("did you mean 'message'"));
@@ -213,6 +214,56 @@ TEST(OwnRules, MistakesHaveTheLineOfThePage) {
               HasSubstr("ACME_RULE.md:23: 'typ' is no keyword of JSON Schema; did you mean"));
   EXPECT_THAT(mistake(""), HasSubstr("ACME_RULE.md:1: expected '---'"));
   EXPECT_THAT(mistake(std::string(300 << 10, ' ')), HasSubstr("bytes"));
+}
+
+TEST(OwnRules, NameMembersThatObjectsCanHave) {
+  const auto mistakes = [](const std::string& on, const std::string& schema) {
+    return mistakes_in("ACME_RULE.md", page("ACME_RULE", on, schema));
+  };
+  EXPECT_THAT(
+      mistakes("mesh", R"({"properties": {
+"gltfx": {"properties": {"open-edgs": {"maximum": 0}}}}})"),
+      ElementsAre(AllOf(HasSubstr("ACME_RULE.md:23: "), HasSubstr("did you mean 'open-edges'"))));
+  EXPECT_THAT(mistakes("mesh", R"({"properties": {"gltfx": {"required": ["uv-overlap"]}}})"),
+              ElementsAre(HasSubstr("gltfx has no member 'uv-overlap'")));
+  EXPECT_THAT(mistakes("mesh", R"({"properties": {"gltfx": {"required": ["parent"]}}})"),
+              SizeIs(1));
+  EXPECT_THAT(mistakes("node", R"({"properties": {"gltfx": {"required": ["parent"]}}})"),
+              IsEmpty());
+  EXPECT_THAT(mistakes("material", R"({"if": {"required": ["alphamode"]}, "then": false})"),
+              ElementsAre(HasSubstr("did you mean 'alphaMode'")));
+  // Extensions and extras have any members.
+  EXPECT_THAT(mistakes("material", R"({"properties": {"extras": {"required": ["acme"]},
+    "extensions": {"properties": {"KHR_materials_ior": {"required": ["ior"]}}}}})"),
+              IsEmpty());
+}
+
+TEST(OwnRules, SayWhatCannotBeMeasured) {
+  const std::string asset = asset_with(R"("buffers": [{"byteLength": 36, "uri": "missing.bin"}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                   "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}])");
+  ValidateOptions options =
+      with_rule("mesh", R"({"properties": {"gltfx": {"properties": {"open-edges":
+        {"maximum": 0}}}}})");
+  options.select.insert("BUDGET_NOT_MEASURED");
+  EXPECT_THAT(verdict(asset, options), ElementsAre("BUDGET_NOT_MEASURED /meshes/0"));
+  options = with_rule("mesh", R"({"properties": {"name": {"type": "string"}}})");
+  options.select.insert("BUDGET_NOT_MEASURED");
+  EXPECT_THAT(verdict(asset, options), IsEmpty());
+}
+
+TEST(OwnRules, SeeTheDeviationFromTheProduct) {
+  const std::string asset(find_measure("product-deviation")->example);
+  ValidateOptions options = with_rule("glTF", R"({"properties": {"gltfx": {"properties":
+    {"product-deviation": {"type": "number", "maximum": 3}}}}})");
+  auto products = std::make_shared<ProductList>();
+  products->others = {1, 0, 0};
+  options.products = products;
+  EXPECT_THAT(verdict(example_bytes(asset), options), ElementsAre("ACME_RULE "));
+  products->others = {2, 0, 0};
+  EXPECT_THAT(verdict(example_bytes(asset), options), IsEmpty());
 }
 
 TEST(OwnRules, CodesAreTheNamesOfTheirFilesAndNewOnes) {

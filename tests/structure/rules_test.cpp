@@ -21,6 +21,7 @@ const std::map<std::string, std::string, std::less<>> kSeveral{
     {"ACCESSOR_VECTOR3_NON_UNIT", "normals of edges are checked with their edges"},
     {"ARRAY_LENGTH_NOT_IN_LIST", "the length of min and max depends on the type of the accessor"},
     {"ARRAY_TYPE_MISMATCH", "min and max of integers depend on the component type"},
+    {"BUDGET_NOT_MEASURED", "limits, and own rules"},
     {"BUFFER_VIEW_INVALID_BYTE_STRIDE", "found by the use of a view and by its target"},
     {"CONDITION_MISMATCH", "the walk over schemas is one class in several files"},
     {"DUPLICATE_ELEMENTS", "the walk over schemas knows nothing of edits"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rules/own/own_measures.hpp"
 
+#include <set>
 #include <vector>
 
 #include "measure/source.hpp"
@@ -11,18 +12,10 @@
 namespace gltfx::validate {
 namespace {
 
-// Members that the schema names at any depth: more than those of `gltfx`, which costs little.
 void add_named(const OwnPage& page, std::vector<measure::Wanted>& wanted) {
-  const auto scope = measure_scope_of(*page.scope);
-  if (!scope) return;
-  for (const schema::Subschema& subschema : page.schema.subschemas()) {
-    for (const schema::Assertion& assertion : subschema.assertions) {
-      for (const std::string& name : assertion.names) {
-        const MeasureDescription* known = find_measure(*scope, name);
-        if (known == nullptr) continue;
-        wanted.push_back({*scope, static_cast<measure::Name>(known - measures().data())});
-      }
-    }
+  for (const MeasureDescription* one : named_measures(page)) {
+    wanted.push_back(
+        {*measure_scope_of(*page.scope), static_cast<measure::Name>(one - measures().data())});
   }
 }
 
@@ -31,6 +24,21 @@ void add_named(const OwnPage& page, std::vector<measure::Wanted>& wanted) {
 std::optional<MeasureScope> measure_scope_of(const OwnScope& scope) {
   if (scope.place == OwnScope::Place::root) return MeasureScope::asset;
   return measure_scope_from_name(scope.name);
+}
+
+// Members that the schema names at any depth: more than those of `gltfx`, which costs little.
+std::vector<const MeasureDescription*> named_measures(const OwnPage& page) {
+  std::set<const MeasureDescription*> named;
+  const auto scope = measure_scope_of(*page.scope);
+  if (!scope) return {};
+  for (const schema::Subschema& subschema : page.schema.subschemas()) {
+    for (const schema::Assertion& assertion : subschema.assertions) {
+      for (const std::string& name : assertion.names) {
+        if (const auto* known = find_measure(*scope, name)) named.insert(known);
+      }
+    }
+  }
+  return {named.begin(), named.end()};
 }
 
 std::optional<Measurements> take_own_measures(const Context& context,
@@ -45,6 +53,7 @@ std::optional<Measurements> take_own_measures(const Context& context,
     if (is_enabled(context.options, own_code(i))) add_named(*pages[i], *request.wanted);
   }
   if (request.wanted->empty()) return std::nullopt;
+  if (context.options.products) request.parameters.product = context.options.products->find(name);
   request.pixels = context.options.pixels != PixelLevel::headers;
   const measure::Source source({name, context.container, context.files, context.asset,
                                 context.views, resources, context.schemas, context.options.jobs});

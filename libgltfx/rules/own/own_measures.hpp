@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/resource_data.hpp"
 #include "rules/context.hpp"
@@ -17,6 +18,9 @@ namespace gltfx::validate {
 
 /// The scope of measures for objects of a rule; nothing: they have none.
 std::optional<MeasureScope> measure_scope_of(const OwnScope& scope);
+
+/// The measures whose names are members in the schema of a page, sorted.
+std::vector<const MeasureDescription*> named_measures(const OwnPage& page);
 
 /// Takes the measures whose names are members in a schema of a rule that is enabled. Nothing
 /// without such a name. `name`: the path of the asset.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <variant>
 
 #include "json/parse.hpp"
 #include "report/measures_json.hpp"
@@ -11,6 +12,17 @@
 namespace gltfx::validate {
 
 using model::RootArray;
+
+std::vector<std::string_view> own_members(const OwnScope& scope) {
+  std::vector<std::string_view> names{"path", "stem"};
+  const bool element = scope.place == OwnScope::Place::element;
+  const bool primitive = scope.place == OwnScope::Place::primitive;
+  const bool node = element && scope.array == RootArray::nodes;
+  if (element || primitive) names.emplace_back("index");
+  if (node || primitive) names.emplace_back("mesh");
+  if (node) names.insert(names.end(), {"parent", "root"});
+  return names;
+}
 
 OwnMembers::OwnMembers(const Context& context, const std::string& name,
                        const Measurements* measured)
@@ -65,6 +77,22 @@ void OwnMembers::write_measures(json::Writer& writer, const OwnScope& scope,
     writer.key(column.measure->name);
     report::write_measure_value(writer, column.values[element]);
   }
+}
+
+OwnMembers::Fault OwnMembers::fault(const OwnScope& scope, const OwnSubject& subject,
+                                    std::span<const MeasureDescription* const> of) const {
+  const auto on = measure_scope_of(scope);
+  if (measured_ == nullptr || !on) return {};
+  const std::size_t element = element_of(subject);
+  for (const MeasureDescription* measure : of) {
+    const MeasureColumn* column = measured_->find(*on, measure->name);
+    if (column == nullptr || element >= column->values.size()) continue;
+    const auto* missing = std::get_if<NotMeasured>(&column->values[element]);
+    if (missing == nullptr) continue;
+    const MeasureReason& reason = measured_->reasons[missing->reason];
+    if (reason.fault) return {measure, reason.text};
+  }
+  return {};
 }
 
 std::size_t OwnMembers::element_of(const OwnSubject& subject) const {

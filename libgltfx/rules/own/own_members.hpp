@@ -6,8 +6,10 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "json/document.hpp"
 #include "json/writer.hpp"
@@ -17,6 +19,9 @@
 namespace gltfx::validate {
 
 inline constexpr std::string_view kOwnMember = "gltfx";
+
+/// The members of that member, beside measures: those that objects of the scope can have.
+std::vector<std::string_view> own_members(const OwnScope& scope);
 
 /// An object that a rule checks.
 struct OwnSubject {
@@ -33,6 +38,15 @@ class OwnMembers {
   OwnMembers(const Context& context, const std::string& name, const Measurements* measured);
 
   json::Document document(const OwnScope& scope, const OwnSubject& subject) const;
+
+  /// A measure that the object should have.
+  struct Fault {
+    const MeasureDescription* measure = nullptr;  ///< null: there is none
+    std::string_view why;                         ///< one sentence
+  };
+  /// The first of these measures that could not be taken of the object.
+  Fault fault(const OwnScope& scope, const OwnSubject& subject,
+              std::span<const MeasureDescription* const> of) const;
 
  private:
   void write_node(json::Writer& writer, std::size_t node) const;

@@ -15,31 +15,31 @@
 #include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "json/lines.hpp"
+#include "rules/own/own_names.hpp"
 #include "schema/page_reader.hpp"
 
 namespace gltfx::validate {
 namespace {
 
 using model::RootArray;
-using Place = OwnScope::Place;
 
 constexpr std::array kScopes{
-    OwnScope{"glTF", Place::root},
-    OwnScope{"asset", Place::asset},
-    OwnScope{"scene", Place::element, RootArray::scenes},
-    OwnScope{"node", Place::element, RootArray::nodes},
-    OwnScope{"mesh", Place::element, RootArray::meshes},
-    OwnScope{"primitive", Place::primitive},
-    OwnScope{"material", Place::element, RootArray::materials},
-    OwnScope{"texture", Place::element, RootArray::textures},
-    OwnScope{"image", Place::element, RootArray::images},
-    OwnScope{"sampler", Place::element, RootArray::samplers},
-    OwnScope{"skin", Place::element, RootArray::skins},
-    OwnScope{"animation", Place::element, RootArray::animations},
-    OwnScope{"camera", Place::element, RootArray::cameras},
-    OwnScope{"accessor", Place::element, RootArray::accessors},
-    OwnScope{"bufferView", Place::element, RootArray::buffer_views},
-    OwnScope{"buffer", Place::element, RootArray::buffers},
+    OwnScope{"glTF", OwnScope::Place::root},
+    OwnScope{"asset", OwnScope::Place::asset},
+    OwnScope{"scene", OwnScope::Place::element, RootArray::scenes},
+    OwnScope{"node", OwnScope::Place::element, RootArray::nodes},
+    OwnScope{"mesh", OwnScope::Place::element, RootArray::meshes},
+    OwnScope{"primitive", OwnScope::Place::primitive},
+    OwnScope{"material", OwnScope::Place::element, RootArray::materials},
+    OwnScope{"texture", OwnScope::Place::element, RootArray::textures},
+    OwnScope{"image", OwnScope::Place::element, RootArray::images},
+    OwnScope{"sampler", OwnScope::Place::element, RootArray::samplers},
+    OwnScope{"skin", OwnScope::Place::element, RootArray::skins},
+    OwnScope{"animation", OwnScope::Place::element, RootArray::animations},
+    OwnScope{"camera", OwnScope::Place::element, RootArray::cameras},
+    OwnScope{"accessor", OwnScope::Place::element, RootArray::accessors},
+    OwnScope{"bufferView", OwnScope::Place::element, RootArray::buffer_views},
+    OwnScope{"buffer", OwnScope::Place::element, RootArray::buffers},
 };
 
 constexpr auto kScopeNames = [] {
@@ -182,6 +182,13 @@ class OwnPageReader {
     for (const schema::JsonSchema::Mistake& one : found) {
       const std::uint64_t line = lines.locate(one.span).line;
       add(line + static_cast<std::uint64_t>(block.line) - 1, one.message);
+    }
+    if (!schema_ || page_->scope == nullptr) return;
+    for (const UnknownMember& one : unknown_members(*schema_, *page_->scope)) {
+      const std::size_t at = std::min(block.text.find('"' + one.name + '"'), block.text.size());
+      const auto line = std::count(block.text.begin(),
+                                   block.text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+      add(static_cast<std::uint64_t>(line + block.line), one.mistake);
     }
   }
 

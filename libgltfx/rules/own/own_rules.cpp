@@ -9,10 +9,12 @@
 
 #include <fmt/format.h>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "json/parse.hpp"
 #include "rules/collector.hpp"
 #include "rules/finding.hpp"
+#include "rules/own/own_measures.hpp"
 #include "rules/own/own_members.hpp"
 
 namespace gltfx {
@@ -95,11 +97,13 @@ class OwnCheck {
         page_(page),
         code_(code),
         collector_(collector),
+        measures_(named_measures(page)),
         work_(kLeastWork + kWorkOfAByte * context.document.text().size()) {}
 
   void run() {
     check_scope();
-    if (unchecked_ > 0) report_unchecked();
+    if (unchecked_.count > 0) report_unchecked();
+    if (unmeasured_.count > 0) report_unmeasured();
   }
 
  private:
@@ -174,12 +178,30 @@ class OwnCheck {
     if (verdict == schema::SchemaVerdict::fails) {
       return report(subject.object, path, failure);
     }
-    if (verdict == schema::SchemaVerdict::fits) return;
-    if (unchecked_ == 0) {
-      first_unchecked_ = subject.object;
-      pointer_ = path.pointer();
+    if (verdict == schema::SchemaVerdict::undecided) return add(unchecked_, subject.object, path);
+    // A keyword such as `maximum` accepts null.
+    const OwnMembers::Fault fault = members_.fault(*page_.scope, subject, measures_);
+    if (fault.measure == nullptr) return;
+    if (unmeasured_.count == 0) fault_ = fault;
+    add(unmeasured_, subject.object, path);
+  }
+
+  // Objects without a verdict, for one reason.
+  struct Unchecked {
+    std::uint64_t count = 0;
+    json::NodeId first = json::kNoNode;
+    std::string pointer;  // to the first
+
+    std::string these() const {
+      return count == 1 ? "this object is" : fmt::format("this object and {} more are", count - 1);
     }
-    ++unchecked_;
+  };
+  static void add(Unchecked& unchecked, json::NodeId object, const Path& path) {
+    if (unchecked.count == 0) {
+      unchecked.first = object;
+      unchecked.pointer = path.pointer();
+    }
+    ++unchecked.count;
   }
 
   // Marks the value that does not fit. A change of the object may have caused that; where the value
@@ -193,14 +215,20 @@ class OwnCheck {
   }
 
   void report_unchecked() {
-    const std::string which = unchecked_ == 1
-                                  ? "this object is"
-                                  : fmt::format("this object and {} more are", unchecked_ - 1);
+    Finding finding = finding_on(
+        context_, unchecked_.first, code_,
+        fmt::format("The rule takes too many steps: {} not checked.", unchecked_.these()),
+        "simplify the schema of the rule");
+    report_at(collector_.sink(Phase::own_rules), unchecked_.pointer, std::move(finding));
+  }
+
+  void report_unmeasured() {
     Finding finding =
-        finding_on(context_, first_unchecked_, code_,
-                   fmt::format("The rule takes too many steps: {} not checked.", which),
-                   "simplify the schema of the rule");
-    report_at(collector_.sink(Phase::own_rules), pointer_, std::move(finding));
+        finding_on(context_, unmeasured_.first, Code::BUDGET_NOT_MEASURED,
+                   fmt::format("The rule {} needs {}: {} not checked. {}", page_.code,
+                               fault_.measure->name, unmeasured_.these(), fault_.why));
+    finding.about = page_.code;
+    report_at(collector_.sink(Phase::own_rules), unmeasured_.pointer, std::move(finding));
   }
 
   std::string help(const Path& path, const schema::SchemaFailure& failure) const {
@@ -216,10 +244,10 @@ class OwnCheck {
   const OwnPage& page_;
   const Code code_;
   Collector& collector_;
+  const std::vector<const MeasureDescription*> measures_;  // that the page names
   std::uint64_t work_;
-  std::uint64_t unchecked_ = 0;                   // objects without a verdict
-  json::NodeId first_unchecked_ = json::kNoNode;  // of these
-  std::string pointer_;                           // to it
+  Unchecked unchecked_, unmeasured_;  // for lack of steps, for lack of a measure
+  OwnMembers::Fault fault_;           // of the first one without a measure
 };
 
 }  // namespace
