@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/checked.hpp"
+#include "base/media_type.hpp"
 #include "graph/graph.hpp"
 #include "inspect/metadata_facts.hpp"
 #include "measure/byte_count.hpp"
@@ -260,7 +261,7 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   Source source(opened, schemas, options.jobs);
   AssetFacts facts;
   const bool glb = opened.container().format == container::Format::glb;
-  facts.mime_type = glb ? "model/gltf-binary" : "model/gltf+json";
+  facts.mime_type = glb ? kGlbMediaType : kGltfMediaType;
   for (const model::MissingData& missing : source.loaded.missing) {
     facts.problems.push_back(missing.sentence());
   }

@@ -33,9 +33,9 @@ std::string_view command_of(Severity severity) {
   return severity == Severity::warning ? "warning" : "notice";
 }
 
-// Lines of a GLB's JSON chunk are not lines of the file; GitHub refuses columns across lines.
+// GitHub refuses columns across lines.
 std::string location_properties(const FileReport& report, const Location& at) {
-  if (at.line == 0 || report.mime_type == "model/gltf-binary") return {};
+  if (!is_in_file_line(report, at)) return {};
   std::string out = fmt::format(",line={},endLine={}", at.line, at.end_line);
   if (at.line == at.end_line) {
     out += fmt::format(",col={},endColumn={}", at.column, at.end_column);
@@ -45,7 +45,7 @@ std::string location_properties(const FileReport& report, const Location& at) {
 
 std::string byte_place(const FileReport& report, const Diagnostic& finding) {
   if (finding.offset) return fmt::format(" at byte {}", *finding.offset);
-  if (finding.location.line == 0 || report.mime_type != "model/gltf-binary") return {};
+  if (finding.location.line == 0 || !is_glb(report)) return {};
   return fmt::format(" at byte {}", finding.location.offset);
 }
 

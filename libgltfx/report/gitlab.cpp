@@ -83,9 +83,8 @@ class GitlabWriter final : public ReportWriter {
     writer.member("path", path);
     writer.key("lines");
     writer.begin_object();
-    // Lines of a GLB's JSON chunk are not lines of the file.
-    const bool has_line = finding.location.line > 0 && report.mime_type != "model/gltf-binary";
-    writer.member("begin", std::uint64_t{has_line ? finding.location.line : 1});
+    const Location& at = finding.location;
+    writer.member("begin", std::uint64_t{is_in_file_line(report, at) ? at.line : 1});
     writer.end_object();
     writer.end_object();
     writer.end_object();

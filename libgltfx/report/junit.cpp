@@ -135,7 +135,7 @@ class JunitWriter final : public ReportWriter {
   void test(const FileReport& report, std::string_view path, const Diagnostic& finding,
             const Identity& identity, Totals& totals, std::string& out) const {
     begin_test(path, xml(identity.label()), totals, out);
-    if (finding.location.line > 0 && report.mime_type != "model/gltf-binary") {
+    if (is_in_file_line(report, finding.location)) {
       out += fmt::format(" line=\"{}\"", finding.location.line);
     }
     out += ">\n";

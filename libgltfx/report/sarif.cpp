@@ -26,13 +26,11 @@ constexpr std::string_view kSchema =
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
 constexpr std::string_view kBase = "SRCROOT";
 
-bool is_binary(const FileReport& report) { return report.mime_type == "model/gltf-binary"; }
-
-// Lines of a GLB's JSON chunk are not lines of the file: only the byte is written. Services show
-// nothing without a line, so the first line is used for the file.
+// Of a GLB, only the byte is written. Services show nothing without a line, so the first line is
+// used for the file.
 void write_region(json::Writer& writer, const FileReport& report, const Location& at) {
   writer.begin_object();
-  if (is_binary(report)) {
+  if (is_glb(report)) {
     writer.member("startLine", std::uint64_t{1});
   } else {
     writer.member("startLine", std::uint64_t{at.line});
@@ -219,7 +217,7 @@ class SarifWriter final : public ReportWriter {
     writer.end_array();
     write_repeats(writer, finding);
     write_fingerprint(writer, identity);
-    if (finding.fix && !is_binary(report)) write_fix(writer, report, uri, *finding.fix);
+    if (finding.fix && !is_glb(report)) write_fix(writer, report, uri, *finding.fix);
     if (!finding.object_name.empty() || finding.requirement) write_properties(writer, finding);
     writer.end_object();
   }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/media_type.hpp"
 #include "report/safe_text.hpp"
 
 namespace gltfx::report {
@@ -12,6 +13,12 @@ constexpr std::size_t kPointerLimit = 160;
 constexpr std::size_t kNameLimit = 40;
 
 }  // namespace
+
+bool is_glb(const FileReport& report) { return report.mime_type == kGlbMediaType; }
+
+bool is_in_file_line(const FileReport& report, const Location& at) {
+  return at.line > 0 && !is_glb(report);
+}
 
 std::string counted(std::uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
@@ -23,7 +30,7 @@ std::string file_place(const FileReport& report, const Diagnostic& diagnostic) {
   const Location& at = diagnostic.location;
   if (at.line == 0) return path;
   std::string place = fmt::format("{}:{}:{}", path, at.line, at.column);
-  if (report.mime_type != "model/gltf-binary") return place;
+  if (!is_glb(report)) return place;
   return fmt::format("{} (JSON chunk, byte {})", place, at.offset);
 }
 

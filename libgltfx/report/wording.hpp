@@ -36,6 +36,11 @@ class Style {
   bool color_;
 };
 
+/// Whether the asset is a GLB. Lines of its JSON chunk are not lines of the file.
+bool is_glb(const FileReport& report);
+/// Whether the place is a line of the file.
+bool is_in_file_line(const FileReport& report, const Location& at);
+
 /// "1 error", "3 errors".
 std::string counted(std::uint64_t count, std::string_view noun);
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "base/media_type.hpp"
 #include "container/content.hpp"
 #include "rules/context.hpp"
 #include "rules/fix.hpp"
@@ -169,8 +170,8 @@ bool check_container(const container::Container& container, const std::string& n
 }
 
 std::string mime_type(const container::Container& container, bool has_root) {
-  if (container.format == container::Format::glb) return "model/gltf-binary";
-  return has_root ? "model/gltf+json" : "";
+  if (container.format == container::Format::glb) return std::string(kGlbMediaType);
+  return has_root ? std::string(kGltfMediaType) : std::string();
 }
 
 }  // namespace gltfx::validate
