@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number.hpp"
 #include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "measure/quantity.hpp"
@@ -240,6 +241,14 @@ bool has_parameter(const MeasureDescription& measure, std::string_view name) {
   return measure.is_on(MeasureScope::mesh);
 }
 
+namespace {
+
+std::string_view unit_of_parameter(std::string_view name) {
+  return name == "weld" ? "m" : name == "angle" ? "deg" : "px";
+}
+
+}  // namespace
+
 std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_view name,
                                    const Literal& value) {
   if (name == "slot") {
@@ -249,7 +258,7 @@ std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_vi
     parameters.density_slot = *slot;
     return {};
   }
-  const std::string_view unit = name == "weld" ? "m" : name == "angle" ? "deg" : "px";
+  const std::string_view unit = unit_of_parameter(name);
   const double most = name == "weld" ? 1 : name == "angle" ? 180 : 65536;
   Result<double> number = Error{};
   if (const auto* plain = std::get_if<double>(&value)) number = *plain;
@@ -264,6 +273,21 @@ std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_vi
   if (name == "angle") parameters.hard_angle = *number;
   if (name == "at") parameters.gutter_at = static_cast<std::uint32_t>(*number);
   return {};
+}
+
+std::string parameter_words(const MeasureParameters& parameters) {
+  const MeasureParameters plain;
+  std::vector<std::string> words;
+  const auto add = [&](std::string_view name, double value, double usual) {
+    if (value == usual) return;
+    words.push_back(fmt::format("{} {} {}", name, number_text(value), unit_of_parameter(name)));
+  };
+  add("weld", parameters.weld, plain.weld);
+  add("angle", parameters.hard_angle, plain.hard_angle);
+  add("at", parameters.gutter_at, plain.gutter_at);
+  const std::string& slot = parameters.density_slot;
+  if (slot != plain.density_slot) words.push_back(fmt::format("slot {}", printable(slot)));
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 void apply(std::vector<Limit>& limits, const LimitChange& change) {

@@ -39,6 +39,8 @@ bool is_parameter(std::string_view name);
 bool has_parameter(const MeasureDescription& measure, std::string_view name);
 std::optional<Error> set_parameter(MeasureParameters& parameters, std::string_view name,
                                    const Literal& value);
+/// Those that are not the default: "weld 0.001 m, angle 30 deg". Sizes of products are left out.
+std::string parameter_words(const MeasureParameters& parameters);
 
 /// Limits of one place for one measure: they replace those of earlier places.
 struct LimitChange {

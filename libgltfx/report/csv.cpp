@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Requirements as comma-separated values (RFC 4180), a row for each limit that was checked, for
-// spreadsheets. A cell of text that a spreadsheet would take for a formula begins with an
-// apostrophe.
+// spreadsheets. Text that a spreadsheet would take for a formula begins with an apostrophe, also
+// behind a semicolon, which separates cells where the comma is the sign of decimals.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -19,19 +19,31 @@
 namespace gltfx::report {
 namespace {
 
-constexpr std::string_view kHead = "path,scope,element,measure,value,op,limit,verdict,from\r\n";
+constexpr std::string_view kHead =
+    "path,scope,element,measure,value,op,limit,verdict,from,parameters\r\n";
 
 bool begins_formula(std::string_view text) {
   constexpr std::array<std::string_view, 8> kSigns{"=", "+", "-", "@", "＝", "＋", "－", "＠"};
-  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  text.remove_prefix(std::min(text.find_first_not_of(" \""), text.size()));
   return std::any_of(kSigns.begin(), kSigns.end(),
                      [&](std::string_view sign) { return text.starts_with(sign); });
 }
 
+std::string without_formulas(std::string_view text) {
+  std::string out;
+  while (true) {
+    const std::size_t end = text.find(';');
+    if (begins_formula(text)) out += '\'';
+    out += text.substr(0, end);
+    if (end == std::string_view::npos) return out;
+    out += ';';
+    text.remove_prefix(end + 1);
+  }
+}
+
 // Neutralised text: no line breaks and no other control characters are left.
 std::string text_cell(std::string_view text) {
-  std::string plain = safe(text);
-  if (begins_formula(plain)) plain.insert(0, 1, '\'');
+  const std::string plain = without_formulas(safe(text));
   if (plain.find_first_of(",\"") == std::string::npos) return plain;
   std::string out = "\"";
   for (const char c : plain) out.append(c == '"' ? 2 : 1, c);
@@ -47,7 +59,7 @@ std::string cell_of(const CheckedValue& value) {
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(const std::string& text) const { return text_cell(long_value(text)); }
     std::string operator()(const std::vector<std::string>& texts) const {
-      return text_cell(long_value(fmt::format("{}", fmt::join(texts, "; "))));
+      return text_cell(long_value(fmt::format("{}", fmt::join(texts, " | "))));
     }
   };
   return std::visit(Cell(), value);
@@ -67,10 +79,10 @@ class CsvWriter final : public ReportWriter {
   void file(const FileReport& report, std::string& out) override {
     const std::string path = text_cell(report.path);
     for (const Requirement& each : report.requirements) {
-      out += fmt::format("{},{},{},{},{},{},{},{},{}\r\n", path, text_cell(each.on),
+      out += fmt::format("{},{},{},{},{},{},{},{},{},{}\r\n", path, text_cell(each.on),
                          text_cell(element_of(each)), text_cell(each.measure), cell_of(each.value),
                          text_cell(each.op), cell_of(each.limit), verdict_name(each.verdict),
-                         text_cell(each.from));
+                         text_cell(each.from), text_cell(each.parameters));
     }
   }
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +12,7 @@
 #include "json/literals.hpp"
 #include "report/fields.hpp"
 #include "report/safe_text.hpp"
+#include "report/value_json.hpp"
 
 namespace gltfx::report {
 namespace {
@@ -60,7 +60,7 @@ class JsonOut {
   void verdict(std::string_view name, Verdict value) { writer_.member(name, verdict_name(value)); }
   void value(std::string_view name, const CheckedValue& value) {
     writer_.key(name);
-    write_checked_value(writer_, value);
+    write_value(writer_, value);
   }
   void texts(std::string_view name, const std::vector<std::string>& values) {
     if (!values.empty()) write_long_values(writer_, name, values);
@@ -104,20 +104,6 @@ class JsonOut {
 };
 
 }  // namespace
-
-void write_checked_value(json::Writer& writer, const CheckedValue& value) {
-  struct Write {
-    json::Writer& writer;
-    void operator()(std::monostate) const { writer.null(); }
-    void operator()(double number) const { writer.number(number); }
-    void operator()(bool flag) const { writer.boolean(flag); }
-    void operator()(const std::string& text) const { writer.string(long_value(text)); }
-    void operator()(const std::vector<std::string>& texts) const {
-      write_long_values(writer, texts);
-    }
-  };
-  std::visit(Write{writer}, value);
-}
 
 void write_checked_limit(json::Writer& writer, const CheckedLimit& limit) {
   JsonOut(writer, Detail::plain, true, false).element(limit);

@@ -13,8 +13,6 @@ namespace gltfx::report {
 /// Writes `info` as one object: members of the Khronos report, in its order, without empty ones.
 void write_asset_info(json::Writer& writer, const AssetInfo& info);
 
-/// null, a number, true or false, a text, or an array of texts.
-void write_checked_value(json::Writer& writer, const CheckedValue& value);
 /// One object, as a finding has it.
 void write_checked_limit(json::Writer& writer, const CheckedLimit& limit);
 

@@ -67,6 +67,7 @@ void limit_fields(Form& form, std::string_view name, Limit& limit) {
   form.value("limit", limit.limit);
   form.text("unit", limit.unit, !limit.unit.empty());
   form.text("from", limit.from);
+  form.text("parameters", limit.parameters, !limit.parameters.empty());
 }
 
 template <class Form>

@@ -2,11 +2,10 @@
 #include "report/measures_json.hpp"
 
 #include <algorithm>
-#include <string>
 #include <tuple>
 #include <vector>
 
-#include "report/safe_text.hpp"
+#include "report/value_json.hpp"
 
 namespace gltfx::report {
 namespace {
@@ -34,7 +33,7 @@ void write_element(Writer& writer, const Measurements& measurements, MeasureScop
 void write_values(Writer& writer, const std::vector<MeasureColumn>& columns, std::size_t element) {
   for (const MeasureColumn& column : columns) {
     writer.key(column.measure->name);
-    write_measure_value(writer, column.values[element]);
+    write_value(writer, column.values[element]);
   }
 }
 
@@ -100,20 +99,6 @@ void write_missing(Writer& writer, const Measurements& measurements, MeasureScop
 }
 
 }  // namespace
-
-void write_measure_value(Writer& writer, const MeasureValue& value) {
-  if (const auto* number = std::get_if<double>(&value)) {
-    writer.number(*number);
-  } else if (const auto* flag = std::get_if<bool>(&value)) {
-    writer.boolean(*flag);
-  } else if (const auto* text = std::get_if<std::string>(&value)) {
-    writer.string(long_value(*text));
-  } else if (const auto* set = std::get_if<std::vector<std::string>>(&value)) {
-    write_long_values(writer, *set);
-  } else {
-    writer.null();
-  }
-}
 
 void write_measurements(Writer& writer, const Measurements& measurements) {
   writer.key("measures");

@@ -9,8 +9,11 @@
 
 #include <fmt/format.h>
 
-#include "report/entry.hpp"
+#include "base/hash.hpp"
+#include "base/number.hpp"
+#include "base/text.hpp"
 #include "report/safe_text.hpp"
+#include "report/value_json.hpp"
 
 namespace gltfx::report {
 namespace {
@@ -20,27 +23,48 @@ constexpr std::size_t kMostElements = 10;  // listed with a limit that does not 
 /// All elements that one limit was checked on.
 struct CheckedElements {
   const Requirement* limit = nullptr;  ///< the first of them
-  const Requirement* shown = nullptr;  ///< the one whose value stands for all; null: none does
+  const Requirement* shown = nullptr;  ///< the worst one, whose value stands for all
   std::uint64_t count = 0, failed = 0, not_measured = 0;
   std::vector<const Requirement*> outside;     ///< the first that fail
   std::vector<const Requirement*> unmeasured;  ///< the first without a value
 };
 
-// What is measured and how it is compared, without the limit.
+// What is measured, how it is taken and how it is compared, without the limit.
 std::string subject_of(const Requirement& requirement) {
-  return fmt::format("{} {} {}", requirement.on, requirement.measure, requirement.op);
+  return fmt::format("{} {} {} {}", requirement.on, requirement.measure, requirement.op,
+                     requirement.parameters);
 }
 
-// Apart from the place where the limit is stated.
+std::string limit_text(const CheckedValue& limit) {
+  struct Text {
+    std::string operator()(std::monostate) const { return {}; }
+    std::string operator()(double number) const { return number_text(number); }
+    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+    std::string operator()(const std::string& text) const { return text; }
+    std::string operator()(const std::vector<std::string>& texts) const {
+      return fmt::format("{}", fmt::join(texts, ","));
+    }
+  };
+  return std::visit(Text(), limit);
+}
+
+// "mesh triangles max 20000": what the address of a page names. Two limits have the same if they
+// differ only in the place where they are stated. The end of a long one is its hash.
 std::string key_of_limit(const Requirement& requirement) {
-  std::string key = fmt::format("{} {} {} ", subject_of(requirement),
-                                severity_name(requirement.severity), requirement.unit);
-  json::Writer writer(key);
-  write_checked_value(writer, requirement.limit);
-  return key;
+  constexpr std::size_t kLongest = 200;  // code points
+  std::string key = fmt::format("{} {} {} {}", requirement.on, requirement.measure, requirement.op,
+                                limit_text(requirement.limit));
+  if (!requirement.parameters.empty()) key += fmt::format(" ({})", requirement.parameters);
+  if (requirement.severity != Severity::error) {
+    key += fmt::format(" {}", severity_name(requirement.severity));
+  }
+  const std::size_t shown = bytes_of_code_points(key, kLongest);
+  if (shown == key.size()) return key;
+  const Hash128 hash = hash_bytes(key);
+  return fmt::format("{}… {:016x}{:016x}", key.substr(0, shown), hash.high, hash.low);
 }
 
-// Whether the value of `a` is further towards the limit than that of `b`, or beyond it.
+// Whether the value of `a` is nearer to the limit than that of `b`, or further beyond it.
 bool is_worse(const Requirement& a, const Requirement& b) {
   if ((a.verdict == Verdict::fail) != (b.verdict == Verdict::fail)) {
     return a.verdict == Verdict::fail;
@@ -103,7 +127,7 @@ void write_outcome(json::Writer& writer, const CheckedElements& elements) {
   const bool one_value = elements.count == 1 || elements.failed > 0 ||
                          std::holds_alternative<double>(elements.shown->value);
   writer.key("value");
-  write_checked_value(writer, one_value ? elements.shown->value : CheckedValue());
+  write_value(writer, one_value ? elements.shown->value : CheckedValue());
   const Verdict verdict = elements.failed > 0         ? Verdict::fail
                           : elements.not_measured > 0 ? Verdict::not_measured
                                                       : elements.limit->verdict;
@@ -119,7 +143,7 @@ void write_element(json::Writer& writer, const Requirement& requirement) {
     writer.member("object", long_value(requirement.object_name));
   }
   writer.key("value");
-  write_checked_value(writer, requirement.value);
+  write_value(writer, requirement.value);
   writer.end_object();
 }
 
@@ -143,13 +167,15 @@ void write_page_requirements(json::Writer& writer, const std::vector<Requirement
   for (const CheckedElements& elements : now.all()) {
     const Requirement& limit = *elements.limit;
     writer.begin_object();
+    writer.member("key", key_of_limit(limit));
     writer.member("measure", limit.measure);
     writer.member("on", limit.on);
     writer.member("op", limit.op);
     writer.key("limit");
-    write_checked_value(writer, limit.limit);
+    write_value(writer, limit.limit);
     if (!limit.unit.empty()) writer.member("unit", limit.unit);
     writer.member("from", limit.from);
+    if (!limit.parameters.empty()) writer.member("parameters", limit.parameters);
     writer.member("severity", severity_name(limit.severity));
     write_outcome(writer, elements);
     write_elements(writer, elements);

@@ -116,6 +116,18 @@ TEST(Quantities, HaveThousandsAndUnits) {
   EXPECT_EQ(number_words(1e300), "1e+300");
 }
 
+TEST(Limits, ParametersHaveWords) {
+  MeasureParameters parameters;
+  EXPECT_EQ(parameter_words(parameters), "");
+  EXPECT_FALSE(set_parameter(parameters, "weld", "1 mm"));
+  EXPECT_FALSE(set_parameter(parameters, "angle", 30.0));
+  EXPECT_EQ(parameter_words(parameters), "weld 0.001 m, angle 30 deg");
+  EXPECT_FALSE(set_parameter(parameters, "at", 1024.0));
+  EXPECT_FALSE(set_parameter(parameters, "slot", "normalTexture"));
+  EXPECT_EQ(parameter_words(parameters),
+            "weld 0.001 m, angle 30 deg, at 1024 px, slot normalTexture");
+}
+
 TEST(Limits, LaterOnesReplaceThoseOfTheSameMeasureAndOp) {
   std::vector<Limit> limits;
   for (const char* const text : {"triangles=1..5", "mesh.triangles=7", "triangles=3", "nodes=2"}) {

@@ -89,7 +89,10 @@ TEST(JsonReport, ListsTheRequirements) {
      "limit": ["KHR_*"], "from": "gltfx.toml:7", "verdict": "pass", "severity": "error"},
     {"measure": "value-max", "on": "image", "value": null, "op": "max", "limit": 243,
      "from": "preset shop/mobile (1.0.0, 2020-10-20)", "pointer": "/images/0",
-     "verdict": "not-measured", "severity": "error"}])-"));
+     "verdict": "not-measured", "severity": "error"},
+    {"measure": "hard-edges", "on": "mesh", "value": null, "op": "max", "limit": 90,
+     "from": "gltfx.toml:9", "parameters": "angle 30 deg", "verdict": "not-applicable",
+     "severity": "error"}])-"));
 }
 
 TEST(JsonReport, CarriesWhatWasLeftOut) {

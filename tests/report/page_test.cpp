@@ -159,8 +159,11 @@ Json requirements_on_page(const PageAsset& asset) {
 
 TEST(Page, ListsTheRequirements) {
   const Json all = requirements_on_page(with_requirements());
-  ASSERT_EQ(all.size(), 6U);
-  EXPECT_EQ(all[0], Json::parse(R"({"measure": "triangles", "on": "mesh", "op": "max",
+  ASSERT_EQ(all.size(), 7U);
+  EXPECT_EQ(
+      all[0],
+      Json::parse(
+          R"({"key": "mesh triangles max 1000", "measure": "triangles", "on": "mesh", "op": "max",
       "limit": 1000, "from": "gltfx.toml:8", "severity": "error", "value": 1250, "verdict": "fail",
       "failed": 1, "elements": [{"pointer": "/meshes/0", "object": "Body", "value": 1250}]})"));
   EXPECT_EQ(all[1]["unit"], "m");
@@ -169,6 +172,36 @@ TEST(Page, ListsTheRequirements) {
   EXPECT_EQ(all[5]["verdict"], "not-measured");
   EXPECT_EQ(all[5]["notMeasured"], 1);
   EXPECT_EQ(all[5]["value"], nullptr);
+  EXPECT_EQ(all[6]["verdict"], "not-applicable");
+  EXPECT_EQ(all[6]["parameters"], "angle 30 deg");
+  EXPECT_EQ(all[6]["key"], "mesh hard-edges max 90 (angle 30 deg)");
+}
+
+TEST(Page, LimitsThatDifferInParametersAreTwoRequirements) {
+  PageAsset asset = with_requirements();
+  asset.report.requirements = of_meshes({90, 30, 95});
+  for (Requirement other : of_meshes({90, 300, 95})) {
+    other.parameters = "weld 0.001 m";
+    asset.report.requirements.push_back(other);
+  }
+  asset.previous = asset.report.requirements;
+  const Json all = requirements_on_page(asset);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_NE(all[0]["key"], all[1]["key"]);
+  EXPECT_EQ(all[0]["before"]["value"], 95);
+  EXPECT_EQ(all[1]["before"]["value"], 300);
+}
+
+TEST(Page, KeysOfLongLimitsAreShortAndDiffer) {
+  PageAsset asset = with_requirements();
+  asset.report.requirements = of_meshes({1, 1, 1});
+  for (std::size_t i = 0; i < 3; ++i) {
+    asset.report.requirements[i].limit = std::string(5000, 'a') + std::to_string(i % 2);
+  }
+  const Json all = requirements_on_page(asset);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_NE(all[0]["key"], all[1]["key"]);
+  EXPECT_LT(all[0]["key"].get<std::string>().size(), 300U);
 }
 
 TEST(Page, ALimitOnManyElementsIsOneRequirement) {

@@ -160,6 +160,8 @@ inline std::vector<Requirement> requirements() {
       Verdict::pass));
   all.push_back(make({"value-max", "image", {}, "max", 243.0, "", preset}, "/images/0",
                      Verdict::not_measured));
+  all.push_back(make({"hard-edges", "mesh", {}, "max", 90.0, "", "gltfx.toml:9", "angle 30 deg"},
+                     "", Verdict::not_applicable));
   return all;
 }
 

@@ -193,6 +193,18 @@ TEST(Budget, OfTwoTiersAreTwoFindings) {
   EXPECT_EQ(report.counts.errors, 1U);
 }
 
+TEST(Budget, OfTwoParametersAreTwoFindings) {
+  ValidateOptions options = against({"mesh.triangles=1"});
+  options.limits.push_back(options.limits.front());
+  options.limits.back().parameters.weld = 0.001;
+  options.select = {"BUDGET_TRIANGLES"};
+  const FileReport report = report_on(two_meshes(), options);
+  EXPECT_THAT(report.diagnostics, testing::SizeIs(2));
+  ASSERT_THAT(report.requirements, testing::SizeIs(4));
+  EXPECT_EQ(report.requirements[0].parameters, "");
+  EXPECT_EQ(report.requirements[2].parameters, "weld 0.001 m");
+}
+
 TEST(Budget, SeverityOfTheCodeComesFirst) {
   ValidateOptions options = against({"mesh.triangles=1"});
   options.severity.emplace("BUDGET_TRIANGLES", Severity::info);

@@ -113,6 +113,21 @@ TEST(OwnRules, SeeWhatTheTextOfAnObjectDoesNotSay) {
   EXPECT_EQ(found("glTF", equals("path", "\"rooms/hall.old.gltf\"")), Lines{""});
 }
 
+TEST(OwnRules, SeeAllOfALongText) {
+  const std::string asset = R"({"asset": {"version": "2.0"}, "meshes": [{"name": ")" +
+                            std::string(5000, 'a') +
+                            R"(", "primitives": [{"attributes": {"POSITION": 0}}]}],
+      "accessors": [{"componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0],
+                     "max": [1, 1, 0]}]})";
+  const auto ends_in = [](const std::string& sign) {
+    return with_rule("mesh", R"({"properties": {"gltfx": {"required": ["name"],
+        "properties": {"name": {"pattern": ")" +
+                                 sign + R"($"}}}}})");
+  };
+  EXPECT_THAT(verdict(asset, ends_in("a")), IsEmpty());
+  EXPECT_THAT(verdict(asset, ends_in("b")), ElementsAre("ACME_RULE /meshes/0"));
+}
+
 TEST(OwnRules, LeaveBrokenObjectsOut) {
   const std::string never = R"({"not": {}})";
   const auto places = [&](const std::string& on, const std::string& asset) {

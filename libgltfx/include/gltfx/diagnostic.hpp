@@ -104,6 +104,8 @@ struct CheckedLimit {
   std::string unit;    ///< "B", "m", "%" and so on; empty: none
   /// Where the limit is stated: "gltfx.toml:8", or a preset with its dates.
   std::string from;
+  /// How the measure was taken: "weld 0.001 m, angle 30 deg"; empty: by default.
+  std::string parameters = {};
 };
 
 /// One finding. Owns its text, so it outlives the asset.

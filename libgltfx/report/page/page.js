@@ -147,7 +147,7 @@ function clearList() {
   byId("matrix").hidden = !matrix;
   byId("list").hidden = matrix;
   if (!matrix) return byId("matrix").replaceChildren();
-  const used = new Set(shown.flatMap((asset) => (asset.requirements || []).map(limitKey)));
+  const used = new Set(shown.flatMap((asset) => (asset.requirements || []).map((entry) => entry.key)));
   columns = limits.filter((limit) => used.has(limit.key) && (state.requirement === "" || limit.key === state.requirement));
   byId("matrix").replaceChildren(make("table", {}, make("caption.hidden", {}, "Requirements by asset"),
     make("thead", {}, matrixHead(columns)), make("tbody")));

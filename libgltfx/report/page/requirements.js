@@ -5,11 +5,6 @@ const RESULTS = [["fail", "✗", "fail"], ["not-measured", "?", "not measured"],
   ["not-applicable", "–", "not applicable"]];
 const ELEMENTS_AT_ONCE = 3;
 
-/** The result on all elements of a limit. */
-function resultOf(checked) {
-  return checked.verdict;
-}
-
 /** Colour of a result: a limit that does not hold has that of its finding. */
 function toneOf(result, severity) {
   return result === "pass" ? "good" : result === "fail" ? severity : "hint";
@@ -61,14 +56,10 @@ function limitText(entry) {
   }
 }
 
-/** "triangles", "mesh triangles". */
+/** "triangles", "mesh hard-edges (angle 30 deg)". */
 function measureName(entry) {
-  return (entry.on === "asset" ? "" : entry.on + " ") + entry.measure;
-}
-
-/** Names a limit in the address; where it is stated does not count. */
-function limitKey(entry) {
-  return [entry.on, entry.measure, entry.op, Array.isArray(entry.limit) ? entry.limit.join(",") : String(entry.limit)].join(" ");
+  const name = (entry.on === "asset" ? "" : entry.on + " ") + entry.measure;
+  return entry.parameters ? name + " (" + visible(entry.parameters) + ")" : name;
 }
 
 /** "5 meshes": those that a limit does not hold for; empty for the asset itself. */
@@ -80,9 +71,9 @@ function shareText(entry) {
 /** What an earlier run measured, and the result if it was another one. */
 function beforeText(entry) {
   if (!entry.before) return make("span.soft", {}, "–");
-  const result = resultOf(entry.before);
+  const result = entry.before.verdict;
   const value = valueText(entry.before.value, entry.unit);
-  if (result === resultOf(entry)) return make("span", {}, value === valueText(entry.value, entry.unit) ? "same" : value);
+  if (result === entry.verdict) return make("span", {}, value === valueText(entry.value, entry.unit) ? "same" : value);
   return make("span", {}, value + " ", resultMark(result, entry.severity));
 }
 
@@ -104,7 +95,7 @@ function elementsPart(entry) {
 }
 
 const RESULT_ORDER = RESULTS.map(([name]) => name);
-const byResult = (a, b) => RESULT_ORDER.indexOf(resultOf(a)) - RESULT_ORDER.indexOf(resultOf(b));
+const byResult = (a, b) => RESULT_ORDER.indexOf(a.verdict) - RESULT_ORDER.indexOf(b.verdict);
 
 /** The requirements of one asset, those that do not hold first. */
 function requirementsPart(asset) {
@@ -112,7 +103,7 @@ function requirementsPart(asset) {
   if (all.length === 0) return null;
   const trend = all.some((entry) => entry.before);
   const columns = [["result"], ["measure"], ["value"], ["limit"], ...(trend ? [["before"]] : []), ["stated in"]];
-  const rows = all.slice().sort(byResult).map((entry) => [resultMark(resultOf(entry), entry.severity),
+  const rows = all.slice().sort(byResult).map((entry) => [resultMark(entry.verdict, entry.severity),
     make("span", {}, make("span.mono", {}, measureName(entry)), " ", make("span.soft", {}, shareText(entry)), elementsPart(entry)),
     make("span", {}, valueText(entry.value, entry.unit, needsDigits(entry))), make("span", {}, limitText(entry)),
     ...(trend ? [beforeText(entry)] : []), make("span.soft", {}, isolated(entry.from))]);
@@ -127,12 +118,12 @@ function limitCounts() {
   const counts = new Map();
   for (const asset of report.assets) {
     for (const entry of asset.requirements || []) {
-      const key = limitKey(entry);
+      const { key } = entry;
       const limit = counts.get(key) || { key, entry, "fail": 0, "not-measured": 0, "pass": 0, "not-applicable": 0, before: 0, compared: 0, from: new Set() };
-      ++limit[resultOf(entry)];
+      ++limit[entry.verdict];
       limit.from.add(entry.from);
       if (entry.before) ++limit.compared;
-      if (entry.before && resultOf(entry.before) === "fail") ++limit.before;
+      if (entry.before && entry.before.verdict === "fail") ++limit.before;
       counts.set(key, limit);
     }
   }
@@ -149,15 +140,16 @@ function limitTable(limits) {
     make("span.label.is-" + limit.entry.severity, {}, limit.entry.severity),
     make("span.soft.line", {}, isolated([...limit.from].join(", "))), number(limit, "fail"),
     ...(trend ? [make("span", {}, limit.compared > 0 ? grouped(limit.before) : "–")] : []),
-    number(limit, "not-measured"), number(limit, "pass")]);
+    number(limit, "not-measured"), number(limit, "pass"), number(limit, "not-applicable")]);
   return table("Limits, and in how many assets they hold", [["measure"], ["limit"], ["severity"], ["stated in"],
-    ["fail", true], ...(trend ? [["failed before", true]] : []), ["not measured", true], ["pass", true]], rows);
+    ["fail", true], ...(trend ? [["failed before", true]] : []), ["not measured", true], ["pass", true],
+    ["not applicable", true]], rows);
 }
 
 /** Whether an asset has a limit with a result; empty texts stand for any. */
 function requirementMatches(asset, key, result) {
-  return (asset.requirements || []).some((entry) => (key === "" || limitKey(entry) === key) &&
-    (result === "" || resultOf(entry) === result));
+  return (asset.requirements || []).some((entry) => (key === "" || entry.key === key) &&
+    (result === "" || entry.verdict === result));
 }
 
 // --- The matrix: assets and limits ---
@@ -172,7 +164,7 @@ function shortValue(entry) {
 
 function matrixCell(entry) {
   if (!entry) return make("td.num.soft", {}, make("span", { "aria-hidden": "true" }, "·"), make("span.hidden", {}, "no limit"));
-  const result = resultOf(entry);
+  const result = entry.verdict;
   const [, sign, words] = RESULTS.find(([name]) => name === result);
   const share = shareText(entry) ? make("small", {}, shareText(entry)) : null;
   const before = entry.before && valueText(entry.before.value, entry.unit) !== valueText(entry.value, entry.unit)
@@ -189,7 +181,7 @@ function matrixHead(limits) {
 }
 
 function matrixRow(asset, limits) {
-  const own = new Map((asset.requirements || []).map((entry) => [limitKey(entry), entry]));
+  const own = new Map((asset.requirements || []).map((entry) => [entry.key, entry]));
   const cut = asset.path.lastIndexOf("/") + 1;
   const folder = cut > 0 ? make("small", {}, isolated(asset.path.slice(0, cut))) : null;
   return make("tr", {}, make("th", { scope: "row" }, folder,

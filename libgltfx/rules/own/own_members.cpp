@@ -6,7 +6,7 @@
 #include <variant>
 
 #include "json/parse.hpp"
-#include "report/measures_json.hpp"
+#include "report/value_json.hpp"
 #include "rules/own/own_measures.hpp"
 
 namespace gltfx::validate {
@@ -75,7 +75,7 @@ void OwnMembers::write_measures(json::Writer& writer, const OwnScope& scope,
   for (const MeasureColumn& column : measured_->columns[static_cast<std::size_t>(*on)]) {
     if (element >= column.values.size()) continue;
     writer.key(column.measure->name);
-    report::write_measure_value(writer, column.values[element]);
+    report::write_value(writer, column.values[element], report::Texts::whole);
   }
 }
 

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "measure/limit.hpp"
 #include "measure/limit_texts.hpp"
 #include "measure/source.hpp"
 #include "measure/take.hpp"
@@ -110,6 +111,7 @@ class LimitCheck {
       : places_(places),
         limit_(limit),
         severity_(severity),
+        parameters_(measure::parameter_words(limit.parameters)),
         texts_(limit),
         report_(report),
         sink_(sink) {}
@@ -171,8 +173,8 @@ class LimitCheck {
 
   void report(std::size_t element, const MeasureValue& value, Finding finding) {
     // Findings about other limits of the same measure are no repeats.
-    finding.about = fmt::format("{} {} {} {}", measure_scope_name(limit_.on),
-                                limit_op_name(limit_.op), limit_.number, limit_.from);
+    finding.about = fmt::format("{} {} {} {} {}", measure_scope_name(limit_.on),
+                                limit_op_name(limit_.op), limit_.number, limit_.from, parameters_);
     if (listed_ < kMostRequirements / weight()) {
       finding.requirement = std::make_shared<const CheckedLimit>(row(value));
     }
@@ -189,7 +191,8 @@ class LimitCheck {
             std::string(limit_op_name(limit_.op)),
             limit_value(limit_),
             std::string(limit_.measure->unit),
-            limit_.from};
+            limit_.from,
+            parameters_};
   }
 
   void add_row(Verdict verdict, std::size_t element, const MeasureValue& value, bool placed) {
@@ -209,6 +212,7 @@ class LimitCheck {
   const LimitPlaces& places_;
   const Limit& limit_;
   const Severity severity_;
+  std::string parameters_;  // in words
   measure::LimitTexts texts_;
   FileReport& report_;
   Sink& sink_;
