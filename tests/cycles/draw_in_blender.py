@@ -111,6 +111,16 @@ def lambert(tree, principled, _material):
     replace(tree, principled, covered)
 
 
+def cosine_of_view(tree):
+    """An output: of the angle between normal and view."""
+    geometry = tree.nodes.new("ShaderNodeNewGeometry")
+    cosine = tree.nodes.new("ShaderNodeVectorMath")
+    cosine.operation = "DOT_PRODUCT"
+    tree.links.new(geometry.outputs["Normal"], cosine.inputs[0])
+    tree.links.new(geometry.outputs["Incoming"], cosine.inputs[1])
+    return cosine.outputs["Value"]
+
+
 def schlick(tree, f0, weight=1.0):
     """An output: `weight` times Schlick's term, of the angle between normal and view."""
     def math_node(operation, *values):
@@ -123,12 +133,7 @@ def schlick(tree, f0, weight=1.0):
                 tree.links.new(value, target)
         return node.outputs[0]
 
-    geometry = tree.nodes.new("ShaderNodeNewGeometry")
-    cosine = tree.nodes.new("ShaderNodeVectorMath")
-    cosine.operation = "DOT_PRODUCT"
-    tree.links.new(geometry.outputs["Normal"], cosine.inputs[0])
-    tree.links.new(geometry.outputs["Incoming"], cosine.inputs[1])
-    rest = math_node("SUBTRACT", 1.0, math_node("ABSOLUTE", cosine.outputs["Value"]))
+    rest = math_node("SUBTRACT", 1.0, math_node("ABSOLUTE", cosine_of_view(tree)))
     fifth = math_node("POWER", rest, 5.0)
     return math_node("MULTIPLY_ADD", fifth, weight * (1 - f0), weight * f0)
 
@@ -141,9 +146,23 @@ def mix(tree, factor, one, other):
     return node.outputs[0]
 
 
-def layered(tree, principled, base, factor, roughness):
+def by_angle(tree, values):
+    """An output: colors by the cosine of the angle between normal and view, from 0 to 1."""
+    ramp = tree.nodes.new("ShaderNodeValToRGB")
+    stops = ramp.color_ramp.elements
+    while len(stops) < len(values):
+        stops.new(1)
+    for i, (stop, value) in enumerate(zip(stops, values)):
+        stop.position = i / (len(values) - 1)
+        stop.color = (*value, 1)
+    tree.links.new(cosine_of_view(tree), ramp.inputs["Fac"])
+    return ramp.outputs["Color"]
+
+
+def layered(tree, principled, base, factor, roughness, rest=None):
     """Puts a layer of IOR 1.5 over `base`: what it reflects, the base does not get. `roughness`
-    names the input that has its roughness."""
+    names the input that has its roughness. `rest`: an output, the part that the base gets; by
+    default what a smooth layer leaves."""
     layer = tree.nodes.new("ShaderNodeBsdfPrincipled")
     layer.inputs["Base Color"].default_value = (0, 0, 0, 1)
     take_input(tree, principled, roughness, layer.inputs["Roughness"])
@@ -153,7 +172,9 @@ def layered(tree, principled, base, factor, roughness):
     black.inputs["Color"].default_value = (0, 0, 0, 1)
     added = tree.nodes.new("ShaderNodeAddShader")
     links = [link.to_socket for link in principled.outputs[0].links]
-    for source, target in zip((mix(tree, schlick(tree, 0.04, factor), base, black.outputs[0]),
+    held = (mix(tree, rest, black.outputs[0], base) if rest else
+            mix(tree, schlick(tree, 0.04, factor), base, black.outputs[0]))
+    for source, target in zip((held,
                                mix(tree, weight.outputs[0], black.outputs[0], layer.outputs[0])),
                               added.inputs):
         tree.links.new(source, target)
@@ -169,11 +190,13 @@ def coat(tree, principled, _material):
     layered(tree, principled, principled.outputs[0], factor, "Clearcoat Roughness")
 
 
-def plastic(tree, principled, _material):
-    """A dielectric whose base is that of the specification."""
+def plastic(tree, principled, material):
+    """A dielectric whose base is that of the specification. Its property `rest` has what a rough
+    layer leaves over by the angle to the view."""
     diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
     take_input(tree, principled, "Base Color", diffuse.inputs["Color"])
-    layered(tree, principled, diffuse.outputs[0], 1.0, "Roughness")
+    rest = by_angle(tree, [[part] * 3 for part in material["rest"]]) if "rest" in material else None
+    layered(tree, principled, diffuse.outputs[0], 1.0, "Roughness", rest)
 
 
 def thin(tree, principled, _material):
@@ -196,31 +219,14 @@ def film(tree, principled, material):
     the angle to the view is a property of the material."""
     colors = list(material["film"])
     colors = [colors[i:i + 3] for i in range(0, len(colors), 3)]
-    geometry = tree.nodes.new("ShaderNodeNewGeometry")
-    cosine = tree.nodes.new("ShaderNodeVectorMath")
-    cosine.operation = "DOT_PRODUCT"
-    tree.links.new(geometry.outputs["Normal"], cosine.inputs[0])
-    tree.links.new(geometry.outputs["Incoming"], cosine.inputs[1])
-
-    def by_angle(values):
-        ramp = tree.nodes.new("ShaderNodeValToRGB")
-        stops = ramp.color_ramp.elements
-        while len(stops) < len(values):
-            stops.new(1)
-        for i, (stop, value) in enumerate(zip(stops, values)):
-            stop.position = i / (len(values) - 1)
-            stop.color = (*value, 1)
-        tree.links.new(cosine.outputs["Value"], ramp.inputs["Fac"])
-        return ramp.outputs["Color"]
-
     gloss = tree.nodes.new("ShaderNodeBsdfGlossy")
     gloss.inputs["Roughness"].default_value = 0
-    tree.links.new(by_angle(colors), gloss.inputs["Color"])
+    tree.links.new(by_angle(tree, colors), gloss.inputs["Color"])
     result = gloss.outputs[0]
     if principled.inputs["Metallic"].default_value == 0:
         base = principled.inputs["Base Color"].default_value[:3]
         diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
-        tree.links.new(by_angle([[(1 - f) * c for f, c in zip(color, base)] for color in colors]),
+        tree.links.new(by_angle(tree, [[(1 - f) * c for f, c in zip(color, base)] for color in colors]),
                        diffuse.inputs["Color"])
         added = tree.nodes.new("ShaderNodeAddShader")
         tree.links.new(result, added.inputs[0])
