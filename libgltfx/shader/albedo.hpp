@@ -5,48 +5,19 @@
 /// compares the tables with quadratures, or rewrites them.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
+#include "shader/table.hpp"
+
 namespace gltfx::shader {
-
-/// Four neighbours in a table of values over [0, 1], and the weights of a cubic curve through them
-/// (Catmull and Rom); at the ends it is extrapolated linearly.
-struct TableCell {
-  std::size_t first = 0;
-  std::array<float, 4> weights{};
-
-  TableCell() = default;
-  TableCell(double x, int size) : TableCell(static_cast<float>(x), size) {}
-  TableCell(float x, int size) {
-    const float scaled = std::clamp(x, 0.0F, 1.0F) * static_cast<float>(size - 1);
-    const int cell = std::min(static_cast<int>(scaled), size - 2);
-    const float t = scaled - static_cast<float>(cell);
-    const float a = t * (-0.5F + t * (1 - 0.5F * t));
-    const float b = 1 + t * t * (-2.5F + 1.5F * t);
-    const float c = t * (0.5F + t * (2 - 1.5F * t));
-    const float d = t * t * (-0.5F + 0.5F * t);
-    first = static_cast<std::size_t>(std::clamp(cell - 1, 0, size - 4));
-    if (cell == 0) {
-      weights = {b + 2 * a, c - a, d, 0};
-    } else if (cell == size - 2) {
-      weights = {0, a, b - d, c + 2 * d};
-    } else {
-      weights = {a, b, c, d};
-    }
-  }
-};
 
 // Rows by roughness from 0 to 1, columns by the fourth root of the cosine from 0 to 1.
 inline constexpr int kAlbedoColumns = 48;
 inline constexpr int kSpecularRows = 32;
 inline constexpr int kSheenRows = 48;
 
-inline TableCell albedo_column(double cosine) {
-  return {std::sqrt(std::sqrt(static_cast<float>(cosine))), kAlbedoColumns};
-}
+inline TableCell albedo_column(double cosine) { return cosine_column(cosine, kAlbedoColumns); }
 
 /// The albedo of specular_brdf under Schlick's Fresnel: f0 * constant + f90 * rising.
 struct SpecularAlbedo {

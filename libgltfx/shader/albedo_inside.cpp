@@ -12,32 +12,10 @@
 #include "base/packed.hpp"
 #include "shader/albedo.hpp"
 #include "shader/integration.hpp"
+#include "shader/visible_facets.hpp"
 
 namespace gltfx::shader {
 namespace {
-
-// Points of a square, by adjacent Fibonacci numbers: they are not aligned with edges.
-struct Lattice {
-  int points, turn;
-};
-
-// The mean over visible normals of light(h, part_of); part_of(l) is the part of light of facets
-// that send it to l which others do not block.
-template <class Light>
-auto sum_facets(const Lattice& lattice, const Microfacets& facets, const Vec3d& v,
-                const Light& light) {
-  const auto& [points, turn] = lattice;
-  const double stretched = facets.stretched(v);
-  const auto part_of = [&facets, &v, stretched](const Vec3d& l) {
-    return facets.visibility(v, stretched, l) * 2 * l.z * (v.z + stretched);
-  };
-  decltype(light(Vec3d(), part_of)) sum{};
-  for (int i = 0; i < points; ++i) {
-    const double second = (i * turn % points + 0.5) / points;
-    sum += light(facets.sample_normal(v, (i + 0.5) / points, second), part_of) * (1.0 / points);
-  }
-  return sum;
-}
 
 // The reflectance of the layer; reflectance(v.h) is that of a facet.
 template <class Reflectance>

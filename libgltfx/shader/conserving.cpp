@@ -24,6 +24,7 @@ struct GrazingLights {
   Values fresnel{};            // mean of (1 - V.H)^5 over a turn
   Values front{};              // the same for a view from the front
   Values diffuse{}, margin{};  // by cosine
+  std::array<TableCell, kCount> column{};
 };
 
 GrazingLights make_grazing_lights() {
@@ -35,6 +36,7 @@ GrazingLights make_grazing_lights() {
     lights.cosine[i] = cosine;
     lights.weight[i] = nodes[i].weight;
     lights.diffuse[i] = diffuse_fresnel(cosine);
+    lights.column[i] = scale_column(cosine);
     lights.margin[i] = table_margin(cosine);
     lights.front[i] = pow5(1 - std::sqrt((1 + cosine) / 2));
     for (int turn = 0; turn < kTurns; ++turn) {
@@ -131,9 +133,10 @@ double EnergyCompensation::mean_share() const {
   double sum_front = 0;
   double all_front = 0;
   for (std::size_t i = 0; i < GrazingLights::kCount; ++i) {
-    const double shared = anisotropic_ ? share_of_turn(lights.cosine[i])
-                                       : share({albedos.constant[i], albedos.rising[i]},
-                                               lights.diffuse[i], lights.margin[i]);
+    const SpecularAlbedo albedo = anisotropic_
+                                      ? anisotropic_->mean_at(lights.column[i])
+                                      : SpecularAlbedo{albedos.constant[i], albedos.rising[i]};
+    const double shared = share(albedo, lights.diffuse[i], lights.margin[i]);
     const double passed = lights.weight[i] * (1 - f0_ - (f90_ - f0_) * lights.fresnel[i]);
     sum += passed * shared;
     all += passed;
@@ -143,18 +146,6 @@ double EnergyCompensation::mean_share() const {
   }
   const double margin = 1 + 0.003 * f90_;  // for so few points
   return all > 0 && all_front > 0 ? std::max(sum / all, sum_front / all_front) * margin : 1;
-}
-
-double EnergyCompensation::share_of_turn(double cosine) const {
-  constexpr int kTurns = 6;  // in a quarter of one, which is like the others
-  const double sine = std::sqrt(1 - square(cosine));
-  double sum = 0;
-  for (int i = 0; i < kTurns; ++i) {
-    const SinCos turn = sin_cos_of((i + 0.5) / (4 * kTurns));
-    sum +=
-        share(anisotropic_->facets().turned_back({sine * turn.cosine, sine * turn.sine, cosine}));
-  }
-  return sum / kTurns;
 }
 
 [[gnu::flatten]] double EnergyCompensation::factor(const Vec3d& l) const {

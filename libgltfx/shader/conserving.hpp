@@ -75,8 +75,6 @@ class EnergyCompensation {
   double share(const SpecularAlbedo& albedo, double diffuse, double margin) const;
   /// The mean of shares over the lights of a view.
   double mean_share() const;
-  /// Over all azimuths of an anisotropic layer.
-  double share_of_turn(double cosine) const;
 
   bool active_ = false;
   bool inside_ = false;

@@ -5,11 +5,11 @@
 /// that the layer leaves over is a sum over the reflectances at some angles, by a table of how
 /// often facets of a roughness are seen under each. The base gets r(V) r(L) / m of it: r is what is
 /// left over, m its mean, colour by colour. (C. Kulla and A. Conty, Revisiting Physically Based
-/// Shading at Imageworks, 2017.) An anisotropic lobe has about the table of the isotropic one that
-/// reflects the same share of its light under grazing angles.
+/// Shading at Imageworks, 2017.)
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "shader/albedo.hpp"
 #include "shader/fresnel.hpp"
@@ -28,12 +28,15 @@ constexpr double film_cosine(int column) {
   return root * root;
 }
 
+/// A value for each of these cosines.
+using FilmCurve = std::array<float, kFilmColumns>;
+
 /// What a film of full strength on facets leaves over for diffuse lobes below.
 class FilmLayer {
  public:
   /// Precondition: `fresnel` has a film and is not seen from the dense side. `anisotropic`: of the
-  /// facets, or null where they are not; it must outlive this. `bounced`: the part of the light
-  /// that facets block which the layer reflects.
+  /// facets, or null where they are not. `bounced`: the part of the light that facets block which
+  /// the layer reflects.
   FilmLayer(const Fresnel& fresnel, const Microfacets& facets, const AnisotropicAlbedo* anisotropic,
             const Vec3d& v, const Rgb& bounced);
 
@@ -43,14 +46,17 @@ class FilmLayer {
   }
 
  private:
-  using Colors = std::array<std::array<float, kFilmColumns>, 3>;
+  /// By azimuth_of(), colour and cosine; one for all azimuths of an isotropic layer.
+  struct LeftOver {
+    std::array<std::array<FilmCurve, 3>, kAzimuthRows> at{};
+    Rgb mean;
+  };
+  static LeftOver make(const Fresnel& fresnel, const Microfacets& facets,
+                       const AnisotropicAlbedo* anisotropic, const Rgb& bounced);
   Rgb left_over(const Fresnel& fresnel, const Vec3d& direction) const;
 
-  bool smooth_;
-  const AnisotropicAlbedo* anisotropic_;
-  /// By azimuth_of(), colour and cosine, unless it is smooth; one for all azimuths of an isotropic
-  /// layer.
-  std::array<Colors, kAzimuthRows> left_over_{};
+  Microfacets facets_;
+  std::shared_ptr<const LeftOver> left_over_;
   Rgb scale_;  ///< what is left over towards the viewer, over the mean
 };
 

@@ -15,38 +15,19 @@
 /// Kulla and A. Conty, Revisiting Physically Based Shading at Imageworks, 2017).
 #pragma once
 
-#include <array>
 #include <memory>
 
 #include "shader/albedo.hpp"
+#include "shader/anisotropic.hpp"
 #include "shader/fresnel.hpp"
 #include "shader/microfacet.hpp"
 
 namespace gltfx::shader {
 
-/// The tables of anisotropic lobes: roughness along, roughness across over that, where the
-/// roughness under the azimuth is between both, and the cosine.
-inline constexpr int kAlongRows = 14;
-inline constexpr int kAcrossRows = 9;
-inline constexpr int kAzimuthRows = 7;
-inline constexpr int kScaleColumns = 16;
 /// The table of refracting surfaces: by root of F0, roughness and cosine, outside and inside.
 inline constexpr int kGlassIors = 10;
 inline constexpr int kGlassRows = 12;
 inline constexpr int kGlassColumns = 16;
-
-/// The roughness along the direction of anisotropy of a row: close together where lobes are narrow.
-inline double along_roughness(int row) {
-  const double x = row / (kAlongRows - 1.0);
-  return x * std::cbrt(x);
-}
-inline double along_row(double roughness) { return std::sqrt(roughness * std::sqrt(roughness)); }
-
-/// The roughness across of a row over that along, and the part of the way from across to along of a
-/// row of azimuths: close together across, where a lobe is narrow.
-inline double across_ratio(int row) { return square(row / (kAcrossRows - 1.0)); }
-inline double azimuth_part(int row) { return square(row / (kAzimuthRows - 1.0)); }
-inline TableCell azimuth_row(double azimuth) { return {std::sqrt(azimuth), kAzimuthRows}; }
 
 /// The ratio of indices of a row: from 1 to 3.
 constexpr double glass_ior(int row) {
@@ -54,45 +35,6 @@ constexpr double glass_ior(int row) {
   const double r = 0.5 * root * root;
   return (1 + r) / (1 - r);
 }
-
-inline TableCell scale_column(double cosine) {
-  return {std::sqrt(std::sqrt(static_cast<float>(cosine))), kScaleColumns};
-}
-
-/// From 0 across to 1 along: the roughness under the azimuth of a direction.
-double azimuth_of(const Microfacets& facets, const Vec3d& direction);
-
-/// Values of one anisotropic lobe: by azimuth_of() and cosine.
-using AnisotropicValues = std::array<std::array<float, kScaleColumns>, kAzimuthRows>;
-
-/// s for one anisotropic lobe.
-class AnisotropicScale {
- public:
-  /// The precondition is that alpha_t is at least alpha_b.
-  explicit AnisotropicScale(const Microfacets& facets);
-  double at(const Vec3d& direction) const;
-  double mean_albedo() const { return mean_; }
-
- private:
-  Microfacets facets_;
-  AnisotropicValues values_{};
-  double mean_ = 0;
-};
-
-/// The albedo of one anisotropic lobe.
-class AnisotropicAlbedo {
- public:
-  /// The precondition is that alpha_t is at least alpha_b.
-  explicit AnisotropicAlbedo(const Microfacets& facets);
-  SpecularAlbedo at(const Vec3d& direction) const;
-  /// `azimuth`: as azimuth_of().
-  SpecularAlbedo at(double azimuth, double cosine) const;
-  const Microfacets& facets() const { return facets_; }
-
- private:
-  Microfacets facets_;
-  AnisotropicValues constant_{}, rising_{};
-};
 
 /// The scale of the specular lobes of facets, prepared from v.
 class MultipleScattering {

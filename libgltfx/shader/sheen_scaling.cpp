@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/fork.hpp"
-#include "base/lanes.hpp"
 #include "shader/integration.hpp"
 
 namespace gltfx::shader {
@@ -22,14 +21,6 @@ using BelowStrengths = std::array<std::array<float, kBelowColumns>, kBelowStreng
 constexpr std::array<std::array<BelowStrengths, kBelowBaseRows>, kBelowSheenRows> kBelow{{
 #include "shader/tables/below_sheen.inc"
 }};
-
-double weigh_held(const HeldTable& table, const TableCell& row, double cosine) {
-  const TableCell column = albedo_column(cosine);
-  Lanes sums{};
-  for (std::size_t r = 0; r < row.weights.size(); ++r)
-    sums += row.weights[r] * load_lanes(table[row.first + r].data() + column.first);
-  return static_cast<double>(sum_of(sums * load_lanes(column.weights.data())));
-}
 
 // m of gloss below a sheen. `sheen`: its row.
 double mean_of_gloss(const TableCell& sheen, double strength, double alpha, double cosine) {
@@ -52,10 +43,12 @@ double mean_of_gloss(const TableCell& sheen, double strength, double alpha, doub
 
 }  // namespace
 
-double HeldSheen::scale(double cosine) const { return weigh_held(kHeldScale, row_, cosine); }
+double HeldSheen::scale(double cosine) const {
+  return interpolated(kHeldScale, row_, albedo_column(cosine));
+}
 
 double HeldSheen::albedo(double cosine) const {
-  return std::clamp(weigh_held(kHeldAlbedo, row_, cosine), 0.0, 1.0);
+  return std::clamp(interpolated(kHeldAlbedo, row_, albedo_column(cosine)), 0.0, 1.0);
 }
 
 double HeldSheen::mean() const {
@@ -65,16 +58,12 @@ double HeldSheen::mean() const {
     Means sums{};
     for (const Node& node : gauss_legendre(64)) {
       const TableCell column = albedo_column(std::sqrt(node.x));
-      for (std::size_t r = 0; r < sums.size(); ++r) {
-        const Lanes values = load_lanes(kHeldAlbedo[r].data() + column.first);
-        sums[r] +=
-            static_cast<float>(node.weight) * sum_of(values * load_lanes(column.weights.data()));
-      }
+      for (std::size_t r = 0; r < sums.size(); ++r)
+        sums[r] += static_cast<float>(node.weight * interpolated(kHeldAlbedo[r], column));
     }
     return sums;
   });
-  return static_cast<double>(
-      sum_of(load_lanes(rows.data() + row_.first) * load_lanes(row_.weights.data())));
+  return interpolated(rows, row_);
 }
 
 SheenScaling::SheenScaling(const Material& m, const Vec3d& v, ShaderMode mode)

@@ -40,9 +40,7 @@ inline TableCell below_base_row(double alpha) {
   return {std::sqrt(std::sqrt(alpha)), kBelowBaseRows};
 }
 inline double below_base_roughness(int row) { return square(row / (kBelowBaseRows - 1.0)); }
-inline TableCell below_column(double cosine) {
-  return {std::sqrt(std::sqrt(static_cast<float>(cosine))), kBelowColumns};
-}
+inline TableCell below_column(double cosine) { return cosine_column(cosine, kBelowColumns); }
 
 /// A white sheen of one roughness in the conserving mode.
 class HeldSheen {

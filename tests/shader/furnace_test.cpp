@@ -126,8 +126,6 @@ std::vector<Point> points() {
 
 double most_of(const Point& p) {
   if (p.is(kVolume)) return 1.02;  // the quadrature meets the edge of total reflection
-  // Tables of anisotropic films would be too large: they are like isotropic ones.
-  if (p.is(kAnisotropic) && p.is(kFilm)) return 1.04;
   if (p.is(kSheen)) return 1.005;
   if (p.is(kAnisotropic)) return 1.004;
   return p.is(kFilm) ? 1.0025 : 1.0015;
@@ -136,7 +134,6 @@ double most_of(const Point& p) {
 double least_of(const Point& p) {
   if (p.is(kAbsorbs)) return 0;
   if (p.is(kTilted)) return 0.8;
-  if (p.is(kAnisotropic) && p.is(kFilm)) return 0.95;
   if (p.is(kSheen) && p.is(kAnisotropic | kFilm)) return 0.97;
   if (p.is(kSheen | kFilm) && p.material.diffuse_roughness > 0) return 0.975;
   return p.material.metallic == 1 ? 0.99 : 0.98;
