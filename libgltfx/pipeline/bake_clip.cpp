@@ -106,22 +106,17 @@ Result<Staging> find_staging(const validate::ValidatedAsset& asset, const BakeOp
   auto extent = find_extent(asset, options, frames, 0);
   if (!extent) return extent.error();
   ClipStage stage{extent->origin.value_or(Vec3d())};
-  if (extent->markers && extent->subject() != nullptr) {
+  if (extent->subject() != nullptr) {  // other frames may have markers
     const BakeSize& size = options.sizes.front();
     stage.marker_radius =
         preview::marker_radius(*extent->subject(), std::max(size.width, size.height));
+  }
+  if (extent->markers && stage.marker_radius > 0) {
     extent = find_extent(asset, options, frames, stage.marker_radius);
     if (!extent) return extent.error();
   }
+  if (extent->all) stage.size = extent->all->size();
   return Staging{stage, *std::move(extent)};
-}
-
-BakeScene refused(const std::string& path, const Error& reason) {
-  BakeScene scene;
-  scene.report.path = scene.report.validation.path = path;
-  scene.report.problem = BakeProblem::refused;
-  scene.report.error = reason.message;
-  return scene;
 }
 
 // Of an asset that lacks the clip.
@@ -156,12 +151,15 @@ BakeScene load_clip(validate::ValidatedAsset asset, const BakeOptions& options) 
   }
   const auto frames = animation ? count_frames(asset.asset(), **animation, options)
                                 : Result<std::uint32_t>(animation.error());
-  if (!frames) return refused(asset.asset().name(), frames.error());
+  const auto refused = [&asset](const Error& reason) {
+    return failed_scene(asset.asset().name(), BakeProblem::refused, reason.message);
+  };
+  if (!frames) return refused(frames.error());
   const BakeOptions start = options_at(options, 0);
   BakeScene begun = begin_bake_scene(asset, asset.report(), start);
   if (begun.report.problem != BakeProblem::none) return begun;
   auto staging = find_staging(asset, options, *frames);
-  if (!staging) return refused(asset.asset().name(), staging.error());
+  if (!staging) return refused(staging.error());
   BakeScene first = build_bake_scene(asset, asset.report(), start, &staging->stage);
   if (!first.scene) return first;
   first.subject = std::move(staging->extent.all);

@@ -29,7 +29,7 @@ struct Shot {
   BakeSize size;
   std::string suffix;  ///< of the names of its files
   std::vector<render::View> views;
-  bool dim_backdrop = false;                 ///< as its first view asks for
+  bool dim_backdrop = false;                 ///< as the first view of the camera asks for
   std::map<std::string, FrameStrip> strips;  ///< by suffix, of pictures that become one file
 };
 
@@ -67,11 +67,15 @@ class Baker {
   bool choose_shots() {
     const std::vector<NamedCamera> cameras = named_cameras(loaded_, options_, report_.notes);
     for (const BakeSize& size : options_.sizes) {
-      for (const auto& [camera, part] : cameras) {
+      for (std::size_t i = 0; i < cameras.size(); ++i) {
+        const auto& [camera, part] = cameras[i];
         const double aspect = static_cast<double>(size.width) / size.height;
         auto views = choose_views(loaded_, options_, aspect, camera);
         if (!views) return fail(BakeProblem::refused, views.error().message);
-        const bool dim = needs_dim_backdrop(loaded_, views->front(), options_);
+        // All sizes of a picture have the backdrop of the first.
+        const bool dim = shots_.size() < cameras.size()
+                             ? needs_dim_backdrop(loaded_, views->front(), options_)
+                             : shots_[i].dim_backdrop;
         shots_.push_back({size, shot_suffix(options_, part, size), *std::move(views), dim, {}});
       }
     }

@@ -120,10 +120,12 @@ Result<SceneOptions> scene_options(const model::OpenedAsset& opened, const BakeO
 }
 
 Result<BuiltScene> build(const validate::ValidatedAsset& asset, const BakeOptions& options,
-                         const std::optional<Vec3d>& origin, bool outline, BakeNotes& notes) {
+                         const std::optional<Vec3d>& origin, double shown_size, bool outline,
+                         BakeNotes& notes) {
   auto wanted = scene_options(asset.asset(), options, notes);
   if (!wanted) return wanted.error();
   wanted->origin = origin;
+  wanted->shown_size = shown_size;
   wanted->textures = !outline && !is_clay(options);
   // Another one takes its place.
   wanted->environment =
@@ -166,6 +168,10 @@ BakeScene empty_scene(const std::string& path) {
 
 }  // namespace
 
+BakeScene failed_scene(const std::string& path, BakeProblem problem, std::string error) {
+  return failed(empty_scene(path), problem, std::move(error));
+}
+
 void BakeScene::follow(const preview::Subject& other, const Vec3d& other_origin) {
   subject = other;
   subject->forget_faces();
@@ -184,9 +190,6 @@ validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOp
 BakeScene begin_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
                            const BakeOptions& options) {
   BakeScene result = empty_scene(asset.asset().name());
-  if (auto refusal = find_refusal(options)) {
-    return failed(std::move(result), BakeProblem::refused, *std::move(refusal));
-  }
   if (options.scene.empty()) result.unseen = find_unseen(report);
   result.report.validation = errors_of(std::move(report));
   const std::uint64_t errors = result.report.validation.counts.errors;
@@ -199,7 +202,7 @@ BakeScene begin_bake_scene(const validate::ValidatedAsset& asset, FileReport rep
 Result<BuiltScene> build_outline(const validate::ValidatedAsset& asset, const BakeOptions& options,
                                  const std::optional<Vec3d>& origin) {
   BakeNotes notes;  // are those of the scene itself
-  return build(asset, options, origin, true, notes);
+  return build(asset, options, origin, 0, true, notes);
 }
 
 BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
@@ -207,8 +210,8 @@ BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport rep
   BakeScene result = begin_bake_scene(asset, std::move(report), options);
   if (result.report.problem != BakeProblem::none) return result;
   BakeNotes notes;
-  auto made =
-      build(asset, options, stage ? std::optional(stage->origin) : std::nullopt, false, notes);
+  auto made = stage ? build(asset, options, stage->origin, stage->size, false, notes)
+                    : build(asset, options, std::nullopt, 0, false, notes);
   if (!made) return failed(std::move(result), BakeProblem::refused, made.error().message);
   if (auto trouble = light(made->scene, options)) {
     return failed(std::move(result), BakeProblem::unreadable, std::move(trouble->message));
@@ -260,10 +263,9 @@ BakeScene prepare_bake_scene(BakeScene result, const BakeOptions& options) {
   return result;
 }
 
-BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options) {
-  if (auto refusal = find_refusal(options)) {
-    return failed(empty_scene(asset.asset().name()), BakeProblem::refused, *std::move(refusal));
-  }
+namespace {
+
+BakeScene load_checked(validate::ValidatedAsset asset, const BakeOptions& options) {
   if (!options.clip.empty()) return load_clip(std::move(asset), options);
   BakeScene result;
   {
@@ -276,18 +278,30 @@ BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& opt
   return prepare_bake_scene(std::move(result), options);
 }
 
+}  // namespace
+
+BakeScene load_bake_scene(validate::ValidatedAsset asset, const BakeOptions& options) {
+  if (auto refusal = find_refusal(options)) {
+    return failed_scene(asset.asset().name(), BakeProblem::refused, *std::move(refusal));
+  }
+  return load_checked(std::move(asset), options);
+}
+
 BakeScene load_bake_scene_of(const validate::ValidatedAsset& asset, const BakeOptions& options) {
+  if (auto refusal = find_refusal(options)) {
+    return failed_scene(asset.asset().name(), BakeProblem::refused, *std::move(refusal));
+  }
   return prepare_bake_scene(build_bake_scene(asset, asset.report(), options), options);
 }
 
 BakeScene load_bake_scene(const std::string& path, const BakeOptions& options) {
   if (auto refusal = find_refusal(options)) {
-    return failed(empty_scene(path), BakeProblem::refused, *std::move(refusal));
+    return failed_scene(path, BakeProblem::refused, *std::move(refusal));
   }
   auto asset = open_document(path, AssetBounds::of(options));
-  if (!asset) return failed(empty_scene(path), BakeProblem::unreadable, asset.error().message);
+  if (!asset) return failed_scene(path, BakeProblem::unreadable, asset.error().message);
   codec::Client::shared().prepare_images();  // for textures, and the picture itself
-  return load_bake_scene(validate_to_bake(*std::move(asset), options), options);
+  return load_checked(validate_to_bake(*std::move(asset), options), options);
 }
 
 }  // namespace gltfx

@@ -53,6 +53,9 @@ BakeScene load_bake_scene_of(const validate::ValidatedAsset& asset, const BakeOp
 /// Validates as baking does.
 validate::ValidatedAsset validate_to_bake(model::OpenedAsset asset, const BakeOptions& options);
 
+/// No scene, and why.
+BakeScene failed_scene(const std::string& path, BakeProblem problem, std::string error);
+
 /// The scene as far as framing needs it; markers have no size.
 Result<BuiltScene> build_outline(const validate::ValidatedAsset& asset, const BakeOptions& options,
                                  const std::optional<Vec3d>& origin);
@@ -61,10 +64,12 @@ Result<BuiltScene> build_outline(const validate::ValidatedAsset& asset, const Ba
 struct ClipStage {
   Vec3d origin;              ///< see BuiltScene
   double marker_radius = 0;  ///< see preview::give_markers_size()
+  double size = 0;           ///< of what is visible in the clip
 };
 
-/// The steps of it: what is checked first; all but the hierarchy, and that. Where `subject` is set
-/// before the last one, it and `framed` stay. `stage`: of a clip; null: one that suits the scene.
+/// The steps of it: what the report forbids; all but the hierarchy, and that. Where `subject` is
+/// set before the last one, it and `framed` stay. `stage`: of a clip; null: one that suits the
+/// scene.
 BakeScene begin_bake_scene(const validate::ValidatedAsset& asset, FileReport report,
                            const BakeOptions& options);
 BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport report,

@@ -21,6 +21,7 @@
 #include "container/container.hpp"
 #include "pipeline/byte_list.hpp"
 #include "pipeline/picture_file.hpp"
+#include "pipeline/picture_names.hpp"
 #include "report/packed.hpp"
 #include "schema/set.hpp"
 

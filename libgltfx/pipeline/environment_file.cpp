@@ -112,11 +112,11 @@ Result<SharedEnvironment> decode(const std::string& path, const container::Bytes
 class LastEnvironment {
  public:
   Result<SharedEnvironment> read(const std::string& path, const container::Bytes& bytes) {
-    const std::lock_guard lock(mutex_);
     HashParts parts;
     parts.add(hash_bytes(bytes.text()));
     parts.add(ending_of(path));
     const Hash128 key = parts.finish();
+    const std::lock_guard lock(mutex_);
     if (image_ && key == key_) return image_;
     auto image = decode(path, bytes);
     if (!image) return image;

@@ -11,8 +11,9 @@
 namespace gltfx {
 namespace {
 
-// Findings may be why there is no picture.
-Hash128 key_of(const ValidateOptions& options, const BakeOptions& bake) {
+// Findings may be why there is no picture, but not where a limit is stated.
+Hash128 key_of(ValidateOptions options, const BakeOptions& bake) {
+  for (Limit& limit : options.limits) limit.from.clear();
   HashParts parts;
   parts.add("pictures of the page");
   parts.add(picture_key(bake, *options.cache));

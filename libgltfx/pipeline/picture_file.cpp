@@ -138,10 +138,4 @@ std::optional<Error> write_image(const codec::EncodedImage& image, const std::st
   return is_empty_file(path) ? fill(path, bytes) : write_file(path, bytes);
 }
 
-std::string with_suffix(const std::string& path, std::string_view suffix) {
-  const fs::path whole(path);
-  const fs::path name = whole.stem().native() + std::string(suffix) + whole.extension().native();
-  return (whole.parent_path() / name).native();
-}
-
 }  // namespace gltfx

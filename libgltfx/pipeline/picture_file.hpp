@@ -48,7 +48,4 @@ std::optional<Error> write_image(const codec::EncodedImage& image, const std::st
 /// Encodes by the ending of `path`, and writes.
 std::optional<Error> write_picture(const preview::Picture& picture, const std::string& path);
 
-/// `path` with something between its name and its ending.
-std::string with_suffix(const std::string& path, std::string_view suffix);
-
 }  // namespace gltfx

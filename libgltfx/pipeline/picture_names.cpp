@@ -2,6 +2,7 @@
 #include "pipeline/picture_names.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -77,6 +78,13 @@ std::string with_any_number(std::string name) {
   const std::size_t digits = before == std::string::npos ? 0 : name.size() - 1 - before;
   if (digits >= kDigits && name[before] == '-') name.replace(before + 1, digits, "#");
   return name + layer;
+}
+
+std::string with_suffix(const std::string& path, std::string_view suffix) {
+  const std::filesystem::path whole(path);
+  const std::filesystem::path name =
+      whole.stem().native() + std::string(suffix) + whole.extension().native();
+  return (whole.parent_path() / name).native();
 }
 
 }  // namespace gltfx

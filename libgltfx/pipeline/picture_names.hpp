@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gltfx {
@@ -32,6 +33,9 @@ struct PossibleSuffixes {
   std::vector<std::string> numbered;
 };
 PossibleSuffixes possible_suffixes(const BakeOptions& options, bool webp);
+
+/// `path` with something between its name and its ending.
+std::string with_suffix(const std::string& path, std::string_view suffix);
 
 /// A name without its ending, with "#" for the number of a frame: "turn-#-depth" of
 /// "turn-007-depth". Other names stay.

@@ -162,10 +162,8 @@ class SceneBuilder {
                        geometry_budget_, notes_, scene_);
     place_all(pose, framed, meshes);
     std::optional<preview::Subject> subject = preview::find_subject(scene_);
-    const double pixel =
-        subject && options_.picture_side > 0 ? subject->size() / options_.picture_side : 0;
     if (options_.textures) {
-      textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel);
+      textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel_size(subject));
     }
     if (options_.environment) light(roots);
     return {std::move(scene_), std::move(subject), {origin_[0], origin_[1], origin_[2]}, true};
@@ -177,6 +175,13 @@ class SceneBuilder {
     std::size_t primitives = 0;
     for (const model::Mesh& mesh : views_.meshes) primitives += mesh.primitives.size();
     return std::min(primitives, asset_.count(RootArray::materials)) + 1;
+  }
+
+  // Side of a pixel of the picture; 0: not known.
+  double pixel_size(const std::optional<preview::Subject>& subject) const {
+    if (!subject || options_.picture_side == 0) return 0;
+    const double shown = options_.shown_size > 0 ? options_.shown_size : subject->size();
+    return shown / options_.picture_side;
   }
 
   void light(const model::SceneRoots& roots) {

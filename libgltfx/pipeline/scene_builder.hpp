@@ -30,6 +30,9 @@ struct SceneOptions {
   /// Pixels along the longer side of pictures of the whole scene: images are decoded with the
   /// detail that these show. 0: with all there is.
   std::uint32_t picture_side = 0;
+  /// Size of what these pictures show, where it is more than this moment of the scene; 0: as large
+  /// as the scene.
+  double shown_size = 0;
   /// Most bytes that meshes, their poses and their instances may take, with all that rays need of
   /// them, beside 16 for each byte of the asset's buffers (32 where geometry is compressed).
   std::uint64_t free_bytes = std::uint64_t{192} << 20U;

@@ -30,7 +30,11 @@ std::optional<codec::Image> SceneImages::find(const Key& key) {
 
 void SceneImages::add(const Key& key, const codec::Image& image) {
   entries_.push_back({key, image, image.owner});
-  bytes_ += image.pixels.size();
+  if (image.pixels.size() > most_bytes_) {  // those of others stay
+    entries_.back().image.owner.reset();
+  } else {
+    bytes_ += image.pixels.size();
+  }
   const auto let_go = [this](Entry& entry) {
     if (entry.image.owner) bytes_ -= entry.image.pixels.size();
     entry.image.owner.reset();

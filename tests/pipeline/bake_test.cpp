@@ -20,6 +20,7 @@
 #include "pipeline/bake_names.hpp"
 #include "pipeline/environment_file.hpp"
 #include "pipeline/picture_file.hpp"
+#include "pipeline/picture_names.hpp"
 
 namespace gltfx {
 namespace {

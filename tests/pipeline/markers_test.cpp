@@ -146,5 +146,37 @@ TEST_F(Markers, HaveOneSizeInAllFramesOfAClip) {
   EXPECT_NEAR(covered(read_numbers(done.written[2])), first, 0.1 * first);
 }
 
+// Eight frames decide where the camera is; these points are in none of them.
+TEST_F(Markers, AreSeenInFramesThatDecideNothing) {
+  asset.draw(render::quad(0.25F), dielectric({0, 0, 0, 1}, 1));
+  asset.uses("KHR_node_visibility");
+  asset.uses("KHR_animation_pointer");
+  Points points;
+  for (int i = 0; i < 9; ++i) points.push_back({0.5F, static_cast<float>(i) / 10, 0});
+  const int point = asset.node({{"mesh", add_mesh(kPoints, points)},
+                                {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
+  asset.orthographic(1, 3);
+  const int input =
+      asset.accessor("SCALAR", 5126, 4, floats({0, 0.46F, 0.52F, 1}), {{"min", {0}}, {"max", {1}}});
+  const int output = asset.accessor("SCALAR", 5121, 4, std::string("\0\1\0\0", 4));
+  const std::string pointer =
+      "/nodes/" + std::to_string(point) + "/extensions/KHR_node_visibility/visible";
+  const Json target{{"path", "pointer"},
+                    {"extensions", {{"KHR_animation_pointer", {{"pointer", pointer}}}}}};
+  asset.add("animations",
+            {{"channels", Json::array({{{"sampler", 0}, {"target", target}}})},
+             {"samplers",
+              Json::array({{{"input", input}, {"output", output}, {"interpolation", "STEP"}}})}});
+  options.cameras = {"0"};
+  options.clip = "0";
+  options.fps = 17;
+  options.output = (folder.path() / "picture.exr").native();
+  const BakeReport done = report(asset);
+  ASSERT_EQ(done.written.size(), 17U) << done.error;
+  const double without = covered(read_numbers(done.written[7]));
+  EXPECT_GT(covered(read_numbers(done.written[8])), without + 0.0002);
+  EXPECT_EQ(covered(read_numbers(done.written[9])), without);
+}
+
 }  // namespace
 }  // namespace gltfx::test

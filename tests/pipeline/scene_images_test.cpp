@@ -2,7 +2,10 @@
 // Images are decoded once for all pictures that show them, and not for those that do not.
 #include "pipeline/scene_images.hpp"
 
+#include <cstdint>
+#include <string>
 #include <variant>
+#include <vector>
 
 #include "base/work_count.hpp"
 #include "pipeline/baking.hpp"
@@ -10,12 +13,16 @@
 namespace gltfx::test {
 namespace {
 
-// Two pixels in PNG.
-std::string pixels(std::uint8_t first) {
-  const auto png = encode_png({2, 1, 3, {first, 10, 20, 30, 40, 50}, {}});
+std::string png_of(std::uint32_t width, std::uint32_t height, std::uint8_t first) {
+  std::vector<std::uint8_t> bytes(std::size_t{width} * height * 3, 90);
+  bytes[0] = first;
+  const auto png = encode_png({width, height, 3, bytes, {}});
   EXPECT_TRUE(png);
   return png ? *png : std::string();
 }
+
+// Two pixels in PNG.
+std::string pixels(std::uint8_t first) { return png_of(2, 1, first); }
 
 class ImagesOfPictures : public Baking {
  protected:
@@ -25,10 +32,9 @@ class ImagesOfPictures : public Baking {
     options.output = (folder.path() / "a.png").native();
   }
 
-  // A square that turns for a second, with a texture of its own.
-  BakeReport draw(std::uint8_t color) {
-    AssetText asset;
-    const int view = asset.add_view(pixels(color));
+  // A square with a texture.
+  static int add_square(AssetText& asset, const std::string& image) {
+    const int view = asset.add_view(image);
     asset.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
     asset.add("textures", {{"source", 0}});
     render::Mesh square;
@@ -37,7 +43,13 @@ class ImagesOfPictures : public Baking {
     square.triangles = {{0, 1, 2}, {0, 2, 3}};
     Json material = plastic();
     material["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
-    const int node = asset.draw(square, material);
+    return asset.draw(square, material);
+  }
+
+  // A square that turns for a second, with a texture of its own.
+  BakeReport draw(std::uint8_t color) {
+    AssetText asset;
+    const int node = add_square(asset, pixels(color));
     const int times =
         asset.accessor("SCALAR", 5126, 2, floats({0, 1}), {{"min", {0}}, {"max", {1}}});
     const int turns = asset.accessor("VEC4", 5126, 2, floats({0, 0, 0, 1, 0, 0, 1, 0}));
@@ -64,6 +76,23 @@ TEST_F(ImagesOfPictures, AreDecodedOnceForAllFramesOfAClip) {
   EXPECT_EQ(decoded_by(2), 1U) << "the file of the environment has changed";
 }
 
+// What moves away is in the picture, too: a pixel shows as much in all frames.
+TEST_F(ImagesOfPictures, HaveOneDetailInAllFramesOfAClip) {
+  AssetText asset;
+  add_square(asset, png_of(512, 512, 7));
+  const int moved = asset.draw(render::quad(0.25F), plastic());
+  const int times = asset.accessor("SCALAR", 5126, 2, floats({0, 1}), {{"min", {0}}, {"max", {1}}});
+  const int places = asset.accessor("VEC3", 5126, 2, floats({0, 0, 0, 40, 0, 0}));
+  const Json channel{{"sampler", 0}, {"target", {{"node", moved}, {"path", "translation"}}}};
+  asset.add("animations", {{"channels", Json::array({channel})},
+                           {"samplers", Json::array({{{"input", times}, {"output", places}}})}});
+  options.clip = "0";
+  options.fps = 6;
+  const std::uint64_t before = work_count.decoded;
+  EXPECT_EQ(report(asset).problem, BakeProblem::none);
+  EXPECT_EQ(work_count.decoded - before, 1U);
+}
+
 TEST_F(ImagesOfPictures, AreNotDecodedForClay) {
   for (const BakeOverlay overlay : {BakeOverlay::clay, BakeOverlay::wireframe}) {
     options.overlay = overlay;
@@ -71,20 +100,23 @@ TEST_F(ImagesOfPictures, AreNotDecodedForClay) {
   }
 }
 
-TEST(SceneImages, KnowWhatOthersKeep) {
-  SceneImages images(1);
+codec::Image image_from(SceneImages& images, const std::string& png, const Origin& origin) {
   codec::ImageRequest request;
-  const std::string png = pixels(4);
   request.bytes = std::as_bytes(std::span(png));
   request.format = codec::ImageFormat::png;
   request.pixels = true;
-  request.origin = new_origin();
-  const auto decode = [&] {
-    const auto result = images.decode(codec::Client::shared(), request);
-    const auto* image = std::get_if<codec::Image>(&result);
-    EXPECT_NE(image, nullptr);
-    return image == nullptr ? codec::Image() : *image;
-  };
+  request.origin = origin;
+  const auto result = images.decode(codec::Client::shared(), request);
+  const auto* image = std::get_if<codec::Image>(&result);
+  EXPECT_NE(image, nullptr);
+  return image == nullptr ? codec::Image() : *image;
+}
+
+TEST(SceneImages, KnowWhatOthersKeep) {
+  SceneImages images(1);
+  const Origin origin = new_origin();
+  const std::string png = pixels(4);
+  const auto decode = [&] { return image_from(images, png, origin); };
   const std::uint64_t before = work_count.decoded;
   codec::Image shown = decode();
   EXPECT_EQ(decode().pixels.data(), shown.pixels.data());
@@ -92,6 +124,18 @@ TEST(SceneImages, KnowWhatOthersKeep) {
   shown = {};
   EXPECT_EQ(decode().pixels.size(), 6U);
   EXPECT_EQ(work_count.decoded - before, 2U) << "there is room for nothing";
+}
+
+TEST(SceneImages, StayWhereOneIsTooLargeToBeKept) {
+  SceneImages images(8);
+  const Origin origin = new_origin();
+  const std::string small = pixels(5);
+  const std::string large = png_of(4, 1, 5);
+  const std::uint64_t before = work_count.decoded;
+  EXPECT_EQ(image_from(images, small, origin).pixels.size(), 6U);
+  EXPECT_EQ(image_from(images, large, origin).pixels.size(), 12U);
+  EXPECT_EQ(image_from(images, small, origin).pixels.size(), 6U);
+  EXPECT_EQ(work_count.decoded - before, 2U);
 }
 
 }  // namespace

@@ -118,6 +118,17 @@ TEST_F(OutputPlaces, ALayerIsNoPictureOfAnotherAsset) {
   EXPECT_FALSE(is_there("out"));
 }
 
+TEST_F(OutputPlaces, NorOfOneOfAnotherShard) {
+  add_bowls({"in/bowl.glb", "in/bowl-depth.glb"});
+  for (const std::string shard : {"1/2", "2/2"}) {
+    const Outcome outcome =
+        run_here(draw({"in", "-o", "out", "--layer", "depth", "--shard", shard}));
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("two inputs would be written to 'out/bowl-depth.png'"));
+  }
+  EXPECT_FALSE(is_there("out"));
+}
+
 TEST_F(OutputPlaces, SeveralViewsOfOneAssetAreNoPicturesOfAnother) {
   add_bowls({"in/bowl.glb", "in/bowl.top.glb"});
   std::vector<std::string> words = draw({"in", "-o", "out", "--camera", "top", "--camera", "iso"});

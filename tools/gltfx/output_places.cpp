@@ -105,8 +105,13 @@ class DistinctPlaces {
 
   /// Places of the inputs of this run, by position.
   std::vector<std::string> take() && {
+    all_.resize(own_);
+    return std::move(*this).take_all();
+  }
+  /// And then those of other shards.
+  std::vector<std::string> take_all() && {
     std::vector<std::string> places;
-    for (std::size_t i = 0; i < own_; ++i) places.push_back(std::move(all_[i].place));
+    for (Place& each : all_) places.push_back(std::move(each.place));
     return places;
   }
   /// Places of other shards.
@@ -160,17 +165,16 @@ Error same_output(const std::string& target) {
                   quoted(target, 200))};
 }
 
-// "a/b.glb" to "a/b.png"; with both an a/b.glb and an a/b.gltf, the whole names are kept.
+// "a/b.glb" to "a/b.png"; with both an a/b.glb and an a/b.gltf, the whole names are kept. Those of
+// other shards come last.
 std::vector<std::string> picture_names(const Inputs& inputs, const std::string& format) {
   DistinctPlaces distinct(inputs);
-  const std::set<std::string> others = distinct.of_others();
-  const std::vector<std::string> places = std::move(distinct).take();
+  const std::vector<std::string> places = std::move(distinct).take_all();
   const auto stem = [](const std::string& place) {
     return fs::path(place).replace_extension().native();
   };
   std::map<std::string, int> uses;
   for (const std::string& place : places) ++uses[stem(place)];
-  for (const std::string& place : others) ++uses[stem(place)];
   std::vector<std::string> names;
   for (const std::string& place : places) {
     names.push_back(fmt::format("{}.{}", uses[stem(place)] > 1 ? place : stem(place), format));
@@ -187,11 +191,12 @@ class PictureFiles {
       : inputs_(inputs),
         suffixes_(possible_suffixes(options, webp)),
         assets_(real_paths(inputs.paths)) {
+    assets_.merge(real_paths(inputs.paths_of_others));
     if (!sheet.empty()) sheet_ = real_path(sheet);
   }
 
-  /// Adds those of an input; `place` is that of a picture without a suffix. The Error names a
-  /// conflict.
+  /// Adds those of an input, by its position among all of this run and then those of other shards;
+  /// `place` is that of a picture without a suffix. The Error names a conflict.
   std::optional<Error> add(std::size_t input, const std::string& place) {
     for (const std::string& suffix : suffixes_.single) {
       const std::string picture = with_suffix(place, suffix);
@@ -213,18 +218,15 @@ class PictureFiles {
   }
 
  private:
-  static std::string with_suffix(const std::string& place, const std::string& suffix) {
-    const fs::path path(place);
-    return (path.parent_path() / (path.stem().native() + suffix + path.extension().native()))
-        .native();
-  }
   static fs::path any_number(const fs::path& path) {
     return path.parent_path() / (with_any_number(path.stem().native()) + path.extension().native());
   }
 
   std::optional<Error> add(std::size_t input, const std::string& picture, const fs::path& real) {
     const std::string name = quoted(picture, 200);
-    const std::string asset = quoted(inputs_.paths[input], 200);
+    const std::size_t own = inputs_.paths.size();
+    const std::string asset =
+        quoted(input < own ? inputs_.paths[input] : inputs_.paths_of_others[input - own], 200);
     if (!sheet_.empty() && (real == sheet_ || real == any_number(sheet_))) {
       return Error{fmt::format("--sheet: {} is a picture of {}, too; name another file.",
                                quoted(sheet_.native(), 200), asset)};
@@ -240,7 +242,7 @@ class PictureFiles {
 
   const Inputs& inputs_;
   const PossibleSuffixes suffixes_;
-  const std::set<fs::path> assets_;
+  std::set<fs::path> assets_;
   fs::path sheet_;
   std::map<fs::path, std::size_t> owners_;       // inputs by picture
   std::map<fs::path, std::size_t> like_frames_;  // of pictures that may be frames of others
@@ -371,6 +373,10 @@ Result<PicturePlaces> place_pictures(const Inputs& inputs, const BakeRequest& re
       if (auto conflict = files.add(i, place)) return *std::move(conflict);
     }
     places.inputs.push_back({inputs.paths[i], place});
+  }
+  for (std::size_t i = inputs.paths.size(); folder && i < names.size(); ++i) {
+    const std::string place = (fs::path(output) / names[i]).native();
+    if (auto conflict = files.add(i, place)) return *std::move(conflict);
   }
   return places;
 }
