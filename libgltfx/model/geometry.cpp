@@ -88,6 +88,21 @@ bool is_far(const PositionBox& box) {
   return reach > kFar * box.size() && reach < kFarthest;
 }
 
+// Leaves out what has a vertex that is not finite.
+GeometryError assemble_finite(const PrimitiveData& data, Geometry& geometry) {
+  const auto vertices = static_cast<std::uint32_t>(geometry.positions.size());
+  if (!assemble(data, vertices, geometry)) return GeometryError::no_indices;
+  const auto is_infinite = [&](std::uint32_t i) { return !is_finite(geometry.positions[i]); };
+  const auto has_infinite = [&](const auto& corners) {
+    return std::any_of(corners.begin(), corners.end(), is_infinite);
+  };
+  std::erase_if(geometry.triangles, has_infinite);
+  std::erase_if(geometry.segments, has_infinite);
+  std::erase_if(geometry.points, is_infinite);
+  geometry.triangles.shrink_to_fit();
+  return geometry.empty() ? GeometryError::empty : GeometryError::none;
+}
+
 class GeometryReader {
  public:
   GeometryReader(const PrimitiveData& data, const GeometryRequest& request, Geometry& geometry)
@@ -103,11 +118,10 @@ class GeometryReader {
     read_elements(*positions, geometry_.positions);
     if (request_.near_origin) move_near_origin(positions->format().component);
     read_attributes();
-    assemble(data_, static_cast<std::uint32_t>(count_), geometry_);
     morph(data_, request_.weights, request_.tex_coords, geometry_);
     if (!request_.joints.empty()) geometry_.skinned = skin(data_, request_.joints, geometry_);
     finish();
-    return geometry_.empty() ? GeometryError::empty : GeometryError::none;
+    return assemble_finite(data_, geometry_);
   }
 
  private:
@@ -190,18 +204,6 @@ class GeometryReader {
     for (auto& color : geometry_.colors) {
       for (float& value : color) value = std::clamp(value, 0.0F, 1.0F);
     }
-    finish_topology();
-  }
-
-  void finish_topology() {
-    const auto is_infinite = [&](std::uint32_t i) { return !is_finite(geometry_.positions[i]); };
-    const auto has_infinite = [&](const auto& vertices) {
-      return std::any_of(vertices.begin(), vertices.end(), is_infinite);
-    };
-    std::erase_if(geometry_.triangles, has_infinite);
-    std::erase_if(geometry_.segments, has_infinite);
-    std::erase_if(geometry_.points, is_infinite);
-    geometry_.triangles.shrink_to_fit();
   }
 
   const PrimitiveData& data_;
@@ -327,8 +329,11 @@ std::optional<AccessorData> PrimitiveData::open(
 }
 
 std::string_view error_text(GeometryError error) {
-  static constexpr std::array<std::string_view, 5> kTexts{
-      "can be drawn", "has no positions that can be read", "is compressed and could not be decoded",
+  static constexpr std::array<std::string_view, 6> kTexts{
+      "can be drawn",
+      "has no positions that can be read",
+      "has no indices that can be read",
+      "is compressed and could not be decoded",
       "asks for more memory than its bytes can be worth",
       "has nothing to draw: no triangle with an area, no line, no point"};
   return kTexts[static_cast<std::size_t>(error)];
@@ -342,6 +347,19 @@ GeometryError read_geometry(const GeometrySource& source, const Primitive& primi
   const GeometryError error = GeometryReader(data, request, geometry).read(budget);
   const bool undecoded = data.packed() == nullptr && read_draco(source.asset, primitive);
   return error == GeometryError::no_positions && undecoded ? GeometryError::packed : error;
+}
+
+GeometryError read_elements(const GeometrySource& source, const Primitive& primitive,
+                            MemoryBudget& budget, Geometry& geometry) {
+  geometry.triangles.clear();
+  geometry.segments.clear();
+  geometry.points.clear();
+  geometry.collapsed = 0;
+  if (!primitive.mode) return GeometryError::empty;
+  const PrimitiveData data(source, primitive);
+  const std::uint64_t indices = index_count(data, geometry.positions.size());
+  if (!budget.take(checked_mul(indices, sizeof(Triangle)))) return GeometryError::too_large;
+  return assemble_finite(data, geometry);
 }
 
 }  // namespace gltfx::model

@@ -135,6 +135,7 @@ bool has_compressed_geometry(const json::Document& document);
 enum class GeometryError : std::uint8_t {
   none,
   no_positions,  ///< no bytes, or unreadable ones
+  no_indices,    ///< likewise
   packed,        ///< the bitstream could not be decoded
   too_large,     ///< beyond the budget
   empty,         ///< no triangle, segment or point is left
@@ -147,6 +148,9 @@ std::string_view error_text(GeometryError error);
 GeometryError read_geometry(const GeometrySource& source, const Primitive& primitive,
                             const GeometryRequest& request, MemoryBudget& budget,
                             Geometry& geometry);
+/// Replaces triangles, segments and points by those of another primitive with the same vertices.
+GeometryError read_elements(const GeometrySource& source, const Primitive& primitive,
+                            MemoryBudget& budget, Geometry& geometry);
 
 template <typename Use>
 bool for_each_index(const PrimitiveData& data, std::uint32_t vertices, Use use) {

@@ -27,17 +27,23 @@ class InstanceReader {
                  json::NodeId attributes)
       : asset_(asset), views_(views), resources_(resources), attributes_(attributes) {}
 
-  Instancing read(MemoryBudget& budget) {
+  // Nothing: attributes are missing or malformed.
+  std::optional<std::uint64_t> count() {
     const bool opened = open("TRANSLATION", 3, translations_) && open("ROTATION", 4, rotations_) &&
                         open("SCALE", 3, scales_);
     // Without any of the three, all copies have the same place.
+    return opened ? std::optional(count_.value_or(1)) : std::nullopt;
+  }
+
+  Instancing read(MemoryBudget& budget) {
     Instancing result;
-    const std::uint64_t count = count_.value_or(1);
-    result.readable = opened && budget.take(checked_mul(count, sizeof(Affine)));
+    const auto copies = count();
+    result.too_large = copies && !budget.take(checked_mul(*copies, sizeof(Affine)));
+    result.readable = copies && !result.too_large;
     if (!result.readable) return result;
-    result.transforms.reserve(static_cast<std::size_t>(count));
-    for (std::uint64_t first = 0; first < count; first += kBlock) {
-      const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, count - first));
+    result.transforms.reserve(static_cast<std::size_t>(*copies));
+    for (std::uint64_t first = 0; first < *copies; first += kBlock) {
+      const auto size = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, *copies - first));
       add(first, size, result.transforms);
     }
     return result;
@@ -93,6 +99,14 @@ std::optional<Instancing> read_instancing(const Asset& asset, const Views& views
   if (object == json::kNoNode) return std::nullopt;
   const json::NodeId attributes = object_member(asset.document(), object, "attributes");
   return InstanceReader(asset, views, resources, attributes).read(budget);
+}
+
+std::optional<std::uint64_t> count_copies(const Asset& asset, const Views& views,
+                                          const ResourceData& resources, const Node& node) {
+  const json::NodeId object = instancing_of(asset, node);
+  if (object == json::kNoNode) return 1;
+  const json::NodeId attributes = object_member(asset.document(), object, "attributes");
+  return InstanceReader(asset, views, resources, attributes).count();
 }
 
 std::optional<Vector3> place_of_copy(const Asset& asset, const Views& views,

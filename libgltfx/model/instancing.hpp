@@ -14,7 +14,8 @@ namespace gltfx::model {
 
 /// Transforms of the copies of a node's mesh, in the space of the node.
 struct Instancing {
-  bool readable = true;  ///< false: data that is missing, malformed, or beyond the budget
+  bool readable = true;    ///< false: data that is missing, malformed, or beyond the budget
+  bool too_large = false;  ///< beyond the budget
   std::vector<Affine> transforms;
 };
 
@@ -22,6 +23,10 @@ struct Instancing {
 std::optional<Instancing> read_instancing(const Asset& asset, const Views& views,
                                           const ResourceData& resources, const Node& node,
                                           MemoryBudget& budget);
+
+/// How many copies a node draws; nothing: their transforms are missing or malformed. Reads none.
+std::optional<std::uint64_t> count_copies(const Asset& asset, const Views& views,
+                                          const ResourceData& resources, const Node& node);
 
 /// Where one of the copies is, in the space of the node; nothing when there are none, or none that
 /// can be read.

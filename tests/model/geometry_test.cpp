@@ -173,6 +173,15 @@ TEST(Geometry, PositionsThatNobodyStoredAreNotDrawn) {
   EXPECT_EQ(asset.read().error, GeometryError::no_positions);
 }
 
+TEST(Geometry, IndicesThatCannotBeReadAreNoTriangles) {
+  Accessors accessors;
+  accessors.add("VEC3", kFloat, 3, row_of_points(3));
+  accessors.add("SCALAR", kFloat, 3, floats({0, 1, 2}));
+  const BytesAsset asset(accessors, R"("meshes": [{"primitives": [
+      {"attributes": {"POSITION": 0}, "indices": 1}]}])");
+  EXPECT_EQ(asset.read().error, GeometryError::no_indices);
+}
+
 TEST(Geometry, AFewSparseElementsDoNotBuyMemory) {
   Accessors accessors;
   const int indices = accessors.add_view(packed<std::uint16_t>({1}));

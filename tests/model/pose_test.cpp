@@ -187,8 +187,16 @@ TEST(Instancing, EveryCopyHasItsTransform) {
   EXPECT_THAT(copies->transforms[1].point({1, 1, 1}), near(-1, 1, 1));
   EXPECT_FALSE(read(1)->readable) << "lists of different length";
   EXPECT_FALSE(read(2)->readable) << "three numbers are no rotation";
+  EXPECT_FALSE(read(1)->too_large);
   EXPECT_FALSE(read(0, sizeof(Affine))->readable) << "beyond the budget";
+  EXPECT_TRUE(read(0, sizeof(Affine))->too_large);
   EXPECT_FALSE(read(3).has_value());
+  const auto count = [&](std::size_t node) {
+    return count_copies(asset.asset(), asset.views(), asset.resources(), asset.views().nodes[node]);
+  };
+  EXPECT_EQ(count(0), 2U);
+  EXPECT_EQ(count(1), std::nullopt);
+  EXPECT_EQ(count(3), 1U);
 }
 
 }  // namespace
