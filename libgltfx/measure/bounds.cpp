@@ -11,9 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/packed.hpp"
 #include "measure/drawn.hpp"
+#include "measure/shape.hpp"
 #include "measure/take.hpp"
-#include "model/instancing.hpp"
 
 namespace gltfx::measure {
 namespace {
@@ -22,7 +23,6 @@ using model::Affine;
 using model::NodeIndex;
 using model::Vector3;
 
-constexpr std::uint64_t kGeometryBytes = std::uint64_t{1} << 32U;
 // Vertices that may be transformed, for all scenes together: about a second.
 constexpr std::uint64_t kMostTransforms = std::uint64_t{1} << 28U;
 
@@ -52,29 +52,30 @@ struct Box {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 };
 
+Vector3 wide(const Float3& at) {
+  return {static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])};
+}
+
 // The vertices that elements of primitives draw.
 struct DrawnVertices {
-  std::vector<Vector3> points;
+  std::vector<Float3> points;
   Box box;
-};
 
-void add_drawn(const model::Geometry& geometry, DrawnVertices& to) {
-  std::vector<bool> drawn(geometry.positions.size());
-  for (const auto& triangle : geometry.triangles) {
-    for (const std::uint32_t vertex : triangle) drawn[vertex] = true;
+  // `known`: by vertex, whether it has been added.
+  void add(const model::Geometry& geometry, std::vector<bool>& known) {
+    const auto add = [&](std::uint32_t vertex) {
+      if (known[vertex]) return;
+      known[vertex] = true;
+      points.push_back(geometry.positions[vertex]);
+      box.add(wide(points.back()));
+    };
+    for (const auto& triangle : geometry.triangles)
+      std::for_each(triangle.begin(), triangle.end(), add);
+    for (const auto& segment : geometry.segments)
+      std::for_each(segment.begin(), segment.end(), add);
+    std::for_each(geometry.points.begin(), geometry.points.end(), add);
   }
-  for (const auto& segment : geometry.segments) {
-    for (const std::uint32_t vertex : segment) drawn[vertex] = true;
-  }
-  for (const std::uint32_t vertex : geometry.points) drawn[vertex] = true;
-  for (std::size_t i = 0; i < drawn.size(); ++i) {
-    if (!drawn[i]) continue;
-    const auto& at = geometry.positions[i];
-    to.points.push_back(
-        {static_cast<double>(at[0]), static_cast<double>(at[1]), static_cast<double>(at[2])});
-    to.box.add(to.points.back());
-  }
-}
+};
 
 // Whether each axis goes to one axis: the corners of a box tell the rest.
 bool keeps_axes(const Affine& transform) {
@@ -85,121 +86,121 @@ bool keeps_axes(const Affine& transform) {
   return true;
 }
 
-// Why there is no extent.
-enum class Failure : std::uint8_t { none, unread, too_much };
-
 class Extents {
  public:
-  explicit Extents(Taking& taking) : source_(taking.source()), budget_(kGeometryBytes) {}
+  explicit Extents(Taking& taking)
+      : source_(taking.source()), budget_(geometry_bytes(source_)), drawn_(source_) {}
 
   struct Extent {
     Box box;
-    Failure failure = Failure::none;
+    std::string_view why;  // not empty: it is not known
   };
 
   // In the space of the mesh, without morph targets and skins.
   Extent of_mesh(std::uint32_t mesh) {
     Extent extent;
-    extent.box = vertices_of(mesh, {}, {}, extent.failure).box;
+    extent.box = rigid_box(mesh, extent.why);
     return extent;
   }
 
   Extent of_scene(std::uint32_t scene) {
     Extent extent;
-    // By mesh: those that many nodes draw are read once.
-    std::map<std::uint32_t, std::vector<NodeIndex>> by_mesh;
-    for (const NodeIndex node : nodes_of_scene(source_, scene).drawn) {
-      by_mesh[*source_.views().nodes[node].mesh].push_back(node);
-    }
-    const model::Pose& pose = source_.pose(scene);
-    for (const auto& [mesh, nodes] : by_mesh) {
-      DrawnVertices plain;
-      bool read = false;
+    drawn_.enter(scene);
+    for (const auto& [mesh, nodes] : drawn_.by_mesh()) {
+      rigid_.reset();
       for (const NodeIndex node : nodes) {
-        if (extent.failure != Failure::none) return extent;
-        const auto weights = model::morph_weights(source_.asset(), source_.views(), node);
-        const auto& skin = source_.views().nodes[node].skin;
-        const bool moved =
-            std::any_of(weights.begin(), weights.end(), [](float weight) { return weight != 0; });
-        if (skin || moved) {
-          add_posed(node, mesh, weights, pose, extent);
-          continue;
-        }
-        if (!read) plain = vertices_of(mesh, {}, {}, extent.failure);
-        read = true;
-        add(node, plain, pose.world[node], extent);
+        add(node, mesh, extent);
+        if (!extent.why.empty()) return extent;
       }
     }
     return extent;
   }
 
  private:
-  DrawnVertices vertices_of(std::uint32_t mesh, const std::vector<float>& weights,
-                            const std::vector<Affine>& joints, Failure& failure) {
-    DrawnVertices vertices;
-    for (const model::Primitive& primitive : source_.views().meshes[mesh].primitives) {
-      model::GeometryRequest request;
-      request.weights = weights;
-      request.joints = joints;
-      model::Geometry geometry;
-      const auto error =
-          model::read_geometry(source_.geometry(), primitive, request, budget_, geometry);
-      if (error == model::GeometryError::too_large) failure = Failure::too_much;
-      if (error == model::GeometryError::no_positions || error == model::GeometryError::packed) {
-        failure = Failure::unread;
+  void add(NodeIndex node, std::uint32_t mesh, Extent& extent) {
+    const auto pose = drawn_.pose_of(node);
+    if (!pose) {
+      extent.why = drawn_.why();
+      return;
+    }
+    const std::vector<Affine> transforms = drawn_.transforms_of(node, *pose);
+    if (transforms.empty()) extent.why = drawn_.why();
+    if (!pose->is_rigid()) {
+      const DrawnVertices vertices = vertices_of(mesh, *pose, extent.why);
+      for (const Affine& transform : transforms) add(vertices, transform, extent);
+      return;
+    }
+    const Box box = rigid_box(mesh, extent.why);
+    for (const Affine& transform : transforms) {
+      if (!extent.why.empty() || box.empty()) return;
+      if (keeps_axes(transform)) {
+        add(box, transform, extent);
+        continue;
       }
-      if (error != model::GeometryError::none) continue;
-      add_drawn(geometry, vertices);
-    }
-    return vertices;
-  }
-
-  // Skins move vertices to the space of the scene; the transform of the node has no effect.
-  void add_posed(NodeIndex node, std::uint32_t mesh, const std::vector<float>& weights,
-                 const model::Pose& pose, Extent& extent) {
-    std::vector<Affine> joints;
-    const auto& skin = source_.views().nodes[node].skin;
-    if (skin) {
-      joints =
-          model::joint_matrices(source_.asset(), source_.views(), source_.resources(), *skin, pose);
-    }
-    const auto vertices = vertices_of(mesh, weights, joints, extent.failure);
-    add(node, vertices, joints.empty() ? pose.world[node] : Affine(), extent);
-  }
-
-  void add(NodeIndex node, const DrawnVertices& vertices, const Affine& world, Extent& extent) {
-    model::MemoryBudget budget(kInstanceBytes);
-    const auto copies = model::read_instancing(
-        source_.asset(), source_.views(), source_.resources(), source_.views().nodes[node], budget);
-    if (!copies) return add(vertices, world, extent);
-    if (!copies->readable) {
-      extent.failure = Failure::unread;
-      return;
-    }
-    for (const Affine& copy : copies->transforms) {
-      add(vertices, world * copy, extent);
-      if (extent.failure != Failure::none) return;
+      if (!rigid_) rigid_ = vertices_of(mesh, {}, extent.why);
+      add(*rigid_, transform, extent);
     }
   }
 
-  void add(const DrawnVertices& vertices, const Affine& world, Extent& extent) {
+  static void add(const Box& box, const Affine& transform, Extent& extent) {
+    extent.box.add(transform.point(box.least));
+    extent.box.add(transform.point(box.greatest));
+  }
+  void add(const DrawnVertices& vertices, const Affine& transform, Extent& extent) {
     if (vertices.box.empty()) return;
-    if (keeps_axes(world)) {
-      extent.box.add(world.point(vertices.box.least));
-      extent.box.add(world.point(vertices.box.greatest));
-      return;
-    }
+    if (keeps_axes(transform)) return add(vertices.box, transform, extent);
     if (vertices.points.size() > kMostTransforms - transforms_) {
-      extent.failure = Failure::too_much;
+      extent.why = "There are too many vertices and copies.";
       return;
     }
     transforms_ += vertices.points.size();
-    for (const Vector3& vertex : vertices.points) extent.box.add(world.point(vertex));
+    for (const Float3& point : vertices.points) extent.box.add(transform.point(wide(point)));
+  }
+
+  // Without its points, so that those of all meshes may be kept.
+  Box rigid_box(std::uint32_t mesh, std::string_view& why) {
+    const auto known = rigid_boxes_.find(mesh);
+    if (known != rigid_boxes_.end()) {
+      if (!known->second.why.empty()) why = known->second.why;
+      return known->second.box;
+    }
+    Extent& extent = rigid_boxes_[mesh];
+    rigid_ = vertices_of(mesh, {}, extent.why);
+    extent.box = rigid_->box;
+    if (!extent.why.empty()) why = extent.why;
+    return extent.box;
+  }
+
+  DrawnVertices vertices_of(std::uint32_t mesh, const MeshPose& pose, std::string_view& why) {
+    model::GeometryRequest request;
+    request.weights = pose.weights;
+    request.joints = pose.joints;
+    request.surface = false;
+    DrawnVertices vertices;
+    std::vector<bool> known;  // of the last vertices
+    const auto primitives = pointers_to(source_.views().meshes[mesh].primitives);
+    read_primitives(source_, primitives, request, budget_, [&](const ReadPrimitive& read) {
+      const std::uint64_t count = read.geometry.positions.size();
+      const bool affordable = !read.fresh || budget_.take(count * sizeof(Float3));
+      if (!affordable || read.error == model::GeometryError::too_large) {
+        why = kTooLarge;
+      } else if (is_fault(read.error)) {
+        why = kUnreadVertices;
+      } else {
+        if (read.fresh) known.assign(static_cast<std::size_t>(count), false);
+        vertices.add(read.geometry, known);
+      }
+      return why.empty();
+    });
+    return vertices;
   }
 
   const Source& source_;
   model::MemoryBudget budget_;
+  DrawnMeshes drawn_;
   std::uint64_t transforms_ = 0;
+  std::map<std::uint32_t, Extent> rigid_boxes_;  // by mesh
+  std::optional<DrawnVertices> rigid_;           // of the last mesh
 };
 
 class ExtentColumns {
@@ -257,10 +258,8 @@ class ExtentColumns {
   void set(Name name, std::size_t element, const Extents::Extent& extent, double value) {
     Column* column = taking_.column(on_, name);
     if (column == nullptr) return;
-    if (extent.failure == Failure::unread) {
-      column->could_not_be_taken(element, "Vertices could not be read.");
-    } else if (extent.failure == Failure::too_much) {
-      column->could_not_be_taken(element, "There are too many vertices and copies.");
+    if (!extent.why.empty()) {
+      column->could_not_be_taken(element, extent.why);
     } else if (extent.box.empty() || !std::isfinite(value)) {
       column->does_not_apply(element, "Nothing is drawn.");
     } else {
@@ -297,11 +296,10 @@ void take_bounds(Taking& taking) {
     return;
   }
   ExtentColumns columns(taking, MeasureScope::scene);
-  SceneWork work(taking.source());
   for (std::uint32_t scene = 0; scene < taking.count(MeasureScope::scene); ++scene) {
     Extents::Extent extent;
-    extent.failure = Failure::too_much;
-    if (work.take(taking.source().views().nodes.size())) extent = extents.of_scene(scene);
+    extent.why = kTooManyScenes;
+    if (is_affordable(taking.source(), scene)) extent = extents.of_scene(scene);
     columns.take(scene, extent);
   }
 }

@@ -6,17 +6,18 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "measure/drawn.hpp"
+#include "measure/shape.hpp"
 #include "measure/take.hpp"
 #include "measure/texture_uses.hpp"
 #include "measure/uv_surface.hpp"
 #include "measure/weighted_values.hpp"
-#include "model/instancing.hpp"
-#include "model/pose.hpp"
 
 namespace gltfx::measure {
 namespace {
@@ -25,14 +26,18 @@ constexpr std::array kDensityNames{Name::texel_density, Name::texel_density_min,
                                    Name::texel_density_max, Name::texel_density_low,
                                    Name::texel_density_high};
 
-constexpr std::string_view kTooManyCopies = "The scene draws the triangles too often.";
+constexpr std::string_view kTooOften = "The scene draws the triangles too often.";
 
 // How a transform changes areas: the triangle with the normal n of twice its length has the area
 // sqrt(n' H n) / 2 then. H is symmetric: xx, yy, zz, xy, xz, yz.
 using AreaScale = std::array<float, 6>;
 
-AreaScale area_scale(const model::Affine& transform) {
-  const auto& [x, y, z, place] = transform.columns;
+AreaScale area_scale(const Linear& linear) {
+  if (const auto factor = common_factor(linear)) {
+    const auto square = static_cast<float>(*factor * *factor);
+    return {square, square, square, 0, 0, 0};
+  }
+  const auto& [x, y, z] = linear;
   const std::array<model::Vector3, 3> rows{model::cross(y, z), model::cross(z, x),
                                            model::cross(x, y)};
   const auto entry = [&](std::size_t i, std::size_t k) {
@@ -40,6 +45,9 @@ AreaScale area_scale(const model::Affine& transform) {
   };
   return {entry(0, 0), entry(1, 1), entry(2, 2), entry(0, 1), entry(0, 2), entry(1, 2)};
 }
+
+// And how often.
+using AreaScales = std::map<AreaScale, std::uint64_t>;
 
 double area_of(const model::Vector3& normal, const AreaScale& scale) {
   const auto& [x, y, z] = normal;
@@ -49,91 +57,88 @@ double area_of(const model::Vector3& normal, const AreaScale& scale) {
   return std::sqrt(std::max(0.0, square)) / 2;
 }
 
+// A node that moves the vertices of its mesh.
+struct MovedDraw {
+  model::NodeIndex node = 0;
+  AreaScales scales;
+};
+
 // What the scene draws of a mesh.
 struct MeshDraws {
-  std::map<AreaScale, std::uint64_t> rigid;  // and how often
-  std::vector<model::NodeIndex> moved;       // nodes with a skin or morph targets
-  bool unread = false;                       // copies that could not be read
+  AreaScales rigid;
+  std::vector<MovedDraw> moved;
+  std::string_view why;  // not empty: it is not known
 };
 
 class SceneDraws {
  public:
   SceneDraws(const Source& source, std::uint32_t scene)
-      : source_(source), pose_(source.pose(scene)), meshes_(source.views().meshes.size()) {
-    constexpr std::uint64_t kCopyBytes = std::uint64_t{1} << 28U;
-    model::MemoryBudget copies(kCopyBytes);
-    for (const model::NodeIndex node : nodes_of_scene(source, scene).drawn) add(node, copies);
+      : drawn_(source), meshes_(source.views().meshes.size()) {
+    drawn_.enter(scene);
+    for (const auto& [mesh, nodes] : drawn_.by_mesh()) {
+      for (const model::NodeIndex node : nodes) add(node, meshes_[mesh]);
+    }
   }
 
   const MeshDraws& of(std::uint32_t mesh) const { return meshes_[mesh]; }
-  const model::Pose& pose() const { return pose_; }
-  std::vector<float> weights_of(model::NodeIndex node) const {
-    return model::morph_weights(source_.asset(), source_.views(), node);
-  }
+  std::optional<MeshPose> pose_of(model::NodeIndex node) { return drawn_.pose_of(node); }
 
  private:
-  void add(model::NodeIndex index, model::MemoryBudget& budget) {
-    const model::Node& node = source_.views().nodes[index];
-    MeshDraws& draws = meshes_[*node.mesh];
-    const std::vector<float> weights = weights_of(index);
-    const bool morphed =
-        std::any_of(weights.begin(), weights.end(), [](float w) { return w != 0; });
-    if (node.skin || morphed) {
-      draws.moved.push_back(index);
+  void add(model::NodeIndex node, MeshDraws& draws) {
+    const auto pose = drawn_.pose_of(node);
+    if (!pose) {
+      draws.why = kTooMuchDrawn;
       return;
     }
-    const auto copies =
-        model::read_instancing(source_.asset(), source_.views(), source_.resources(), node, budget);
-    if (!copies) {
-      ++draws.rigid[area_scale(pose_.world[index])];
-      return;
+    const std::vector<model::Affine> transforms = drawn_.transforms_of(node, *pose);
+    if (transforms.empty()) draws.why = drawn_.why();
+    if (!pose->is_rigid()) draws.moved.push_back({node, {}});
+    AreaScales& scales = pose->is_rigid() ? draws.rigid : draws.moved.back().scales;
+    for (const model::Affine& transform : transforms) {
+      const AreaScale scale = area_scale(linear_part(transform));
+      const bool finite =
+          std::all_of(scale.begin(), scale.end(), [](float each) { return std::isfinite(each); });
+      if (finite && scales_left_ > 0 && ++scales[scale] == 1) --scales_left_;
     }
-    if (!copies->readable) draws.unread = true;
-    for (const model::Affine& copy : copies->transforms) {
-      ++draws.rigid[area_scale(pose_.world[index] * copy)];
-    }
+    if (scales_left_ == 0) draws.why = kTooOften;
   }
 
-  const Source& source_;
-  const model::Pose& pose_;
+  DrawnMeshes drawn_;
   std::vector<MeshDraws> meshes_;
+  std::size_t scales_left_ = std::size_t{1} << 20U;  // that differ
 };
 
 // The values of one material.
 class DensityMeasurer {
  public:
-  DensityMeasurer(const Source& source, const SceneDraws& draws, double texels, std::uint32_t set,
+  DensityMeasurer(const Source& source, SceneDraws& draws, double texels, std::uint32_t set,
                   bool keeps_values)
       : source_(source), draws_(draws), texels_(texels), sets_{set}, keeps_values_(keeps_values) {}
 
   // A sentence about what failed; empty: nothing did. `left`: triangles that may still be measured.
-  std::string add(const MeasuredPrimitive& at, model::MemoryBudget& budget, std::uint64_t& left) {
-    const model::Primitive& primitive = source_.views().meshes[at.mesh].primitives[at.index];
-    if (primitive.find(model::SemanticKind::texcoord, sets_[0]) == nullptr) return {};
-    const MeshDraws& draws = draws_.of(at.mesh);
-    if (draws.unread) return "The transforms of copies could not be read.";
-    model::GeometryRequest request;
-    request.tex_coords = sets_;
-    request.surface = false;
-    if (!draws.rigid.empty()) {
-      std::string problem = measure(primitive, request, draws.rigid, budget, left);
-      if (!problem.empty()) return problem;
+  std::string add(std::span<const MeasuredPrimitive> uses, model::MemoryBudget& budget,
+                  std::uint64_t& left) {
+    Draws rigid;
+    std::map<std::uint32_t, std::vector<const model::Primitive*>> by_mesh;
+    for (const auto& [mesh, index] : uses) {
+      const model::Primitive& primitive = source_.views().meshes[mesh].primitives[index];
+      if (primitive.find(model::SemanticKind::texcoord, sets_[0]) == nullptr) continue;
+      if (!draws_.of(mesh).why.empty()) return std::string(draws_.of(mesh).why);
+      by_mesh[mesh].push_back(&primitive);
+      if (!draws_.of(mesh).rigid.empty()) rigid.add(primitive, draws_.of(mesh).rigid);
     }
-    for (const model::NodeIndex node : draws.moved) {
-      const std::vector<float> weights = draws_.weights_of(node);
-      request.weights = weights;
-      std::vector<model::Affine> joints;
-      const auto& skin = source_.views().nodes[node].skin;
-      if (skin) {
-        joints = model::joint_matrices(source_.asset(), source_.views(), source_.resources(), *skin,
-                                       draws_.pose());
+    std::string problem = measure(rigid, {}, budget, left);
+    for (const auto& [mesh, primitives] : by_mesh) {
+      for (const MovedDraw& draw : draws_.of(mesh).moved) {
+        if (!problem.empty()) return problem;
+        const auto pose = draws_.pose_of(draw.node);
+        if (!pose) return std::string(kTooMuchDrawn);
+        Draws moved;
+        for (const model::Primitive* primitive : primitives) moved.add(*primitive, draw.scales);
+        problem = measure(moved, *pose, budget, left);
       }
-      request.joints = joints;
-      const model::Affine transform = joints.empty() ? draws_.pose().world[node] : model::Affine();
-      std::string problem = measure(primitive, request, {{area_scale(transform), 1}}, budget, left);
-      if (!problem.empty()) return problem;
     }
-    return {};
+    return problem;
   }
 
   bool any() const { return area_ > 0; }
@@ -146,19 +151,40 @@ class DensityMeasurer {
   }
 
  private:
-  std::string measure(const model::Primitive& primitive, const model::GeometryRequest& request,
-                      const std::map<AreaScale, std::uint64_t>& scales, model::MemoryBudget& budget,
-                      std::uint64_t& left) {
-    model::Geometry geometry;
-    const auto error =
-        model::read_geometry(source_.geometry(), primitive, request, budget, geometry);
-    if (error == model::GeometryError::empty) return {};
-    if (error != model::GeometryError::none) {
-      return "A primitive " + std::string(model::error_text(error)) + ".";
+  struct Draws {
+    std::vector<const model::Primitive*> primitives;
+    std::vector<const AreaScales*> scales;  // of each
+
+    void add(const model::Primitive& primitive, const AreaScales& of) {
+      primitives.push_back(&primitive);
+      scales.push_back(&of);
     }
+  };
+
+  std::string measure(const Draws& draws, const MeshPose& pose, model::MemoryBudget& budget,
+                      std::uint64_t& left) {
+    model::GeometryRequest request;
+    request.tex_coords = sets_;
+    request.weights = pose.weights;
+    request.joints = pose.joints;
+    request.surface = false;
+    std::string problem;
+    read_primitives(source_, draws.primitives, request, budget, [&](const ReadPrimitive& read) {
+      if (is_fault(read.error)) {
+        problem = "A primitive " + std::string(model::error_text(read.error)) + ".";
+      } else if (read.error == model::GeometryError::none) {
+        problem = add_triangles(read.geometry, *draws.scales[read.at], left);
+      }
+      return problem.empty();
+    });
+    return problem;
+  }
+
+  std::string add_triangles(const model::Geometry& geometry, const AreaScales& scales,
+                            std::uint64_t& left) {
     if (geometry.tex_coords.front().empty()) return "Texture coordinates could not be read.";
     for (const auto& [scale, times] : scales) {
-      if (left < geometry.triangles.size()) return std::string(kTooManyCopies);
+      if (left < geometry.triangles.size()) return std::string(kTooOften);
       left -= geometry.triangles.size();
       for (const model::Triangle& triangle : geometry.triangles) {
         add_triangle(geometry, triangle, scale, static_cast<double>(times));
@@ -195,7 +221,7 @@ class DensityMeasurer {
   }
 
   const Source& source_;
-  const SceneDraws& draws_;
+  SceneDraws& draws_;
   const double texels_;  // of the square from 0 to 1
   const std::array<std::uint32_t, 1> sets_;
   const bool keeps_values_;
@@ -216,7 +242,7 @@ class DensityTaker {
       for (std::size_t i = 0; i < count; ++i) miss(i, "The asset has no scene.", false);
       return;
     }
-    const SceneDraws draws(source, *scene);
+    SceneDraws draws(source, *scene);
     const auto textures = material_textures(source);
     const auto primitives = primitives_by_material(taking_);
     for (std::size_t i = 0; i < count; ++i) {
@@ -231,7 +257,7 @@ class DensityTaker {
   }
 
  private:
-  void take(std::size_t material, const model::TextureSlot& slot, const SceneDraws& draws,
+  void take(std::size_t material, const model::TextureSlot& slot, SceneDraws& draws,
             const std::vector<MeasuredPrimitive>& primitives) {
     const auto size = size_of_texture(taking_.source(), *slot.texture);
     if (!size) return miss(material, "The header of an image could not be read.", true);
@@ -242,10 +268,8 @@ class DensityTaker {
     };
     DensityMeasurer measurer(taking_.source(), draws, texels, slot.tex_coord,
                              wants(Name::texel_density_low) || wants(Name::texel_density_high));
-    for (const MeasuredPrimitive& primitive : primitives) {
-      const std::string problem = measurer.add(primitive, budget_, triangles_left_);
-      if (!problem.empty()) return miss(material, problem, true);
-    }
+    const std::string problem = measurer.add(primitives, budget_, triangles_left_);
+    if (!problem.empty()) return miss(material, problem, true);
     if (!measurer.any()) {
       return miss(material, "The scene draws no triangle with the material and an area.", false);
     }
@@ -264,7 +288,7 @@ class DensityTaker {
   }
 
   Taking& taking_;
-  model::MemoryBudget budget_ = reading_budget(taking_.source());
+  model::MemoryBudget budget_{geometry_bytes(taking_.source())};
   std::uint64_t triangles_left_ = std::uint64_t{1} << 26U;  // in all copies that differ
 };
 

@@ -13,6 +13,7 @@
 
 #include "base/parallel.hpp"
 #include "codec/client.hpp"
+#include "measure/shape.hpp"
 #include "measure/take.hpp"
 #include "measure/texel_mask.hpp"
 #include "measure/texture_uses.hpp"
@@ -286,7 +287,7 @@ class PixelTaker {
   std::vector<MaterialTextures> textures_;
   std::vector<std::vector<MeasuredPrimitive>> primitives_;
   std::vector<std::vector<std::size_t>> by_image_;  // materials
-  model::MemoryBudget budget_ = reading_budget(taking_.source());
+  model::MemoryBudget budget_{geometry_bytes(taking_.source())};
 };
 
 }  // namespace

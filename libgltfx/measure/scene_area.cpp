@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -12,7 +13,6 @@
 #include "base/packed.hpp"
 #include "measure/drawn.hpp"
 #include "measure/shape.hpp"
-#include "model/instancing.hpp"
 
 namespace gltfx::measure {
 namespace {
@@ -23,6 +23,7 @@ using model::Vector3;
 
 // Triangles that may be transformed, for all scenes together: about a second.
 constexpr std::uint64_t kMostTriangles = std::uint64_t{1} << 27U;
+constexpr std::string_view kTooOften = "There are too many triangles and copies.";
 
 /// The normals of triangles, as long as their areas.
 struct AreaVectors {
@@ -42,141 +43,121 @@ void add_areas(const std::vector<Float3>& positions, const std::vector<model::Tr
   }
 }
 
-/// The linear part of a transform.
-using Linear = std::array<Vector3, 3>;
+/// How often a mesh is drawn with transforms.
+struct Transforms {
+  double similar = 0;                      ///< the factors of those that scale all areas alike
+  std::map<Linear, std::uint64_t> others;  ///< finite ones
+  bool infinite = false;                   ///< there are others that are not finite
 
-// How much larger all areas become; nothing: that depends on their directions.
-std::optional<double> common_factor(const Linear& linear) {
-  constexpr double kUnequal = 1e-12;
-  const auto& [x, y, z] = linear;
-  const double square = model::dot(x, x);
-  for (const double difference : {model::dot(y, y) - square, model::dot(z, z) - square,
-                                  model::dot(x, y), model::dot(y, z), model::dot(z, x)}) {
-    if (!(std::abs(difference) <= kUnequal * square)) return std::nullopt;
-  }
-  return square;
-}
-
-/// How often a mesh is drawn with each.
-using Transforms = std::map<Linear, std::uint64_t>;
+  bool empty() const { return similar == 0 && others.empty() && !infinite; }
+};
 
 class SceneAreas {
  public:
-  explicit SceneAreas(const Source& source) : source_(source), budget_(geometry_bytes(source)) {}
+  explicit SceneAreas(const Source& source)
+      : source_(source), budget_(geometry_bytes(source)), drawn_(source) {}
 
   // The area, or nothing, with the reason in why().
   std::optional<double> of(std::uint32_t scene) {
     why_ = {};
     area_ = 0;
-    // By mesh: those that many nodes draw are read once.
-    std::map<std::uint32_t, std::vector<NodeIndex>> by_mesh;
-    for (const NodeIndex node : nodes_of_scene(source_, scene).drawn) {
-      by_mesh[*source_.views().nodes[node].mesh].push_back(node);
-    }
-    const model::Pose& pose = source_.pose(scene);
-    for (const auto& [mesh, nodes] : by_mesh) {
-      if (why_.empty()) add_mesh(mesh, nodes, pose);
+    drawn_.enter(scene);
+    for (const auto& [mesh, nodes] : drawn_.by_mesh()) {
+      if (why_.empty()) add_mesh(mesh, nodes);
     }
     return why_.empty() ? std::optional(area_) : std::nullopt;
   }
   std::string_view why() const { return why_; }
 
  private:
-  void add_mesh(std::uint32_t mesh, const std::vector<NodeIndex>& nodes, const model::Pose& pose) {
-    Transforms plain;
+  // Of those that are not similar: more would take more than a second.
+  static constexpr std::size_t kMostTransforms = std::size_t{1} << 20U;
+
+  void add_mesh(std::uint32_t mesh, const std::vector<NodeIndex>& nodes) {
+    Transforms rigid;
     for (const NodeIndex node : nodes) {
-      const auto weights = model::morph_weights(source_.asset(), source_.views(), node);
-      const bool morphed =
-          std::any_of(weights.begin(), weights.end(), [](float weight) { return weight != 0; });
-      const auto& skin = source_.views().nodes[node].skin;
-      std::vector<Affine> joints;
-      if (skin) {
-        joints = model::joint_matrices(source_.asset(), source_.views(), source_.resources(), *skin,
-                                       pose);
-      }
-      // Skins move vertices to the space of the scene.
-      const Affine world = joints.empty() ? pose.world[node] : Affine();
-      if (joints.empty() && !morphed) {
-        add_transforms(node, world, plain);
-        continue;
+      const auto pose = drawn_.pose_of(node);
+      if (!pose) {
+        why_ = drawn_.why();
+        return;
       }
       Transforms posed;
-      add_transforms(node, world, posed);
-      add(read_posed(mesh, weights, joints), posed);
+      add_transforms(node, *pose, pose->is_rigid() ? rigid : posed);
+      if (!why_.empty()) return;
+      if (!pose->is_rigid()) add(read_posed(mesh, *pose), posed);
     }
-    if (!plain.empty() && why_.empty()) add_plain(mesh, plain);
+    if (!rigid.empty() && why_.empty()) add_rigid(mesh, rigid);
   }
 
   // Many scenes may draw a mesh, mostly without distorting it.
-  void add_plain(std::uint32_t mesh, const Transforms& transforms) {
+  void add_rigid(std::uint32_t mesh, const Transforms& transforms) {
     const auto known = sums_.find(mesh);
-    const bool alike = std::all_of(transforms.begin(), transforms.end(), [](const auto& each) {
-      return common_factor(each.first).has_value();
-    });
-    if (known != sums_.end() && alike) return add({{}, known->second}, transforms);
-    const AreaVectors areas = read_plain(mesh);
+    if (known != sums_.end() && transforms.others.empty()) {
+      return add({{}, known->second}, transforms);
+    }
+    const AreaVectors areas = read_rigid(mesh);
     if (!why_.empty()) return;
     sums_[mesh] = areas.sum;
     add(areas, transforms);
   }
 
-  void add_transforms(NodeIndex node, const Affine& world, Transforms& to) {
-    model::MemoryBudget budget(kInstanceBytes);
-    const auto copies = model::read_instancing(
-        source_.asset(), source_.views(), source_.resources(), source_.views().nodes[node], budget);
-    if (!copies) {
-      ++to[linear_of(world)];
-    } else if (!copies->readable) {
-      why_ = "The transforms of copies cannot be read.";
-    } else {
-      for (const Affine& copy : copies->transforms) ++to[linear_of(world * copy)];
+  void add_transforms(NodeIndex node, const MeshPose& pose, Transforms& to) {
+    const std::vector<Affine> transforms = drawn_.transforms_of(node, pose);
+    if (transforms.empty()) why_ = drawn_.why();
+    for (const Affine& transform : transforms) {
+      const Linear linear = linear_part(transform);
+      if (const auto factor = common_factor(linear)) {
+        to.similar += *factor;
+      } else if (!is_finite(linear)) {
+        to.infinite = true;
+      } else {
+        ++to.others[linear];
+      }
+      if (to.others.size() > kMostTransforms) {
+        why_ = kTooOften;
+        return;
+      }
     }
   }
-  static Linear linear_of(const Affine& transform) {
-    return {transform.columns[0], transform.columns[1], transform.columns[2]};
-  }
 
-  AreaVectors read_plain(std::uint32_t mesh) {
+  AreaVectors read_rigid(std::uint32_t mesh) {
     AreaVectors areas;
     Shape shape;
     why_ = read_shape(source_, source_.views().meshes[mesh], budget_, shape);
     if (why_.empty()) add_areas(shape.positions, shape.triangles, areas);
     return areas;
   }
-  AreaVectors read_posed(std::uint32_t mesh, const std::vector<float>& weights,
-                         const std::vector<Affine>& joints) {
+  AreaVectors read_posed(std::uint32_t mesh, const MeshPose& pose) {
     AreaVectors areas;
-    for (const model::Primitive& primitive : source_.views().meshes[mesh].primitives) {
-      model::GeometryRequest request;
-      request.weights = weights;
-      request.joints = joints;
-      request.surface = false;
-      model::Geometry geometry;
-      const auto error =
-          model::read_geometry(source_.geometry(), primitive, request, budget_, geometry);
-      if (error == model::GeometryError::too_large) why_ = kTooLarge;
-      if (error == model::GeometryError::no_positions || error == model::GeometryError::packed) {
-        why_ = "Vertices could not be read.";
+    model::GeometryRequest request;
+    request.weights = pose.weights;
+    request.joints = pose.joints;
+    request.surface = false;
+    const auto primitives = pointers_to(source_.views().meshes[mesh].primitives);
+    read_primitives(source_, primitives, request, budget_, [&](const ReadPrimitive& read) {
+      if (is_fault(read.error)) {
+        why_ = read.error == model::GeometryError::too_large ? kTooLarge : kUnreadVertices;
+        return false;
       }
-      if (error == model::GeometryError::none) {
-        add_areas(geometry.positions, geometry.triangles, areas);
-      }
-    }
+      add_areas(read.geometry.positions, read.geometry.triangles, areas);
+      return true;
+    });
     return areas;
   }
 
   void add(const AreaVectors& areas, const Transforms& transforms) {
-    for (const auto& [linear, count] : transforms) {
-      const auto factor = common_factor(linear);
-      const double each = factor ? *factor * areas.sum : transformed(areas, linear);
-      area_ += each * static_cast<double>(count);
+    area_ += transforms.similar * areas.sum;
+    if (transforms.infinite && areas.sum > 0) area_ = std::numeric_limits<double>::infinity();
+    for (const auto& [linear, count] : transforms.others) {
+      if (!why_.empty()) return;
+      area_ += transformed(areas, linear) * static_cast<double>(count);
     }
   }
 
   // Areas turn with the cofactors of a transform.
   double transformed(const AreaVectors& areas, const Linear& linear) {
     if (areas.all.size() > kMostTriangles - transformed_) {
-      why_ = "There are too many triangles and copies.";
+      why_ = kTooOften;
       return 0;
     }
     transformed_ += areas.all.size();
@@ -192,6 +173,7 @@ class SceneAreas {
 
   const Source& source_;
   model::MemoryBudget budget_;
+  DrawnMeshes drawn_;
   std::map<std::uint32_t, double> sums_;  // of the areas of meshes
   std::uint64_t transformed_ = 0;
   double area_ = 0;
@@ -203,10 +185,9 @@ class SceneAreas {
 void take_scene_areas(Taking& taking, Column& column) {
   const Source& source = taking.source();
   SceneAreas areas(source);
-  SceneWork work(source);
   for (std::uint32_t scene = 0; scene < taking.count(MeasureScope::scene); ++scene) {
-    if (!work.take(source.views().nodes.size())) {
-      column.could_not_be_taken(scene, "There are too many scenes.");
+    if (!is_affordable(source, scene)) {
+      column.could_not_be_taken(scene, kTooManyScenes);
       continue;
     }
     const auto area = areas.of(scene);

@@ -11,6 +11,7 @@
 #include "measure/take.hpp"
 #include "model/fields.hpp"
 #include "model/info.hpp"
+#include "model/instancing.hpp"
 #include "model/skin.hpp"
 
 namespace gltfx::measure {
@@ -85,7 +86,7 @@ class SceneTaker {
   }
 
   void take(std::uint32_t scene) {
-    const SceneNodes nodes = nodes_of_scene(source_, scene);
+    const SceneNodes& nodes = source_.nodes_of(scene);
     const Drawn drawn = draw(nodes);
     const auto set = [&](Name name, std::uint64_t value) {
       if (Column* column = taking_.column(MeasureScope::scene, name)) column->set(scene, value);
@@ -94,7 +95,7 @@ class SceneTaker {
       Column* column = taking_.column(MeasureScope::scene, name);
       if (column == nullptr) return;
       if (drawn.readable) return column->set(scene, value);
-      column->could_not_be_taken(scene, "The transforms of instances could not be read.");
+      column->could_not_be_taken(scene, kUnreadCopies);
     };
     const auto& depths = nodes.depths;
     const auto deepest = std::max_element(depths.begin(), depths.end());
@@ -123,17 +124,19 @@ class SceneTaker {
           Name::skinned_meshes, Name::static_meshes, Name::instances, Name::drawn_triangles,
           Name::drawn_vertices, Name::root_transform}) {
       Column* column = taking_.column(MeasureScope::scene, name);
-      if (column != nullptr) column->could_not_be_taken(scene, "Too many scenes share nodes.");
+      if (column != nullptr) column->could_not_be_taken(scene, kTooManyScenes);
     }
   }
 
  private:
   Drawn draw(const SceneNodes& nodes) const {
     Drawn drawn;
+    std::set<std::uint32_t> meshes;
     for (const NodeIndex index : nodes.drawn) {
       const model::Node& node = source_.views().nodes[index];
       const MeshDraw& mesh = meshes_[*node.mesh];
-      const auto copies = copies_of(source_, index);
+      const auto copies =
+          model::count_copies(source_.asset(), source_.views(), source_.resources(), node);
       drawn.readable = drawn.readable && copies;
       drawn.draw_calls = saturating_add(drawn.draw_calls, mesh.primitives);
       drawn.blended = saturating_add(drawn.blended, mesh.blended);
@@ -142,7 +145,8 @@ class SceneTaker {
       drawn.triangles = saturating_add(drawn.triangles, times(mesh.triangles, copies.value_or(0)));
       drawn.vertices = saturating_add(drawn.vertices, times(mesh.vertices, copies.value_or(0)));
       ++(node.skin ? drawn.skinned : drawn.fixed);
-      drawn.materials.insert(mesh.materials.begin(), mesh.materials.end());
+      const bool fresh = meshes.insert(*node.mesh).second;
+      if (fresh) drawn.materials.insert(mesh.materials.begin(), mesh.materials.end());
     }
     return drawn;
   }
@@ -174,9 +178,8 @@ class SceneTaker {
 
 void take_scenes(Taking& taking) {
   SceneTaker taker(taking);
-  SceneWork work(taking.source());
   for (std::uint32_t scene = 0; scene < taking.count(MeasureScope::scene); ++scene) {
-    if (work.take(taking.source().views().nodes.size())) {
+    if (is_affordable(taking.source(), scene)) {
       taker.take(scene);
     } else {
       taker.refuse(scene);

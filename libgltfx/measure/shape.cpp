@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "measure/shape.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "base/checked.hpp"
@@ -11,11 +12,6 @@ namespace {
 using model::Primitive;
 using model::PrimitiveData;
 using model::SemanticKind;
-
-bool draws_triangles(const Primitive& primitive) {
-  return primitive.mode && model::draws_triangles(*primitive.mode) &&
-         primitive.find(SemanticKind::position) != nullptr;
-}
 
 // The positions of distinct accessors, one behind the other.
 class Positions {
@@ -98,7 +94,99 @@ class ShapeReader {
   Positions positions_;
 };
 
+bool moves_vertices(std::span<const float> weights) {
+  return std::any_of(weights.begin(), weights.end(), [](float weight) { return weight != 0; });
+}
+
+// What the requested vertices of a primitive are read from.
+std::vector<std::uint64_t> vertices_key(const Source& source, const Primitive& primitive,
+                                        const model::GeometryRequest& request) {
+  const auto draco = model::read_draco(source.asset(), primitive);
+  std::vector<std::uint64_t> key{draco ? std::uint64_t{draco->buffer_view} + 1 : 0};
+  const auto add = [&](const model::Attribute& each) {
+    const auto kind = static_cast<std::uint64_t>(each.semantic.kind);
+    const std::uint64_t accessor = each.accessor ? std::uint64_t{*each.accessor} + 1 : 0;
+    key.insert(key.end(), {kind, each.semantic.set, accessor});
+  };
+  const auto is_read = [&](const model::Attribute& each) {
+    const auto& [kind, set] = each.semantic;
+    if (kind == SemanticKind::joints || kind == SemanticKind::weights) {
+      return !request.joints.empty();
+    }
+    const auto& sets = request.tex_coords;
+    return kind == SemanticKind::position ||
+           (kind == SemanticKind::texcoord &&
+            std::find(sets.begin(), sets.end(), set) != sets.end());
+  };
+  for (const model::Attribute& each : primitive.attributes) {
+    if (is_read(each)) add(each);
+  }
+  if (!moves_vertices(request.weights)) return key;
+  for (const json::NodeId target : primitive.targets) {
+    key.push_back(UINT64_MAX);
+    for (const auto& each : model::read_attributes(source.asset(), target)) add(each);
+  }
+  return key;
+}
+
+using PrimitiveGroup = std::vector<std::size_t>;
+
+// By their vertices, in the order of their first ones.
+std::vector<PrimitiveGroup> groups_of(const Source& source,
+                                      std::span<const Primitive* const> primitives,
+                                      const model::GeometryRequest& request) {
+  std::vector<PrimitiveGroup> groups;
+  std::map<std::vector<std::uint64_t>, std::size_t> known;
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    const bool draws =
+        primitives[i]->mode && primitives[i]->find(SemanticKind::position) != nullptr;
+    if (!draws) continue;
+    std::size_t group = groups.size();
+    if (primitives.size() > 1) {
+      group = known.emplace(vertices_key(source, *primitives[i], request), group).first->second;
+    }
+    if (group == groups.size()) groups.emplace_back();
+    groups[group].push_back(i);
+  }
+  return groups;
+}
+
 }  // namespace
+
+bool draws_triangles(const Primitive& primitive) {
+  return primitive.mode && model::draws_triangles(*primitive.mode) &&
+         primitive.find(SemanticKind::position) != nullptr;
+}
+
+std::vector<const Primitive*> pointers_to(const std::vector<Primitive>& primitives) {
+  std::vector<const Primitive*> pointers;
+  for (const Primitive& primitive : primitives) pointers.push_back(&primitive);
+  return pointers;
+}
+
+bool is_fault(model::GeometryError error) {
+  return error != model::GeometryError::none && error != model::GeometryError::empty;
+}
+
+void read_primitives(const Source& source, std::span<const Primitive* const> primitives,
+                     const model::GeometryRequest& request, model::MemoryBudget& budget,
+                     const std::function<bool(const ReadPrimitive&)>& use) {
+  using Error = model::GeometryError;
+  for (const PrimitiveGroup& group : groups_of(source, primitives, request)) {
+    model::Geometry geometry;
+    bool known = false;
+    for (const std::size_t i : group) {
+      if (!known) geometry = {};
+      const Error error =
+          known
+              ? model::read_elements(source.geometry(), *primitives[i], budget, geometry)
+              : model::read_geometry(source.geometry(), *primitives[i], request, budget, geometry);
+      const bool read = error == Error::none || error == Error::empty || error == Error::no_indices;
+      if (!use({i, !known && read, error, geometry})) return;
+      known = known || read;
+    }
+  }
+}
 
 std::uint64_t geometry_bytes(const Source& source) {
   constexpr std::uint64_t kFree = std::uint64_t{256} << 20U;

@@ -4,6 +4,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -29,6 +31,28 @@ std::string_view missing_positions(const model::PrimitiveData& data);
 /// the same vertices.
 using VertexKey = std::pair<std::uint64_t, std::uint64_t>;
 VertexKey vertex_key(const Source& source, const model::Primitive& primitive);
+
+inline constexpr std::string_view kUnreadVertices = "Vertices could not be read.";
+
+/// Whether it has a mode that draws triangles, and positions.
+bool draws_triangles(const model::Primitive& primitive);
+/// Pointers to the elements.
+std::vector<const model::Primitive*> pointers_to(const std::vector<model::Primitive>& primitives);
+/// Whether there is something to draw that could not be read.
+bool is_fault(model::GeometryError error);
+
+/// A primitive of a list, read.
+struct ReadPrimitive {
+  std::size_t at = 0;  ///< its index in the list
+  bool fresh = false;  ///< the first with these vertices; those that have them, too, follow
+  model::GeometryError error = model::GeometryError::none;
+  model::Geometry& geometry;  ///< vertices may be taken out, but for positions
+};
+/// Reads those primitives of a list that have positions. Vertices that several of them share are
+/// read once. Stops when `use` returns false. Precondition: no surface is requested.
+void read_primitives(const Source& source, std::span<const model::Primitive* const> primitives,
+                     const model::GeometryRequest& request, model::MemoryBudget& budget,
+                     const std::function<bool(const ReadPrimitive&)>& use);
 
 /// The triangles of all primitives of a mesh.
 struct Shape {

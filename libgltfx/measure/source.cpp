@@ -2,6 +2,7 @@
 #include "measure/source.hpp"
 
 #include "codec/client.hpp"
+#include "measure/drawn.hpp"
 #include "model/fields.hpp"
 
 namespace gltfx::measure {
@@ -48,6 +49,15 @@ const model::Pose& Source::pose(std::uint32_t scene) const {
     pose_of_ = scene;
   }
   return *pose_;
+}
+
+const SceneNodes& Source::nodes_of(std::uint32_t scene) const {
+  if (!lower_levels_) lower_levels_.emplace(lower_levels(*this));
+  if (!scene_nodes_ || nodes_of_ != scene) {
+    scene_nodes_.emplace(find_nodes(*this, scene, *lower_levels_));
+    nodes_of_ = scene;
+  }
+  return *scene_nodes_;
 }
 
 std::optional<std::uint32_t> Source::default_scene() const {

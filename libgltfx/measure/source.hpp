@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,14 @@ struct Opened {
   unsigned jobs = 1;  ///< threads for bitstreams
 };
 
+/// The nodes of a scene, each once, in the order in which they are reached.
+struct SceneNodes {
+  std::vector<model::NodeIndex> all;
+  std::vector<std::uint32_t> depths;  ///< as `all`; a root has 1
+  /// Visible nodes with a mesh, without lower levels of detail.
+  std::vector<model::NodeIndex> drawn;
+};
+
 /// Not thread-safe: parts are made when they are first asked for.
 class Source {
  public:
@@ -62,6 +71,8 @@ class Source {
   /// The transforms of all nodes as they are stored, and what a scene draws. `scene`: index of an
   /// object.
   const model::Pose& pose(std::uint32_t scene) const;
+  /// Likewise, the nodes of that scene. Valid until those of another scene are asked for.
+  const SceneNodes& nodes_of(std::uint32_t scene) const;
   /// The scene that is drawn by default: `scene`, else the first one; nothing: there is none.
   std::optional<std::uint32_t> default_scene() const;
 
@@ -73,7 +84,10 @@ class Source {
   mutable std::unique_ptr<const model::DracoMeshes> draco_;
   mutable std::optional<const model::GeometrySource> geometry_;
   mutable std::optional<const model::Pose> pose_;
-  mutable std::uint32_t pose_of_ = 0;  // scene of pose_
+  mutable std::uint32_t pose_of_ = 0;                            // scene of pose_
+  mutable std::optional<const std::vector<bool>> lower_levels_;  // by node
+  mutable std::optional<const SceneNodes> scene_nodes_;
+  mutable std::uint32_t nodes_of_ = 0;  // scene of scene_nodes_
 };
 
 }  // namespace gltfx::measure

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "measure/shape.hpp"
 #include "measure/take.hpp"
 #include "measure/texture_uses.hpp"
 #include "measure/uv_islands.hpp"
@@ -168,7 +169,7 @@ void take_uv(Taking& taking) {
   const Source& source = taking.source();
   const auto uses = primitives_by_material(taking);
   const auto textures = material_textures(source);
-  model::MemoryBudget budget = reading_budget(source);
+  model::MemoryBudget budget(geometry_bytes(source));
   for (std::size_t material = 0; material < uses.size(); ++material) {
     const MaterialTextures own =
         material < textures.size() ? textures[material] : MaterialTextures();

@@ -3,21 +3,24 @@
 
 #include <array>
 #include <limits>
+#include <utility>
+#include <vector>
 
-#include "base/checked.hpp"
+#include "measure/shape.hpp"
 
 namespace gltfx::measure {
+namespace {
 
-// A triangle takes about one byte in the most compact form, and 50 in memory.
-model::MemoryBudget reading_budget(const Source& source) {
-  constexpr std::uint64_t kWorth = 64;
-  std::uint64_t bytes = std::uint64_t{1} << 28U;
-  for (const auto& buffer : source.resources().buffers) {
-    if (!buffer) continue;
-    bytes = saturating_add(bytes, checked_mul(kWorth, buffer->size()).value_or(UINT64_MAX));
+template <class Element>
+void append(std::vector<Element>& from, std::vector<Element>& to) {
+  if (to.empty()) {
+    to = std::move(from);
+  } else {
+    to.insert(to.end(), from.begin(), from.end());
   }
-  return model::MemoryBudget(bytes);
 }
+
+}  // namespace
 
 std::vector<std::vector<MeasuredPrimitive>> primitives_by_material(const Taking& taking) {
   std::vector<std::vector<MeasuredPrimitive>> uses(taking.count(MeasureScope::material));
@@ -25,7 +28,7 @@ std::vector<std::vector<MeasuredPrimitive>> primitives_by_material(const Taking&
   for (std::uint32_t mesh = 0; mesh < meshes.size(); ++mesh) {
     for (std::uint32_t i = 0; i < meshes[mesh].primitives.size(); ++i) {
       const model::Primitive& primitive = meshes[mesh].primitives[i];
-      if (!primitive.mode || !model::draws_triangles(*primitive.mode)) continue;
+      if (!draws_triangles(primitive)) continue;
       const std::size_t material =
           primitive.material ? *primitive.material : taking.plain_material();
       uses[material].push_back({mesh, i});
@@ -36,40 +39,43 @@ std::vector<std::vector<MeasuredPrimitive>> primitives_by_material(const Taking&
 
 UvProblem read_uv_surface(const Source& source, std::span<const MeasuredPrimitive> primitives,
                           std::uint32_t set, model::MemoryBudget& budget, UvSurface& surface) {
-  bool any = false;
+  constexpr std::size_t kMostPoints = std::numeric_limits<std::uint32_t>::max() / 4;
+  std::vector<const model::Primitive*> mapped;
   for (const auto& [mesh, index] : primitives) {
     const model::Primitive& primitive = source.views().meshes[mesh].primitives[index];
-    if (primitive.find(model::SemanticKind::texcoord, set) == nullptr) continue;
-    const std::array<std::uint32_t, 1> sets{set};
-    model::GeometryRequest request;
-    request.tex_coords = sets;
-    request.surface = false;
-    model::Geometry geometry;
-    const auto error =
-        model::read_geometry(source.geometry(), primitive, request, budget, geometry);
-    if (error == model::GeometryError::empty) continue;
-    if (error != model::GeometryError::none) {
-      return {"A primitive " + std::string(model::error_text(error)) + ".", true};
-    }
-    if (geometry.tex_coords.front().empty())
-      return {"Texture coordinates could not be read.", true};
-    any = true;
-    const auto first = static_cast<std::uint32_t>(surface.points.size());
-    if (geometry.tex_coords.front().size() >
-        std::numeric_limits<std::uint32_t>::max() / 4 - first) {
-      return {"The material has too many vertices.", true};
-    }
-    if (first == 0) {
-      surface = {std::move(geometry.tex_coords.front()), std::move(geometry.triangles)};
-      continue;
-    }
-    surface.points.insert(surface.points.end(), geometry.tex_coords.front().begin(),
-                          geometry.tex_coords.front().end());
-    for (model::Triangle triangle : geometry.triangles) {
-      for (std::uint32_t& corner : triangle) corner += first;
-      surface.triangles.push_back(triangle);
-    }
+    if (primitive.find(model::SemanticKind::texcoord, set) != nullptr) mapped.push_back(&primitive);
   }
+  const std::array<std::uint32_t, 1> sets{set};
+  model::GeometryRequest request;
+  request.tex_coords = sets;
+  request.surface = false;
+  bool any = false;
+  std::size_t first = 0;  // of the points of the last vertices
+  bool readable = false;  // likewise
+  std::string problem;
+  read_primitives(source, mapped, request, budget, [&](const ReadPrimitive& read) {
+    if (is_fault(read.error)) {
+      problem = "A primitive " + std::string(model::error_text(read.error)) + ".";
+      return false;
+    }
+    auto& points = read.geometry.tex_coords.front();
+    if (read.fresh) {
+      first = surface.points.size();
+      readable = !points.empty();
+      if (points.size() > kMostPoints - first) problem = "The material has too many vertices.";
+      append(points, surface.points);
+    }
+    const bool drawn = read.error == model::GeometryError::none;
+    if (drawn && !readable) problem = "Texture coordinates could not be read.";
+    if (!problem.empty()) return false;
+    any = any || drawn;
+    for (model::Triangle& triangle : read.geometry.triangles) {
+      for (std::uint32_t& corner : triangle) corner += static_cast<std::uint32_t>(first);
+    }
+    append(read.geometry.triangles, surface.triangles);
+    return true;
+  });
+  if (!problem.empty()) return {problem, true};
   if (any) return {};
   return {primitives.empty() ? "No triangles have the material."
                              : "No primitive has the texture coordinates that the material reads.",

@@ -13,10 +13,7 @@
 
 namespace gltfx::measure {
 
-/// Limits what is read of an asset: primitives may share accessors, which may have no bytes.
-model::MemoryBudget reading_budget(const Source& source);
-
-/// The primitives of each material element that have triangles; each mesh once.
+/// The primitives of each material element that draw triangles; each mesh once.
 std::vector<std::vector<MeasuredPrimitive>> primitives_by_material(const Taking& taking);
 
 /// Why there is no surface, or only a part of one.

@@ -136,19 +136,15 @@ class Caches {
   explicit Caches(Taking& taking) : taking_(taking), budget_(geometry_bytes(taking.source())) {}
 
   void take(const std::vector<Subject>& subjects) {
-    for (const auto& [primitive, element] : subjects) {
-      const VertexKey vertices = vertex_key(taking_.source(), *primitive);
-      const bool triangles = primitive->mode && model::draws_triangles(*primitive->mode);
-      if (!triangles || primitive->find(SemanticKind::position) == nullptr) {
-        store(element, {"The primitive has no triangles."});
-        continue;
+    std::map<VertexKey, std::vector<Subject>> groups;
+    for (const Subject& subject : subjects) {
+      if (draws_triangles(*subject.primitive)) {
+        groups[vertex_key(taking_.source(), *subject.primitive)].push_back(subject);
+      } else {
+        store(subject.element, {"The primitive has no triangles."});
       }
-      const std::uint64_t indices = primitive->indices ? *primitive->indices + std::uint64_t{1} : 0;
-      const Key key{vertices, indices, *primitive->mode, bytes_of(*primitive)};
-      auto known = known_.find(key);
-      if (known == known_.end()) known = known_.emplace(key, measure(*primitive)).first;
-      store(element, known->second);
     }
+    for (const auto& [key, group] : groups) take_group(group);
   }
 
  private:
@@ -157,17 +153,32 @@ class Caches {
     bool fault = false;
     double misses = 0, overhead = 0;
   };
-  using Key = std::tuple<VertexKey, std::uint64_t, model::Mode, std::uint64_t>;
+  using Key = std::tuple<std::uint64_t, model::Mode, std::uint64_t>;
+
+  // Of primitives with the same vertices.
+  void take_group(const std::vector<Subject>& group) {
+    std::map<Key, Values> known;
+    numbers_.clear();
+    for (const auto& [primitive, element] : group) {
+      const std::uint64_t indices = primitive->indices ? *primitive->indices + std::uint64_t{1} : 0;
+      const auto [values, fresh] =
+          known.try_emplace({indices, *primitive->mode, bytes_of(*primitive)});
+      if (fresh) values->second = measure(*primitive);
+      store(element, values->second);
+    }
+  }
 
   Values measure(const Primitive& primitive) {
     const PrimitiveData data(taking_.source().geometry(), primitive);
     const auto positions = data.open(SemanticKind::position);
     if (!positions) return {missing_positions(data), true};
     const std::uint64_t count = positions->count();
-    const std::uint64_t indices = model::index_count(data, count);
-    const std::uint64_t each = sizeof(model::Triangle) + bytes_of(primitive) / 8;
-    const Checked bytes = checked_mul(saturating_add(count, indices), each);
-    if (count >= UINT32_MAX || !budget_.take(bytes)) return {kTooLarge, true};
+    const std::uint64_t size = bytes_of(primitive);
+    const std::uint64_t each = sizeof(model::Triangle) + sizeof(std::uint32_t) + size / 8;
+    const std::uint64_t fresh = numbers_.empty() ? count : 0;
+    const bool affordable = budget_.take(checked_mul(fresh, sizeof(std::uint32_t))) &&
+                            budget_.take(checked_mul(model::index_count(data, count), each));
+    if (count >= UINT32_MAX || !affordable) return {kTooLarge, true};
     model::Geometry geometry;
     if (!model::assemble(data, static_cast<std::uint32_t>(count), geometry)) {
       return {kNoIndices, true};
@@ -175,13 +186,19 @@ class Caches {
     if (geometry.triangles.empty()) return {"The primitive has no triangles."};
     const std::span<const std::uint32_t> corners(geometry.triangles.front().data(),
                                                  geometry.triangles.size() * 3);
-    Values values;
-    const auto vertices = static_cast<std::size_t>(count);
-    if (taking_.wants(Name::cache_misses)) {
-      values.misses = model::cache_miss_ratio(corners, vertices);
+    numbers_.resize(static_cast<std::size_t>(count), kNone);
+    std::uint32_t used = 0;
+    std::vector<std::uint32_t> numbered;
+    numbered.reserve(corners.size());
+    for (const std::uint32_t corner : corners) {
+      if (numbers_[corner] == kNone) numbers_[corner] = used++;
+      numbered.push_back(numbers_[corner]);
     }
+    for (const std::uint32_t corner : corners) numbers_[corner] = kNone;
+    Values values;
+    if (taking_.wants(Name::cache_misses)) values.misses = model::cache_miss_ratio(numbered, used);
     if (taking_.wants(Name::fetch_overhead)) {
-      values.overhead = model::fetch_overhead(corners, vertices, bytes_of(primitive));
+      values.overhead = model::fetch_overhead(corners, used, size);
     }
     return values;
   }
@@ -206,8 +223,9 @@ class Caches {
   }
 
   Taking& taking_;
+  static constexpr std::uint32_t kNone = UINT32_MAX;
   model::MemoryBudget budget_;
-  std::map<Key, Values> known_;
+  std::vector<std::uint32_t> numbers_;  // of vertices, by their first use; else all kNone
 };
 
 }  // namespace

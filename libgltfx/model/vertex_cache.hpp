@@ -15,9 +15,8 @@ double cache_miss_ratio(std::span<const std::uint32_t> indices, std::size_t vert
 
 /// Bytes of the cache lines that are read, over the bytes of the vertices that are used: 1 or more.
 /// Vertices have `size` bytes, one behind the other; the cache holds 128 KiB in lines of 64 bytes,
-/// each in one place by its address. 0 without indices. Precondition: each is below `vertices`.
-double fetch_overhead(std::span<const std::uint32_t> indices, std::size_t vertices,
-                      std::uint64_t size);
+/// each in one place by its address. 0 without indices. `used`: the number of distinct indices.
+double fetch_overhead(std::span<const std::uint32_t> indices, std::size_t used, std::uint64_t size);
 
 /// The same triangles in an order with fewer misses, by meshoptimizer; each keeps its first corner.
 /// The result does not depend on the machine. Precondition: as above.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Extents: by construction, and properties that hold for any scene.
 #include <cmath>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -123,6 +124,94 @@ TEST(Bounds, HaveAReasonWhereThereAreNone) {
   EXPECT_TRUE(unread.reasons[std::get<NotMeasured>(sizes.values[0]).reason].fault);
   const auto& files = *unread.find(MeasureScope::asset, "file-size");
   EXPECT_TRUE(unread.reasons[std::get<NotMeasured>(files.values[0]).reason].fault);
+}
+
+std::string reason(const Measurements& taken, MeasureScope on, const char* name) {
+  return taken.reasons[std::get<NotMeasured>(taken.find(on, name)->values[0]).reason].text;
+}
+
+// Sparse accessors have any number of elements for a few bytes.
+std::size_t add_sparse(AssetBuilder& asset, std::size_t count, const std::vector<float>& first) {
+  std::vector<std::uint8_t> numbers(first.size() / 3);
+  std::iota(numbers.begin(), numbers.end(), std::uint8_t{0});
+  const std::size_t indices = asset.view({numbers.begin(), numbers.end()});
+  const std::size_t values = asset.view(floats(first));
+  return asset.accessor("VEC3", 5126, count, "",
+                        Json{{"sparse",
+                              {{"count", numbers.size()},
+                               {"indices", {{"bufferView", indices}, {"componentType", 5121}}},
+                               {"values", {{"bufferView", values}}}}}});
+}
+
+TEST(Bounds, CopiesOfAllNodesHaveOneBudget) {
+  AssetBuilder asset;
+  add_mesh(asset, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const std::size_t places = add_sparse(asset, 1'500'000, {7, 0, 0});
+  Json node{{"mesh", 0}};
+  node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = places;
+  asset.add("nodes", node);
+  asset.add("scenes", Json{{"nodes", {0}}});
+  EXPECT_EQ(size(measured(asset), "size-x"), 8);
+  asset.json["scenes"][0]["nodes"].push_back(asset.add("nodes", node));
+  const Measurements two = measured(asset);
+  EXPECT_EQ(size(two, "instances"), 3'000'000) << "to count them takes no memory";
+  for (const char* name : {"size-x", "surface-area"}) {
+    EXPECT_EQ(reason(two, MeasureScope::scene, name),
+              "The scenes have too many copies, joints or weights.");
+  }
+}
+
+TEST(Bounds, JointsOfManyScenesHaveOneBudget) {
+  AssetBuilder asset;
+  add_mesh(asset, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  asset.add("nodes", Json{{"mesh", 0}, {"skin", 0}});
+  asset.add("skins", Json{{"joints", std::vector<int>(100'000, 0)}});
+  for (int i = 0; i < 40; ++i) asset.add("scenes", Json{{"nodes", {0}}});
+  const Measurements taken = measured(asset);
+  EXPECT_EQ(value(taken, MeasureScope::scene, "size-x", 0), 1);
+  EXPECT_EQ(value(taken, MeasureScope::scene, "size-x", 39), nullptr);
+}
+
+TEST(Bounds, OfPrimitivesWithTheSameVerticesReadTheseOnce) {
+  AssetBuilder asset;
+  const std::size_t places = add_sparse(asset, 1'000'000, {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5});
+  const std::size_t order = asset.accessor("SCALAR", 5121, 3, std::string("\0\1\2", 3));
+  const Json primitive{{"attributes", {{"POSITION", places}}}, {"indices", order}};
+  asset.add("meshes", Json{{"primitives", std::vector<Json>(100, primitive)}});
+  asset.add("nodes", Json{{"mesh", 0}, {"rotation", {0, 0.6, 0, 0.8}}});
+  asset.add("scenes", Json{{"nodes", {0}}});
+  const Measurements taken = measured(asset);
+  EXPECT_EQ(value(taken, MeasureScope::mesh, "size-x"), 1);
+  EXPECT_NEAR(size(taken, "size-x"), 0.28, 1e-6);
+  EXPECT_EQ(value(taken, MeasureScope::primitive, "cache-misses", 99), 3);
+  EXPECT_TRUE(value(taken, MeasureScope::primitive, "fetch-overhead", 99).is_number());
+}
+
+TEST(Bounds, LeaveOutPrimitivesWithoutPositions) {
+  AssetBuilder asset;
+  add_mesh(asset, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  const std::size_t target = asset.accessor("VEC3", 5126, 3, floats({0, 0, 0, 1, 0, 0, 0, 0, 0}));
+  auto& primitives = asset.json["meshes"][0]["primitives"];
+  primitives[0]["targets"] = {{{"POSITION", target}}};
+  const std::size_t colors = asset.accessor("VEC3", 5126, 3, floats({0, 0, 0, 1, 0, 0, 0, 0, 0}));
+  primitives.push_back({{"attributes", {{"COLOR_0", colors}}}});
+  asset.add("nodes", Json{{"mesh", 0}, {"weights", {1}}});
+  asset.add("scenes", Json{{"nodes", {0}}});
+  const Measurements taken = measured(asset);
+  EXPECT_EQ(value(taken, MeasureScope::mesh, "size-x"), 1);
+  EXPECT_EQ(size(taken, "size-x"), 2);
+  EXPECT_EQ(size(taken, "surface-area"), 1);
+  EXPECT_EQ(value(taken, MeasureScope::mesh, "surface-area"), 0.5);
+}
+
+TEST(Bounds, AreUnknownWhereIndicesCannotBeRead) {
+  AssetBuilder asset;
+  add_mesh(asset, {0, 0, 0, 1, 0, 0, 0, 1, 0});
+  asset.json["meshes"][0]["primitives"][0]["indices"] =
+      asset.accessor("SCALAR", 5126, 3, floats({0, 1, 2}));
+  asset.add("nodes", Json{{"mesh", 0}});
+  asset.add("scenes", Json{{"nodes", {0}}});
+  EXPECT_EQ(reason(measured(asset), MeasureScope::scene, "size-x"), "Vertices could not be read.");
 }
 
 TEST(Bounds, OfManyScenesThatShareNodesAreLimited) {

@@ -40,6 +40,30 @@ TEST(TexelDensity, DependsOnTheScaleOfTheNodeAndNotOnTurns) {
               DoubleNear(64, kExact));
 }
 
+TEST(TexelDensity, OfCopiesIsThatOfEachWithAPlace) {
+  UvAsset asset = square(64, 64);
+  const float nan = std::nanf("");
+  asset.node(
+      {{"extensions",
+        {{"EXT_mesh_gpu_instancing",
+          {{"attributes",
+            {{"SCALE", asset.made.accessor("VEC3", 5126, 3,
+                                           test::floats({1, 1, 1, nan, 1, 1, 2, 2, 2}))}}}}}}}});
+  EXPECT_THAT(Taken(asset.text()).number("texel-density-max"), DoubleNear(64, kExact));
+  EXPECT_THAT(Taken(asset.text()).number("texel-density-min"), DoubleNear(32, kExact));
+}
+
+TEST(TexelDensity, OfMovedVerticesIsThatOfEachCopy) {
+  UvAsset asset = square(64, 64);
+  const auto still = asset.made.accessor("VEC3", 5126, 6, std::string(72, '\0'));
+  asset.made.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", still}}};
+  const auto scales = asset.made.accessor("VEC3", 5126, 2, test::floats({1, 1, 1, 2, 2, 2}));
+  asset.node({{"weights", {1}}});
+  asset.made.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] =
+      scales;
+  EXPECT_THAT(Taken(asset.text()).number("texel-density-min"), DoubleNear(32, kExact));
+}
+
 TEST(TexelDensity, DependsOnTheTransformOfTheTexture) {
   UvAsset asset = square(64, 64);
   asset.made.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {

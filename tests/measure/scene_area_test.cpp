@@ -47,6 +47,18 @@ TEST(SceneArea, HasCopies) {
   EXPECT_NEAR(area_of(asset), 6 + 24 + 22, 1e-5);
 }
 
+TEST(SceneArea, IsNotKnownOfCopiesThatAreNowhere) {
+  auto asset = scene_of({Json::object()});
+  const float nan = std::nanf("");
+  std::string scales;
+  for (int i = 0; i < 100; ++i) {
+    scales += floats({nan, static_cast<float>(i), 1, 1, 2, static_cast<float>(i)});
+  }
+  asset.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["SCALE"] =
+      asset.accessor("VEC3", 5126, 200, scales);
+  EXPECT_EQ(area_of(asset), -1);
+}
+
 TEST(SceneArea, FollowsMorphTargets) {
   auto asset = scene_of({{{"weights", {0.5}}}});
   auto moved = cube();
