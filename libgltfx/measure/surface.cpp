@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "measure/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 
 namespace gltfx::measure {
 namespace {

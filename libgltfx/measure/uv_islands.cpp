@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "measure/disjoint_sets.hpp"
+#include "base/disjoint_sets.hpp"
 #include "measure/radix_sort.hpp"
 
 namespace gltfx::measure {

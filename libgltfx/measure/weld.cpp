@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "base/bit_cast.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/fork.hpp"
 #include "base/random_bytes.hpp"
-#include "measure/disjoint_sets.hpp"
 
 namespace gltfx::measure {
 namespace {

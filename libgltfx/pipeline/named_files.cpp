@@ -2,13 +2,13 @@
 #include "pipeline/named_files.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/directory.hpp"
+#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "change/companions.hpp"
@@ -66,29 +66,6 @@ NamedFiles named_by(const std::string& path, const AssetBounds& bounds, std::siz
   return named;
 }
 
-/// Groups that grow together.
-class Groups {
- public:
-  explicit Groups(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-  }
-  std::size_t first_of(std::size_t position) {
-    while (parents_[position] != position) {
-      parents_[position] = parents_[parents_[position]];
-      position = parents_[position];
-    }
-    return position;
-  }
-  void join(std::size_t one, std::size_t other) {
-    one = first_of(one);
-    other = first_of(other);
-    parents_[std::max(one, other)] = std::min(one, other);
-  }
-
- private:
-  std::vector<std::size_t> parents_;
-};
-
 }  // namespace
 
 bool NamedFiles::names(const std::set<FileIdentity>& wanted) const {
@@ -114,17 +91,19 @@ std::vector<InputGroup> groups_of(const std::vector<std::string>& paths, const A
     changing.emplace(named[i].own, i);
     for (const FileIdentity& file : named[i].buffers) changing.emplace(file, i);
   }
-  Groups groups(paths.size());
+  DisjointSets groups(paths.size());
   for (std::size_t i = 0; i < named.size(); ++i) {
     if (named[i].own.inode != 0) named[i].files.insert(named[i].own);
     for (const FileIdentity& file : named[i].files) {
       if (const auto other = changing.find(file); other != changing.end()) {
-        groups.join(i, other->second);
+        groups.join(static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(other->second));
       }
     }
   }
   std::map<std::size_t, InputGroup> members;
-  for (std::size_t i = 0; i < paths.size(); ++i) members[groups.first_of(i)].push_back(i);
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    members[groups.find(static_cast<std::uint32_t>(i))].push_back(i);
+  }
   std::vector<InputGroup> all;
   for (auto& [first, group] : members) all.push_back(std::move(group));
   return all;

@@ -5,10 +5,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
+#include "base/disjoint_sets.hpp"
 #include "base/packed.hpp"
 #include "preview/framing_faces.hpp"
 
@@ -60,59 +60,49 @@ void drop_far_corners(Subject& subject) {
 /// Connected components of the cells of a grid, by triangles and neighbours.
 class Cells {
  public:
-  explicit Cells(const Subject& subject) : filled_(kCells, 0), above_(kCells) {
-    std::iota(above_.begin(), above_.end(), 0U);
+  explicit Cells(const Subject& subject) : filled_(kCells, 0), components_(kCells) {
     FaceBox box;
     for (const Float3& p : subject.points) box.add(to_vec(p));
     least_ = box.least;
     const Vec3d extent = box.greatest - box.least;
     width_ = std::max({extent.x, extent.y, extent.z, 1e-30}) / kAlong;
     for (std::size_t i = 0; i < subject.points.size(); i += 3) {
-      const std::size_t first = cell_of(subject.points[i]);
+      const std::uint32_t first = cell_of(subject.points[i]);
       filled_[first] = 1;
       for (std::size_t k = 1; k < 3; ++k) {
-        const std::size_t other = cell_of(subject.points[i + k]);
+        const std::uint32_t other = cell_of(subject.points[i + k]);
         filled_[other] = 1;
-        join(first, other);
+        components_.join(first, other);
       }
     }
     join_neighbours();
   }
 
   /// The cell that represents the component of a cell.
-  std::size_t root_of(const Float3& point) { return root(cell_of(point)); }
-  static constexpr std::size_t kAlong = 32;
-  static constexpr std::size_t kCells = kAlong * kAlong * kAlong;
+  std::uint32_t root_of(const Float3& point) { return components_.find(cell_of(point)); }
+  static constexpr std::uint32_t kAlong = 32;
+  static constexpr std::uint32_t kCells = kAlong * kAlong * kAlong;
 
  private:
-  std::size_t cell_of(const Float3& point) const {
+  std::uint32_t cell_of(const Float3& point) const {
     const Vec3d p = (to_vec(point) - least_) / width_;
     const auto along = [](double x) {
-      return static_cast<std::size_t>(std::clamp(x, 0.0, kAlong - 0.5));
+      return static_cast<std::uint32_t>(std::clamp(x, 0.0, kAlong - 0.5));
     };
     return (along(p.z) * kAlong + along(p.y)) * kAlong + along(p.x);
   }
 
-  std::size_t root(std::size_t cell) {
-    while (above_[cell] != cell) {
-      above_[cell] = above_[above_[cell]];
-      cell = above_[cell];
-    }
-    return cell;
-  }
-  void join(std::size_t a, std::size_t b) { above_[root(a)] = static_cast<std::uint32_t>(root(b)); }
-
   void join_neighbours() {
-    for (std::size_t cell = 0; cell < kCells; ++cell) {
+    for (std::uint32_t cell = 0; cell < kCells; ++cell) {
       if (filled_[cell] == 0) continue;
-      const std::array<std::size_t, 3> at{cell % kAlong, cell / kAlong % kAlong,
-                                          cell / (kAlong * kAlong)};
+      const std::array<std::uint32_t, 3> at{cell % kAlong, cell / kAlong % kAlong,
+                                            cell / (kAlong * kAlong)};
       const auto most = [&at](std::size_t axis) { return std::min(at[axis] + 2, kAlong); };
-      for (std::size_t z = at[2]; z < most(2); ++z) {
-        for (std::size_t y = at[1] - std::min<std::size_t>(at[1], 1); y < most(1); ++y) {
-          for (std::size_t x = at[0] - std::min<std::size_t>(at[0], 1); x < most(0); ++x) {
-            const std::size_t other = (z * kAlong + y) * kAlong + x;
-            if (filled_[other] != 0) join(cell, other);
+      for (std::uint32_t z = at[2]; z < most(2); ++z) {
+        for (std::uint32_t y = at[1] - std::min(at[1], 1U); y < most(1); ++y) {
+          for (std::uint32_t x = at[0] - std::min(at[0], 1U); x < most(0); ++x) {
+            const std::uint32_t other = (z * kAlong + y) * kAlong + x;
+            if (filled_[other] != 0) components_.join(cell, other);
           }
         }
       }
@@ -120,7 +110,7 @@ class Cells {
   }
 
   std::vector<std::uint8_t> filled_;
-  std::vector<std::uint32_t> above_;
+  DisjointSets components_;
   Vec3d least_;
   double width_ = 1;
 };

@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "model/draco.hpp"
 #include "model/fields.hpp"
 
@@ -17,7 +18,7 @@ using model::AccessorData;
 using model::Attribute;
 using model::Primitive;
 
-constexpr std::size_t kNoSet = SIZE_MAX;
+constexpr std::uint32_t kNoSet = UINT32_MAX;
 constexpr const char* kBroken = "has members that cannot be read";
 
 void sort_unique(std::vector<std::uint32_t>& numbers) {
@@ -27,7 +28,7 @@ void sort_unique(std::vector<std::uint32_t>& numbers) {
 
 /// The uses of one accessor by primitives.
 struct AccessorReaders {
-  std::size_t set = kNoSet;  ///< the first set that uses it
+  std::uint32_t set = kNoSet;  ///< the first set that uses it
   bool as_indices = false;
   bool as_vertices = false;
   bool of_other_vertices = false;  ///< indices of sets with different numbers of vertices
@@ -74,10 +75,11 @@ class SetFinder {
     std::vector<std::uint32_t> key = accessors;
     sort_unique(key);
     if (key.empty()) return;
-    const auto [place, is_new] = numbers_.try_emplace(std::move(key), sets_.size());
+    const auto [place, is_new] =
+        numbers_.try_emplace(std::move(key), static_cast<std::uint32_t>(sets_.size()));
     if (is_new) {
       sets_.push_back({place->first, {}, {}});
-      parents_.push_back(place->second);
+      groups_.add();
     }
     members_.emplace_back(&primitive, place->second);
     std::string& known = sets_[place->second].obstacle;
@@ -86,7 +88,7 @@ class SetFinder {
     if (primitive.indices) note(*primitive.indices, place->second, true);
   }
 
-  void note(std::uint32_t accessor, std::size_t set, bool as_indices) {
+  void note(std::uint32_t accessor, std::uint32_t set, bool as_indices) {
     AccessorReaders& readers = readers_[accessor];
     ++readers.uses;
     (as_indices ? readers.as_indices : readers.as_vertices) = true;
@@ -94,28 +96,23 @@ class SetFinder {
     if (as_indices && vertices_of(readers.set) != vertices_of(set)) {
       readers.of_other_vertices = true;
     } else {
-      parents_[root_of(set)] = root_of(readers.set);
+      groups_.join(set, readers.set);
     }
   }
 
-  std::optional<std::uint64_t> vertices_of(std::size_t set) const {
+  std::optional<std::uint64_t> vertices_of(std::uint32_t set) const {
     return data_.views.accessors[sets_[set].accessors.front()].count;
-  }
-
-  std::size_t root_of(std::size_t set) {
-    while (parents_[set] != set) set = parents_[set] = parents_[parents_[set]];
-    return set;
   }
 
   // Joins the sets that share accessors, so that all of them get the same numbering.
   std::vector<VertexSet> join() {
     std::vector<VertexSet> joined;
-    std::vector<std::size_t> places(sets_.size(), kNoSet);  // in `joined`, by root
+    std::vector<std::uint32_t> places(sets_.size(), kNoSet);  // in `joined`, by root
     std::vector<bool> is_taken(sets_.size());
     for (const auto& [primitive, set] : members_) {
-      std::size_t& place = places[root_of(set)];
+      std::uint32_t& place = places[groups_.find(set)];
       if (place == kNoSet) {
-        place = joined.size();
+        place = static_cast<std::uint32_t>(joined.size());
         joined.emplace_back();
       }
       VertexSet& all = joined[place];
@@ -154,10 +151,10 @@ class SetFinder {
 
   const StepData& data_;
   std::vector<AccessorReaders> readers_;  ///< by accessor
-  std::map<std::vector<std::uint32_t>, std::size_t> numbers_;
-  std::vector<VertexSet> sets_;       ///< by their exact accessors, without primitives
-  std::vector<std::size_t> parents_;  ///< joined sets as a forest, by set
-  std::vector<std::pair<const Primitive*, std::size_t>> members_;  ///< with their sets
+  std::map<std::vector<std::uint32_t>, std::uint32_t> numbers_;
+  std::vector<VertexSet> sets_;  ///< by their exact accessors, without primitives
+  DisjointSets groups_;          ///< of sets that share accessors
+  std::vector<std::pair<const Primitive*, std::uint32_t>> members_;  ///< with their sets
 };
 
 }  // namespace

@@ -8,13 +8,19 @@
 #include <utility>
 #include <vector>
 
-namespace gltfx::measure {
+namespace gltfx {
 
 /// Each thing begins as a group of its own. A call takes a logarithm of the number of things.
 class DisjointSets {
  public:
-  explicit DisjointSets(std::size_t count) : parents_(count) {
+  explicit DisjointSets(std::size_t count = 0) : parents_(count) {
     std::iota(parents_.begin(), parents_.end(), 0U);
+  }
+
+  /// Adds a thing and returns its number, that of the things before.
+  std::uint32_t add() {
+    parents_.push_back(static_cast<std::uint32_t>(parents_.size()));
+    return parents_.back();
   }
 
   /// The least thing of the group.
@@ -40,4 +46,4 @@ class DisjointSets {
   std::vector<std::uint32_t> parents_;
 };
 
-}  // namespace gltfx::measure
+}  // namespace gltfx
