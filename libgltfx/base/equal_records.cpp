@@ -5,24 +5,9 @@
 #include <array>
 #include <bit>
 
-#include "base/fork.hpp"
-#include "base/hash.hpp"
-#include "base/random_bytes.hpp"
+#include "base/secret_hash.hpp"
 
 namespace gltfx {
-namespace {
-
-const KeyedHash& secret_hash() {
-  static constinit MadeOnce<KeyedHash> made;
-  return made.get([] {
-    KeyedHash::Secret secret{};
-    fill_with_random(secret);
-    return KeyedHash(secret);
-  });
-}
-
-}  // namespace
-
 std::vector<std::uint32_t> first_equal_records(std::string_view bytes, std::size_t size) {
   const KeyedHash& hash = secret_hash();
   constexpr std::uint32_t kNone = UINT32_MAX;

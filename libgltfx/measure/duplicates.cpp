@@ -5,14 +5,14 @@
 #include <set>
 #include <string>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
-#include "base/hash.hpp"
-#include "base/random_bytes.hpp"
+#include "base/secret_hash.hpp"
 #include "graph/equal_objects.hpp"
 #include "measure/take.hpp"
 #include "model/accessor_data.hpp"
@@ -29,24 +29,18 @@ using model::RootArray;
 
 constexpr std::uint64_t kLeastBytes = std::uint64_t{1} << 26U, kReadsPerByte = 8;
 
-KeyedHash::Secret random_secret() {
-  KeyedHash::Secret bytes{};
-  fill_with_random(bytes);
-  return bytes;
-}
-
 // Hashes content, as much as the files have bytes for: objects may share bytes a thousandfold.
 class ContentHash {
  public:
-  explicit ContentHash(const Source& source)
-      : hash_(random_secret()), left_(most_bytes(source.byte_count().files)) {}
+  explicit ContentHash(const Source& source) : left_(most_bytes(source.byte_count().files)) {}
 
-  std::optional<std::string> of(std::string_view bytes) {
-    if (!left_.take(Checked(bytes.size()))) {
-      exhausted_ = true;
-      return std::nullopt;
-    }
-    const Hash128 hash = hash_.of(bytes);
+  // Call it before bytes are made. False from then on, once too many were asked for.
+  bool take(const Checked& bytes) {
+    exhausted_ = exhausted_ || !left_.take(bytes);
+    return !exhausted_;
+  }
+  static std::string of(std::string_view bytes) {
+    const Hash128 hash = secret_hash().of(bytes);
     return fmt::format("{}:{:x}:{:x}", bytes.size(), hash.low, hash.high);
   }
   bool exhausted() const { return exhausted_; }
@@ -58,7 +52,6 @@ class ContentHash {
     return checked_mul(bytes, kReadsPerByte).value_or(UINT64_MAX);
   }
 
-  KeyedHash hash_;
   model::MemoryBudget left_;
   bool exhausted_ = false;
 };
@@ -89,8 +82,8 @@ class DuplicateBytes {
     add(bytes->text().substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(length)));
   }
   void add(std::string_view bytes) {
-    auto hash = hash_.of(bytes);
-    if (hash && !contents_.insert(*std::move(hash)).second) twice_ += bytes.size();
+    if (!hash_.take(Checked(bytes.size()))) return;
+    if (!contents_.insert(ContentHash::of(bytes)).second) twice_ += bytes.size();
   }
   void add_image_files() {
     const auto& objects = source_.asset().elements(RootArray::images);
@@ -121,27 +114,46 @@ class DuplicateObjects {
     }
   }
 
-  void find() {
-    images_ = merge(RootArray::images, {"uri", "bufferView", "mimeType"}, [this](NodeId image) {
-      const auto& bytes = source_.resources().images[tree_.position(image)].bytes;
-      return bytes ? hash_.of(bytes->text()) : std::nullopt;
-    });
-    const auto no_content = [](NodeId) { return std::optional<std::string>(""); };
-    merge(RootArray::samplers, {}, no_content);
-    merge(RootArray::textures, {}, no_content);
-    materials_ = merge(RootArray::materials, {}, no_content);
-    accessors_found_ =
-        merge(RootArray::accessors, {"bufferView", "byteOffset", "sparse", "min", "max"},
-              [this](NodeId accessor) { return elements_of(accessor); });
-    meshes_ = merge(RootArray::meshes, {}, no_content);
+  // Each is found once; materials and meshes need what they refer to.
+  std::uint64_t images() {
+    if (!images_) {
+      images_ = merge(RootArray::images, {"uri", "bufferView", "mimeType"},
+                      [this](NodeId image) { return bytes_of(image); });
+    }
+    return *images_;
+  }
+  std::uint64_t materials() {
+    if (!materials_) {
+      images();
+      merge(RootArray::samplers, {}, no_content);
+      merge(RootArray::textures, {}, no_content);
+      materials_ = merge(RootArray::materials, {}, no_content);
+    }
+    return *materials_;
+  }
+  std::uint64_t accessors() {
+    if (!equal_accessors_) {
+      equal_accessors_ =
+          merge(RootArray::accessors, {"bufferView", "byteOffset", "sparse", "min", "max"},
+                [this](NodeId accessor) { return elements_of(accessor); });
+    }
+    return *equal_accessors_;
+  }
+  std::uint64_t meshes() {
+    materials();
+    accessors();
+    return merge(RootArray::meshes, {}, no_content);
   }
 
-  std::uint64_t images() const { return images_; }
-  std::uint64_t materials() const { return materials_; }
-  std::uint64_t accessors() const { return accessors_found_; }
-  std::uint64_t meshes() const { return meshes_; }
-
  private:
+  static std::optional<std::string> no_content(NodeId) { return ""; }
+
+  std::optional<std::string> bytes_of(NodeId image) {
+    const auto& bytes = source_.resources().images[tree_.position(image)].bytes;
+    if (!bytes || !hash_.take(Checked(bytes->size()))) return std::nullopt;
+    return ContentHash::of(bytes->text());
+  }
+
   // `stored`: members that say where the content is.
   template <class Hash>
   std::uint64_t merge(RootArray array, std::initializer_list<std::string_view> stored,
@@ -173,21 +185,20 @@ class DuplicateObjects {
     const std::uint64_t size = model::element_size(accessor.format);
     if (!data || data->implied() || size == 0) return std::nullopt;
     const auto bytes = checked_mul(data->count(), size);
-    if (!bytes || !elements_.take(bytes)) return std::nullopt;
+    if (!hash_.take(bytes)) return std::nullopt;
     std::string elements(static_cast<std::size_t>(*bytes), '\0');
     std::uint64_t next = 0;
     data->read(reinterpret_cast<std::byte*>(elements.data()), 0,
                static_cast<std::size_t>(data->count()), next);
-    return hash_.of(elements);
+    return ContentHash::of(elements);
   }
 
   const Source& source_;
   const graph::Tree& tree_;
   ContentHash& hash_;
   graph::EqualObjects equal_;
-  model::MemoryBudget elements_{std::uint64_t{1} << 33U};
   std::unordered_map<NodeId, std::uint32_t> accessors_;
-  std::uint64_t images_ = 0, materials_ = 0, accessors_found_ = 0, meshes_ = 0;
+  std::optional<std::uint64_t> images_, materials_, equal_accessors_;
 };
 
 }  // namespace
@@ -195,25 +206,22 @@ class DuplicateObjects {
 void take_duplicates(Taking& taking) {
   const Source& source = taking.source();
   ContentHash hash(source);
-  const auto set = [&](Name name, std::uint64_t value) {
+  const auto set = [&](Name name, const auto& count) {
     Column* column = taking.column(MeasureScope::asset, name);
     if (column == nullptr) return;
+    const std::uint64_t value = count();
     if (hash.exhausted()) {
       column->could_not_be_taken(0, "Objects share too many bytes.");
     } else {
       column->set(0, value);
     }
   };
-  if (taking.wants(Name::duplicate_bytes)) {
-    const std::uint64_t bytes = DuplicateBytes(source, hash).count();
-    set(Name::duplicate_bytes, bytes);
-  }
+  set(Name::duplicate_bytes, [&] { return DuplicateBytes(source, hash).count(); });
   DuplicateObjects objects(source, hash);
-  objects.find();
-  set(Name::duplicate_images, objects.images());
-  set(Name::duplicate_materials, objects.materials());
-  set(Name::duplicate_accessors, objects.accessors());
-  set(Name::duplicate_meshes, objects.meshes());
+  set(Name::duplicate_images, [&] { return objects.images(); });
+  set(Name::duplicate_materials, [&] { return objects.materials(); });
+  set(Name::duplicate_accessors, [&] { return objects.accessors(); });
+  set(Name::duplicate_meshes, [&] { return objects.meshes(); });
 }
 
 }  // namespace gltfx::measure

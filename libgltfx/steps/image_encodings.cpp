@@ -4,16 +4,10 @@
 #include <bit>
 #include <variant>
 
-#include "base/random_bytes.hpp"
+#include "base/secret_hash.hpp"
 
 namespace gltfx::steps {
 namespace {
-
-KeyedHash::Secret new_secret() {
-  KeyedHash::Secret secret{};
-  fill_with_random(secret);
-  return secret;
-}
 
 template <class Value>
 std::uint64_t number_of(Value value) {
@@ -42,9 +36,7 @@ void add(HashParts& parts, const codec::EncodeOptions& options) {
 
 }  // namespace
 
-ImageEncodings::ImageEncodings() : hash_(new_secret()) {}
-
-ImageEncodings::Key ImageEncodings::key_of(const codec::TranscodeRequest& request) const {
+ImageEncodings::Key ImageEncodings::key_of(const codec::TranscodeRequest& request) {
   const auto& [image, format, quality, options] = request;
   const auto& [bytes, source, level, max_pixels, halvings, pixels, normals, origin, floats,
                resize] = image;
@@ -53,7 +45,7 @@ ImageEncodings::Key ImageEncodings::key_of(const codec::TranscodeRequest& reques
   static_cast<void>(pixels);
   static_cast<void>(normals);
   HashParts parts;
-  parts.add(hash_.of({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
+  parts.add(secret_hash().of({reinterpret_cast<const char*>(bytes.data()), bytes.size()}));
   parts.add(number_of(source));
   parts.add(max_pixels);
   parts.add(origin.device);

@@ -10,7 +10,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/hash.hpp"
 #include "codec/client.hpp"
 
 namespace gltfx::steps {
@@ -21,8 +20,6 @@ class ImageEncodings {
  public:
   /// Greatest number of encoded bytes that are kept.
   static constexpr std::uint64_t kMostBytes = std::uint64_t{256} << 20U;
-
-  ImageEncodings();
 
   /// codec::Client::transcode_image(), or its result for an equal request. A request that another
   /// thread is working on waits for its result.
@@ -36,11 +33,10 @@ class ImageEncodings {
     std::mutex mutex;
     std::optional<codec::EncodeResult> result;
   };
-  Key key_of(const codec::TranscodeRequest& request) const;
+  static Key key_of(const codec::TranscodeRequest& request);
   std::shared_ptr<Entry> entry(const Key& key);
   void keep(const Key& key, const codec::EncodeResult& result);
 
-  const KeyedHash hash_;
   mutable std::mutex mutex_;
   std::map<Key, std::shared_ptr<Entry>> entries_;
   std::deque<std::pair<Key, std::uint64_t>> kept_;  ///< with the size, the oldest first
