@@ -11,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "base/parallel.hpp"
 #include "codec/client.hpp"
 #include "measure/shape.hpp"
 #include "measure/take.hpp"
@@ -19,6 +18,7 @@
 #include "measure/texture_uses.hpp"
 #include "measure/uv_surface.hpp"
 #include "model/image_codec.hpp"
+#include "model/image_decoding.hpp"
 
 namespace gltfx::measure {
 namespace {
@@ -128,8 +128,8 @@ ValueRange range_under(const codec::Image& image, const TexelMask& mask,
 struct ImageTask {
   std::uint32_t image = 0;
   std::vector<std::size_t> materials;  // whose base color it is
-  std::optional<codec::ImageResult> decoded;
   ValueRange range;
+  bool decoded = false;  // or failed to be
 };
 
 class PixelTaker {
@@ -147,19 +147,30 @@ class PixelTaker {
     std::vector<ImageTask> tasks;
     for (std::uint32_t i = 0; i < by_image_.size(); ++i) {
       const bool wanted = least_ != nullptr || most_ != nullptr || constant_ != nullptr;
-      if (wanted || !by_image_[i].empty()) tasks.push_back({i, by_image_[i], {}, {}});
+      if (wanted || !by_image_[i].empty()) tasks.push_back({i, by_image_[i], {}, false});
     }
     if (!taking_.pixels()) {
       for (const ImageTask& task : tasks)
         miss(task, "The pixels were not decoded; use --pixels needed.");
       return;
     }
-    parallel_ordered(
-        tasks.size(), source().jobs(), [&](std::size_t i) { decode(tasks[i]); },
-        [&](std::size_t i) {
-          take(tasks[i]);
-          tasks[i].decoded.reset();
-        });
+    using Decoding = model::ImageDecoding;
+    std::vector<Decoding::Request> requests;
+    for (const ImageTask& task : tasks) requests.push_back({task.image, false, true});
+    Decoding(source().resources())
+        .decode(
+            requests, source().jobs(),
+            [&](std::size_t i, codec::ImageResult& result) {
+              if (least_ != nullptr || most_ != nullptr)
+                tasks[i].range = range_of(std::get<codec::Image>(result));
+            },
+            [&](std::size_t i, codec::ImageResult& result) {
+              tasks[i].decoded = true;
+              take(tasks[i], result);
+            });
+    for (const ImageTask& task : tasks) {
+      if (!task.decoded) miss(task, "The image has no data that can be decoded.");
+    }
   }
 
  private:
@@ -199,19 +210,18 @@ class PixelTaker {
     set_material(material, {code, code});
   }
 
-  void decode(ImageTask& task) const {
-    if (!model::is_decodable(source().resources().images[task.image])) return;
-    codec::ImageRequest request = model::image_request(source().resources(), task.image);
-    request.pixels = true;
-    task.decoded = codec::Client::shared().decode_image(request);
-    const auto* image = std::get_if<codec::Image>(&*task.decoded);
-    if (image != nullptr && (least_ != nullptr || most_ != nullptr)) task.range = range_of(*image);
+  // A decoder's own words stay inside.
+  static std::string_view reason_of(const codec::DecodeError& error) {
+    using Decoding = model::ImageDecoding;
+    for (const std::string_view limit : {Decoding::kTooManyTexels, Decoding::kStopped}) {
+      if (error.message == limit) return limit;
+    }
+    return "The image could not be decoded.";
   }
 
-  void take(const ImageTask& task) {
-    if (!task.decoded) return miss(task, "The image has no data that can be decoded.");
-    const auto* image = std::get_if<codec::Image>(&*task.decoded);
-    if (image == nullptr) return miss(task, "The image could not be decoded.");
+  void take(const ImageTask& task, const codec::ImageResult& result) {
+    const auto* image = std::get_if<codec::Image>(&result);
+    if (image == nullptr) return miss(task, reason_of(std::get<codec::DecodeError>(result)));
     if (constant_ != nullptr) constant_->set(task.image, MeasureValue(is_constant(*image)));
     set(least_, task.image, task.range, task.range.least);
     set(most_, task.image, task.range, task.range.most);
@@ -219,6 +229,7 @@ class PixelTaker {
   }
 
   void take_material(std::size_t material, const codec::Image& image) {
+    if (texels_left_ == 0) return miss_material(material, "Materials cover too many texels.", true);
     const MaterialTextures& textures = textures_[material];
     UvSurface surface;
     const UvProblem problem = read_uv_surface(source(), primitives_[material],
@@ -229,12 +240,15 @@ class PixelTaker {
     const model::Texture texture =
         model::read_texture(asset, objects[*textures.base_color.texture]);
     TexelMask mask(image.width, image.height, texture.sampler);
-    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    bool covered = true;
+    for (std::size_t i = 0; covered && i < surface.triangles.size(); ++i) {
       const UvTriangle corners = surface.corners(i);
       if (!is_finite(corners)) continue;
-      if (!mask.cover(in_texels(corners, textures.base_color, image))) {
-        return miss_material(material, "The triangles cover too many copies of the texture.", true);
-      }
+      covered = mask.cover(in_texels(corners, textures.base_color, image));
+    }
+    texels_left_ -= std::min(texels_left_, mask.cost());
+    if (!covered) {
+      return miss_material(material, "The triangles cover too many copies of the texture.", true);
     }
     const ValueRange range = range_under(image, mask, textures.base_color_factor);
     if (range.empty()) return miss_material(material, kTransparent, false);
@@ -288,6 +302,7 @@ class PixelTaker {
   std::vector<std::vector<MeasuredPrimitive>> primitives_;
   std::vector<std::vector<std::size_t>> by_image_;  // materials
   model::MemoryBudget budget_{geometry_bytes(taking_.source())};
+  std::uint64_t texels_left_ = std::uint64_t{1} << 30U;  // that all materials may cover
 };
 
 }  // namespace

@@ -57,7 +57,7 @@ TexelMask::TexelMask(std::uint32_t width, std::uint32_t height, const model::Sam
       uncovered_(std::uint64_t{width} * height) {
   words_.resize(static_cast<std::size_t>((uncovered_ + 63) / 64));
   constexpr std::int64_t kFewSteps = 1 << 22U;
-  work_ = kFewSteps + 4 * static_cast<std::int64_t>(uncovered_);
+  most_steps_ = kFewSteps + 4 * static_cast<std::int64_t>(uncovered_);
 }
 
 // `row` is in the image.
@@ -72,7 +72,7 @@ void TexelMask::mark(std::uint64_t row, std::uint64_t begin, std::uint64_t end) 
     word |= fresh;
     uncovered_ -= static_cast<unsigned>(std::popcount(fresh));
     at = stop;
-    --work_;
+    ++steps_;
   }
 }
 
@@ -101,7 +101,7 @@ void TexelMask::cover_span(std::int64_t row, std::int64_t begin, std::int64_t en
 bool TexelMask::cover(const std::array<TexelPoint, 3>& corners) {
   if (uncovered_ == 0) return true;
   constexpr std::int64_t kStepsEach = 64;
-  work_ += kStepsEach;
+  most_steps_ += kStepsEach;
   std::array<TexelPoint, 3> triangle = corners;
   Interval rows;
   TexelPoint centre{};
@@ -114,13 +114,13 @@ bool TexelMask::cover(const std::array<TexelPoint, 3>& corners) {
   cover_span(static_cast<std::int64_t>(std::floor(centre[1])), column, column + 1);
   for (std::int64_t row = rows.first(); row < rows.end(); ++row) {
     if (uncovered_ == 0) return true;
-    if (--work_ < 0) return false;
+    if (++steps_ > most_steps_) return false;
     const auto top = static_cast<double>(row);
     const Interval part = part_between(triangle, top + kTouch, top + 1 - kTouch);
     if (part.least <= part.most && part.first() < part.end())
       cover_span(row, part.first(), part.end());
   }
-  return work_ >= 0;
+  return steps_ <= most_steps_;
 }
 
 }  // namespace gltfx::measure

@@ -25,6 +25,13 @@ class TexelMask {
   /// may have been left out. Precondition: the points are finite.
   bool cover(const std::array<TexelPoint, 3>& triangle);
 
+  /// What it has taken, in texels: steps, and those that for_each() visits.
+  std::uint64_t cost() const {
+    const std::uint64_t texels =
+        static_cast<std::uint64_t>(width_) * static_cast<std::uint64_t>(height_);
+    return static_cast<std::uint64_t>(steps_) + words_.size() + texels - uncovered_;
+  }
+
   /// Calls `use(index)` for each covered texel, in the order of the rows.
   template <class Use>
   void for_each(const Use& use) const {
@@ -44,7 +51,7 @@ class TexelMask {
   model::Wrap wrap_s_, wrap_t_;
   std::vector<std::uint64_t> words_;
   std::uint64_t uncovered_;  // texels
-  std::int64_t work_;
+  std::int64_t steps_ = 0, most_steps_;
 };
 
 }  // namespace gltfx::measure

@@ -46,6 +46,16 @@ TEST(ImageValues, AreThoseOfTheLargestChannel) {
   EXPECT_EQ(values.of_asset("value-max"), 200);
 }
 
+TEST(ImageValues, OfAllImagesHaveOneLimitOfTexels) {
+  UvAsset asset;
+  for (int i = 0; i < 9; ++i) asset.texture(16384, 8192);  // 2^27 texels, by their headers
+  const Taken values(asset.text());
+  EXPECT_EQ(values.reason("value-min", 7, MeasureScope::image).text,
+            "The image could not be decoded.");
+  EXPECT_EQ(values.reason("value-min", 8, MeasureScope::image).text,
+            "The images of the asset exceed the limit on texels.");
+}
+
 TEST(ImageValues, LeaveOutTransparentTexels) {
   const Taken values =
       image(png(3, 1, PngColor::rgba, {1, 1, 1, 0, 90, 80, 70, 1, 255, 255, 255, 0}));

@@ -3,20 +3,15 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <map>
+#include <utility>
 
 #include "base/codes.hpp"
-#include "base/parallel.hpp"
-#include "model/image_codec.hpp"
 #include "rules/collector.hpp"
 #include "rules/payload/phases.hpp"
 
 namespace gltfx::validate {
 namespace {
-
-// Images that reach a limit take seconds each: at most two of them per asset.
-constexpr int kMostCostly = 2;
 
 // The images that must be decoded, and for which checks.
 class PixelNeeds {
@@ -44,7 +39,7 @@ class PixelNeeds {
     for (const TextureSlot& slot : slots_) add(slot);
     add_conflicts();
     std::vector<PixelSource::Request> requests;
-    for (const auto& [image, normals] : normals_) requests.push_back({image, normals});
+    for (const auto& [image, normals] : normals_) requests.push_back({image, normals, false});
     return requests;
   }
 
@@ -92,47 +87,12 @@ class PixelNeeds {
 
 }  // namespace
 
-bool PixelSource::take(std::uint32_t index) {
-  const auto& header = resources_.images[index].header;
-  if (!model::is_decodable(resources_.images[index]) || !header->doubt.empty()) return false;
-  const std::uint64_t texels = image::texels_of(*header);
-  if (texels <= texels_left_) {
-    texels_left_ -= texels;
-    return true;
-  }
-  results_[index] = codec::DecodeError{codec::ErrorKind::too_large,
-                                       "The images of the asset exceed the limit on texels."};
-  return false;
-}
-
-codec::ImageResult PixelSource::decoded(const Request& request) const {
-  codec::ImageRequest wanted = model::image_request(resources_, request.image);
-  wanted.normals = request.normals;
-  return codec::Client::shared().decode_image(wanted);
-}
-
 void PixelSource::decode(const std::vector<Request>& wanted, unsigned jobs) {
-  std::vector<Request> requests;
-  for (const Request& each : wanted) {
-    if (!take(each.image)) continue;
-    requests.push_back(each);
-    results_.try_emplace(each.image);  // threads only fill existing entries
-  }
-  std::atomic<bool> stopped = false;
-  int costly = 0;
-  const auto decode_one = [&](std::size_t i) {
-    if (!stopped) results_.at(requests[i].image) = decoded(requests[i]);
-  };
-  // The skipped images do not depend on the number of threads.
-  parallel_ordered(requests.size(), jobs, decode_one, [&](std::size_t i) {
-    codec::ImageResult& result = results_.at(requests[i].image);
-    if (stopped) {
-      result = codec::DecodeError{codec::ErrorKind::unavailable,
-                                  "Other images of the asset reached the limit on decoding."};
-    }
-    const auto* error = std::get_if<codec::DecodeError>(&result);
-    if (error != nullptr && codec::is_costly(*error) && ++costly == kMostCostly) stopped = true;
-  });
+  decoding_.decode(
+      wanted, jobs, [](std::size_t, const codec::ImageResult&) {},
+      [&](std::size_t i, codec::ImageResult& result) {
+        results_[wanted[i].image] = std::move(result);
+      });
 }
 
 void check_texture_slots(DataPhase& data) {

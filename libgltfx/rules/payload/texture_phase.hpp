@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "codec/client.hpp"
+#include "model/image_decoding.hpp"
 #include "model/resource_data.hpp"
 #include "rules/payload/texture_slots.hpp"
 
@@ -23,12 +24,9 @@ class PixelSource {
   /// `texels`: the maximum number of decoded texels, all images together.
   explicit PixelSource(const model::ResourceData& resources,
                        std::uint64_t texels = std::uint64_t{1} << 30U)
-      : resources_(resources), texels_left_(texels) {}
+      : decoding_(resources, texels) {}
 
-  struct Request {
-    std::uint32_t image = 0;
-    bool normals = false;  ///< check it as a normal map
-  };
+  using Request = model::ImageDecoding::Request;
   /// Decodes images with a valid header, `jobs` at a time; others are skipped, and images beyond
   /// the limit of texels fail as too large. Stops if images reach limits of time and memory.
   void decode(const std::vector<Request>& wanted, unsigned jobs);
@@ -45,16 +43,12 @@ class PixelSource {
   }
 
  private:
-  /// Subtracts the texels of an image from the limit. False if too few are left.
-  bool take(std::uint32_t index);
-  codec::ImageResult decoded(const Request& request) const;
   const codec::ImageResult* result_of(std::uint32_t image) const {
     const auto found = results_.find(image);
     return found == results_.end() ? nullptr : &found->second;
   }
 
-  const model::ResourceData& resources_;
-  std::uint64_t texels_left_;
+  model::ImageDecoding decoding_;
   std::unordered_map<std::uint32_t, codec::ImageResult> results_;  ///< by image
 };
 
