@@ -35,19 +35,22 @@ struct Source {
   const model::Asset asset;
   const model::Views& views;
   const schema::Set& schemas;
-  const graph::Graph graph;
   container::OpenedFiles files;
   const model::LoadedResources loaded;
-  const measure::ByteCount bytes;
+  const measure::Source measured;
+  const graph::Graph& graph;
+  const measure::ByteCount& bytes;
 
   Source(const model::OpenedAsset& opened, const schema::Set& known, unsigned jobs)
       : asset(opened.document()),
         views(opened.views()),
         schemas(known),
-        graph(asset.document(), known, true),
         files(opened.resolver()),
         loaded(model::load_resources(opened.container(), files, asset, views, jobs)),
-        bytes(measure::count_bytes(opened.container(), files, asset, views, loaded.data, graph)) {}
+        measured(
+            {opened.name(), opened.container(), files, asset, views, loaded.data, known, jobs}),
+        graph(measured.graph()),
+        bytes(measured.byte_count()) {}
 
   const json::Document& document() const { return asset.document(); }
 };
@@ -287,11 +290,9 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   facts.drawn_triangles = extent.triangles;
   facts.bounds = extent.bounds;
   if (options.measures) {
-    const measure::Source measured({opened.name(), opened.container(), source.files, source.asset,
-                                    source.views, source.loaded.data, schemas, options.jobs});
     measure::Request request;
     request.pixels = options.pixels;
-    facts.measurements = measure::take(measured, request);
+    facts.measurements = measure::take(source.measured, request);
   }
   return facts;
 }

@@ -15,6 +15,10 @@
 #include "rules/context.hpp"
 #include "rules/khronos/link_order.hpp"
 
+namespace gltfx::measure {
+class Source;
+}
+
 namespace gltfx::validate {
 
 /// Phase 1: the form of the container. True if there is a JSON text to read.
@@ -51,7 +55,7 @@ void load_images(const Context& context, Sink& sink, FileReport& report, Resourc
 
 /// Measures what the options limit, lists the limits in the report, and reports those that do not
 /// hold.
-void check_limits(const Context& context, const model::ResourceData& resources, FileReport& report,
+void check_limits(const Context& context, const measure::Source& source, FileReport& report,
                   Sink& sink);
 
 /// Reports features that the targets of the options refuse or ignore.

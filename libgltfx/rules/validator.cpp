@@ -8,6 +8,7 @@
 #include "base/fork.hpp"
 #include "base/parallel.hpp"
 #include "base/work_count.hpp"
+#include "measure/source.hpp"
 #include "model/info.hpp"
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
@@ -53,6 +54,7 @@ unsigned jobs_for(const Context& context) {
 // The bytes of an asset, and what rules about them share.
 struct CheckedBytes {
   Resources resources;
+  std::optional<const measure::Source> source;
   std::optional<DataPhase> phase;
   std::optional<Measurements> measured;  // for own rules
 };
@@ -66,15 +68,19 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report, Checked
   Resources& resources = checked.resources;
   resources = load_resources(context, sink, report);
   decode_views(context, resources.data, sink);
-  DataPhase& phase = checked.phase.emplace(DataPhase{context, resources.data, sink, report});
+  const measure::Source& source = checked.source.emplace(
+      measure::Opened{report.path, container, context.files, context.asset, context.views,
+                      resources.data, context.schemas, context.options.jobs});
+  DataPhase& phase =
+      checked.phase.emplace(DataPhase{context, resources.data, source, sink, report});
   for (const DataRule& rule : data_rules()) {
     if (!rule.additional || !context.deviations.no_additional_rules) rule.check(phase);
   }
   check_truncated(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
   check_targets(context, resources.data, sink);
-  check_limits(context, resources.data, report, sink);
-  checked.measured = take_own_measures(context, resources.data, report.path);
+  check_limits(context, source, report, sink);
+  checked.measured = take_own_measures(context, source);
   report.info->resources = std::move(resources.listed);
 }
 

@@ -4,7 +4,6 @@
 #include <set>
 #include <vector>
 
-#include "measure/source.hpp"
 #include "measure/take.hpp"
 #include "rules/collector.hpp"
 #include "rules/own/own_rules.hpp"
@@ -42,8 +41,7 @@ std::vector<const MeasureDescription*> named_measures(const OwnPage& page) {
 }
 
 std::optional<Measurements> take_own_measures(const Context& context,
-                                              const model::ResourceData& resources,
-                                              const std::string& name) {
+                                              const measure::Source& source) {
   const bool runs = context.options.own_rules && !context.deviations.no_additional_rules;
   if (!runs) return std::nullopt;
   measure::Request request;
@@ -55,8 +53,6 @@ std::optional<Measurements> take_own_measures(const Context& context,
   if (request.wanted->empty()) return std::nullopt;
   if (context.options.products) request.parameters.product = context.options.products->find(name);
   request.pixels = context.options.pixels != PixelLevel::headers;
-  const measure::Source source({name, context.container, context.files, context.asset,
-                                context.views, resources, context.schemas, context.options.jobs});
   return measure::take(source, request);
 }
 

@@ -10,9 +10,12 @@
 #include <string_view>
 #include <vector>
 
-#include "model/resource_data.hpp"
 #include "rules/context.hpp"
 #include "rules/own/own_page.hpp"
+
+namespace gltfx::measure {
+class Source;
+}
 
 namespace gltfx::validate {
 
@@ -23,9 +26,8 @@ std::optional<MeasureScope> measure_scope_of(const OwnScope& scope);
 std::vector<const MeasureDescription*> named_measures(const OwnPage& page);
 
 /// Takes the measures whose names are members in a schema of a rule that is enabled. Nothing
-/// without such a name. `name`: the path of the asset.
+/// without such a name.
 std::optional<Measurements> take_own_measures(const Context& context,
-                                              const model::ResourceData& resources,
-                                              const std::string& name);
+                                              const measure::Source& source);
 
 }  // namespace gltfx::validate

@@ -13,6 +13,10 @@
 #include "model/accessor_data.hpp"
 #include "rules/context.hpp"
 
+namespace gltfx::measure {
+class Source;
+}
+
 namespace gltfx::validate {
 
 /// Limits of the numbers that are read, and of the errors that are listed one by one. Accessors may
@@ -35,6 +39,7 @@ class Budget {
 struct DataPhase {
   const Context& context;
   const model::ResourceData& resources;
+  const measure::Source& measured;  ///< what measures share of the asset
   Sink& sink;
   FileReport& report;
   Budget budget = Budget(resources);

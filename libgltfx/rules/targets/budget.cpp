@@ -224,14 +224,12 @@ class LimitCheck {
 
 }  // namespace
 
-void check_limits(const Context& context, const model::ResourceData& resources, FileReport& report,
+void check_limits(const Context& context, const measure::Source& source, FileReport& report,
                   Sink& sink) {
   const std::vector<Limit>& limits = context.options.limits;
   if (limits.empty() || context.deviations.no_additional_rules) return;
   std::vector<Group> groups = groups_of(limits, context.options);
   if (groups.empty()) return;
-  const measure::Source source({report.path, context.container, context.files, context.asset,
-                                context.views, resources, context.schemas, context.options.jobs});
   std::vector<Measurements> taken;
   std::vector<std::optional<std::size_t>> group_of(limits.size());
   for (std::size_t group = 0; group < groups.size(); ++group) {
