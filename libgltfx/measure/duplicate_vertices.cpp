@@ -2,7 +2,6 @@
 // Vertices that are equal in all attributes and morph targets.
 #include <algorithm>
 #include <cstring>
-#include <optional>
 #include <set>
 #include <string>
 #include <type_traits>
@@ -26,6 +25,12 @@ T comparable(T value) {
   return value;
 }
 
+// An attribute of a primitive or of one of its targets.
+struct VertexAttribute {
+  model::Attribute attribute;
+  bool own = false;  // of the primitive
+};
+
 class DuplicateVertices {
  public:
   DuplicateVertices(const Source& source, Column& column)
@@ -34,13 +39,13 @@ class DuplicateVertices {
   void take(const std::vector<Subject>& subjects) {
     std::set<std::vector<std::uint64_t>> known;  // bitstream and accessors
     for (const Subject& subject : subjects) {
-      const std::vector<model::Attribute> attributes = all_attributes(*subject.primitive);
+      const std::vector<VertexAttribute> attributes = all_attributes(*subject.primitive);
       if (attributes.empty()) {
         column_.does_not_apply(subject.element, "The primitive has no attributes.");
         continue;
       }
       std::vector<std::uint64_t> key{vertex_key(source_, *subject.primitive).first};
-      for (const model::Attribute& attribute : attributes) key.push_back(*attribute.accessor);
+      for (const VertexAttribute& each : attributes) key.push_back(*each.attribute.accessor);
       if (known.insert(std::move(key)).second) {
         count(subject, attributes);
       } else {
@@ -50,30 +55,36 @@ class DuplicateVertices {
   }
 
  private:
-  // Of the primitive and its targets, each accessor once.
-  std::vector<model::Attribute> all_attributes(const model::Primitive& primitive) const {
-    std::vector<model::Attribute> all = primitive.attributes;
+  // Each accessor once.
+  std::vector<VertexAttribute> all_attributes(const model::Primitive& primitive) const {
+    std::vector<VertexAttribute> all;
+    const auto add = [&](const std::vector<model::Attribute>& attributes, bool own) {
+      for (const model::Attribute& each : attributes) {
+        if (each.accessor) all.push_back({each, own});
+      }
+    };
+    add(primitive.attributes, true);
     for (const json::NodeId target : primitive.targets) {
-      const auto more = model::read_attributes(source_.asset(), target);
-      all.insert(all.end(), more.begin(), more.end());
+      add(model::read_attributes(source_.asset(), target), false);
     }
-    std::erase_if(all, [](const model::Attribute& each) { return !each.accessor; });
-    std::sort(all.begin(), all.end(), [](const model::Attribute& a, const model::Attribute& b) {
-      return *a.accessor < *b.accessor;
-    });
-    const auto same = [](const model::Attribute& a, const model::Attribute& b) {
-      return a.accessor == b.accessor;
+    std::stable_sort(all.begin(), all.end(),
+                     [](const VertexAttribute& a, const VertexAttribute& b) {
+                       return *a.attribute.accessor < *b.attribute.accessor;
+                     });
+    const auto same = [](const VertexAttribute& a, const VertexAttribute& b) {
+      return a.attribute.accessor == b.attribute.accessor;
     };
     all.erase(std::unique(all.begin(), all.end(), same), all.end());
     return all;
   }
 
-  void count(const Subject& subject, const std::vector<model::Attribute>& attributes) {
+  void count(const Subject& subject, const std::vector<VertexAttribute>& attributes) {
     const PrimitiveData data(source_.geometry(), *subject.primitive);
     std::vector<AccessorData> columns;
     bool readable = true;
-    for (const model::Attribute& attribute : attributes) {
-      auto opened = open(data, attribute);
+    for (const auto& [attribute, own] : attributes) {
+      // Attributes of a bitstream have names; those of targets are in accessors.
+      auto opened = own ? data.open(attribute) : data.open(attribute.accessor);
       readable = readable && (opened || is_implied(data, attribute));
       if (opened) columns.push_back(*std::move(opened));
     }
@@ -81,16 +92,6 @@ class DuplicateVertices {
       return column_.could_not_be_taken(subject.element, "An attribute cannot be read.");
     }
     count(subject.element, columns);
-  }
-
-  // Attributes of a bitstream have names; those of targets are in accessors.
-  std::optional<AccessorData> open(const PrimitiveData& data,
-                                   const model::Attribute& attribute) const {
-    const auto& own = data.primitive().attributes;
-    const bool is_own = std::any_of(own.begin(), own.end(), [&](const model::Attribute& each) {
-      return each.value == attribute.value;
-    });
-    return is_own ? data.open(attribute) : data.open(attribute.accessor);
   }
 
   // All elements are zeros, and so equal.

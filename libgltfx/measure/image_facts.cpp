@@ -58,8 +58,7 @@ std::uint64_t gpu_bytes(const Ktx2& file) {
   return sum;
 }
 
-void read_ktx2(const model::ImageData& data, ImageFacts& facts) {
-  const Ktx2 file = image::read_ktx2(data.bytes->view());
+void read_ktx2(const Ktx2& file, ImageFacts& facts) {
   facts.width = file.width;
   facts.height = file.height;
   facts.levels = std::max(file.level_count, 1U);
@@ -71,7 +70,7 @@ void read_ktx2(const model::ImageData& data, ImageFacts& facts) {
 
 void read_pixels(const model::ImageData& data, ImageFacts& facts) {
   if (data.format) facts.format = image::media_type(*data.format);
-  if (data.format == image::Format::ktx2) return read_ktx2(data, facts);
+  if (data.ktx2) return read_ktx2(*data.ktx2, facts);
   if (!data.header) return;
   facts.width = data.header->width;
   facts.height = data.header->height;

@@ -13,6 +13,7 @@
 #include "base/suggestion.hpp"
 #include "base/text.hpp"
 #include "measure/quantity.hpp"
+#include "measure/take.hpp"
 #include "schema/pattern.hpp"
 
 namespace gltfx {
@@ -234,11 +235,22 @@ bool is_parameter(std::string_view name) {
   return name == "weld" || name == "angle" || name == "at" || name == "slot";
 }
 
+bool is_of_topology(const MeasureDescription& measure) {
+  const auto entries = take_entries();
+  const auto topology = std::find_if(entries.begin(), entries.end(), [](const TakeEntry& entry) {
+    return entry.take == take_topology;
+  });
+  const auto at = static_cast<Name>(&measure - measures().data());
+  return topology != entries.end() &&
+         std::find(topology->measures.begin(), topology->measures.end(), at) !=
+             topology->measures.end();
+}
+
 bool has_parameter(const MeasureDescription& measure, std::string_view name) {
   if (name == "angle") return measure.name == "hard-edges";
   if (name == "at") return measure.name == "uv-gutter";
   if (name == "slot") return measure.name.starts_with("texel-density");
-  return measure.is_on(MeasureScope::mesh);
+  return name == "weld" && is_of_topology(measure);
 }
 
 namespace {

@@ -28,8 +28,8 @@ struct Surface {
 /// side. Precondition: positions are distinct and finite, and each index is that of one.
 Surface make_surface(std::vector<Float3> positions, std::vector<model::Triangle> triangles);
 
-/// Lists of numbers by the vertex that they belong to, each sorted. Precondition: fill() puts as
-/// many as `sizes` announces.
+/// Lists of numbers by the vertex that they belong to, each sorted. Precondition: put() is
+/// called as often for each vertex as `sizes` says.
 class VertexLists {
  public:
   explicit VertexLists(std::vector<std::uint32_t> sizes) : ends_(std::move(sizes)) {

@@ -97,6 +97,9 @@ class Taking {
 /// value and a reason.
 Measurements take(const Source& source, const Request& request);
 
+/// Takes the measures of welded surfaces.
+void take_topology(Taking& taking);
+
 /// A function that pages name, and the measures of those pages.
 struct TakeEntry {
   void (*take)(Taking&) = nullptr;

@@ -91,15 +91,6 @@ class MeshMeasurer {
     if (taking_.wants(Name::duplicate_triangles)) values.duplicates = count_duplicates(surface);
   }
 
-  bool wants_edges() const {
-    for (const Name name :
-         {Name::open_edges, Name::non_manifold_edges, Name::flipped_edges, Name::closed,
-          Name::hard_edges, Name::volume, Name::non_manifold_vertices}) {
-      if (taking_.wants(name)) return true;
-    }
-    return false;
-  }
-
   void store(std::size_t mesh, const MeshValues& values) {
     const auto set = [&](Name name, MeasureValue value, std::string_view none = {}) {
       Column* column = taking_.column(MeasureScope::mesh, name);

@@ -151,9 +151,14 @@ TEST(Bounds, CopiesOfAllNodesHaveOneBudget) {
   node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = places;
   asset.add("nodes", node);
   asset.add("scenes", Json{{"nodes", {0}}});
-  EXPECT_EQ(size(measured(asset), "size-x"), 8);
+  Request request;
+  request.wanted.emplace();
+  for (const Name name : {Name::instances, Name::size_x, Name::surface_area}) {
+    request.wanted->push_back({MeasureScope::scene, name});
+  }
+  EXPECT_EQ(size(measured(asset, request), "size-x"), 8);
   asset.json["scenes"][0]["nodes"].push_back(asset.add("nodes", node));
-  const Measurements two = measured(asset);
+  const Measurements two = measured(asset, request);
   EXPECT_EQ(size(two, "instances"), 3'000'000) << "to count them takes no memory";
   for (const char* name : {"size-x", "surface-area"}) {
     EXPECT_EQ(reason(two, MeasureScope::scene, name),
@@ -167,7 +172,9 @@ TEST(Bounds, JointsOfManyScenesHaveOneBudget) {
   asset.add("nodes", Json{{"mesh", 0}, {"skin", 0}});
   asset.add("skins", Json{{"joints", std::vector<int>(100'000, 0)}});
   for (int i = 0; i < 40; ++i) asset.add("scenes", Json{{"nodes", {0}}});
-  const Measurements taken = measured(asset);
+  Request request;
+  request.wanted = {{MeasureScope::scene, Name::size_x}};
+  const Measurements taken = measured(asset, request);
   EXPECT_EQ(value(taken, MeasureScope::scene, "size-x", 0), 1);
   EXPECT_EQ(value(taken, MeasureScope::scene, "size-x", 39), nullptr);
 }

@@ -123,8 +123,10 @@ TEST_F(Budgets, MistakesAreNamedWithTheirLine) {
   EXPECT_THAT(said("[budgets]\ntriangles = { max = 1, severity = \"loud\" }\n"),
               HasSubstr("severity must be"));
   EXPECT_THAT(said("budgets = 3\n"), HasSubstr("a table of MEASURE = LIMIT is expected"));
-  EXPECT_THAT(said("[budgets]\ntriangles = { max = 1, weld = -1 }\n"),
+  EXPECT_THAT(said("[budgets]\nopen-edges = { max = 1, weld = -1 }\n"),
               HasSubstr("weld must be a number"));
+  EXPECT_THAT(said("[budgets]\ntriangles = { max = 1, weld = 1 }\n"),
+              HasSubstr("triangles does not depend on weld"));
   EXPECT_THAT(said("[budgets]\nmaterials = { max = 1, slot = \"a\" }\n"),
               HasSubstr("does not depend on slot"));
 }
@@ -140,7 +142,7 @@ TEST_F(Budgets, HostileConfigurationsAreRefused) {
   EXPECT_THAT(said(many), HasSubstr("more than 10000 limits"));
   std::string welds;
   for (int i = 0; i < 100; ++i) {
-    welds += "[[overrides]]\npaths=[\"*\"]\nbudgets.mesh.triangles={max=1,weld=0." +
+    welds += "[[overrides]]\npaths=[\"*\"]\nbudgets.mesh.open-edges={max=1,weld=0." +
              std::to_string(i + 10) + "}\n";
   }
   EXPECT_THAT(said(welds), HasSubstr("more than 16 combinations"));
