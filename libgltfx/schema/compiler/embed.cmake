@@ -17,7 +17,7 @@ add_executable(gltfx_schema_compiler schema/compiler/main.cpp schema/compiler/em
   schema/compiler/material_table.cpp)
 target_link_libraries(gltfx_schema_compiler PRIVATE gltfx_schema_core gltfx_options fmt::fmt)
 
-add_executable(gltfx_page_compiler schema/compiler/page_main.cpp schema/compiler/rule_page.cpp
+add_executable(gltfx_page_compiler base/measure.cpp schema/compiler/page_main.cpp schema/compiler/rule_page.cpp
   schema/compiler/measure_page.cpp schema/compiler/embed.cpp schema/page_reader.cpp)
 target_link_libraries(gltfx_page_compiler PRIVATE gltfx_options)
 target_include_directories(gltfx_page_compiler PRIVATE ${CMAKE_CURRENT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR}/include)

@@ -2,7 +2,6 @@
 #include "schema/compiler/measure_page.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <optional>
 #include <utility>
@@ -12,24 +11,20 @@
 namespace gltfx::schema {
 namespace {
 
-template <std::size_t N>
-std::size_t position(const std::array<std::string_view, N>& names, std::string_view word,
-                     PageReader& reader) {
-  const auto at = std::find(names.begin(), names.end(), word);
-  if (at != names.end()) return static_cast<std::size_t>(at - names.begin());
+// The value with that name.
+template <class Enum>
+Enum value_of(std::string_view (*name_of)(Enum), std::string_view word, PageReader& reader) {
   std::string allowed;
-  for (const std::string_view name : names) {
+  for (int i = 0;; ++i) {
+    const auto value = static_cast<Enum>(i);
+    const std::string_view name = name_of(value);
+    if (name.empty()) break;
+    if (name == word) return value;
     allowed += (allowed.empty() ? "" : ", ") + std::string(name);
   }
   reader.fail("expected one of " + allowed);
-  return 0;
+  return {};
 }
-
-constexpr std::array<std::string_view, kMeasureScopeCount> kScopes{
-    "asset", "scene", "node", "mesh", "primitive", "material", "image", "skin", "animation"};
-constexpr std::array<std::string_view, 4> kTypes{"number", "flag", "text", "set"};
-constexpr std::array<std::string_view, 5> kTotals{"none", "sum", "max", "min", "all"};
-constexpr std::array<std::string_view, 3> kNeeds{"json", "bytes", "pixels"};
 
 // Calls `use` for each part of "mesh, primitive".
 template <class Use>
@@ -43,20 +38,20 @@ void each_part(std::string_view list, const Use& use) {
 
 void read_scopes(MeasurePage& page, std::string_view list, PageReader& reader) {
   each_part(list, [&](std::string_view name) {
-    const std::size_t scope = position(kScopes, name, reader);
-    if (page.on == 0) page.first = static_cast<MeasureScope>(scope);
-    page.on = static_cast<std::uint16_t>(page.on | 1U << scope);
+    const MeasureScope scope = value_of(measure_scope_name, name, reader);
+    if (page.on == 0) page.first = scope;
+    page.on = static_cast<std::uint16_t>(page.on | 1U << static_cast<unsigned>(scope));
   });
 }
 
 void read_key(MeasurePage& page, std::string_view key, std::string_view value, PageReader& reader) {
   if (key == "on") return read_scopes(page, value, reader);
   if (key == "type") {
-    page.type = static_cast<MeasureType>(position(kTypes, value, reader));
+    page.type = value_of(measure_type_name, value, reader);
   } else if (key == "total") {
-    page.total = static_cast<MeasureTotal>(position(kTotals, value, reader));
+    page.total = value_of(measure_total_name, value, reader);
   } else if (key == "needs") {
-    page.needs = static_cast<MeasureNeeds>(position(kNeeds, value, reader));
+    page.needs = value_of(measure_needs_name, value, reader);
   } else if (key == "unit") {
     page.unit = value;
   } else if (key == "by") {
