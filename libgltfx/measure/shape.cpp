@@ -69,7 +69,6 @@ class ShapeReader {
     // Corners of triangles are numbered, too.
     if (shape_.positions.size() >= UINT32_MAX || most >= UINT32_MAX / 3) return kTooLarge;
     model::Geometry geometry;
-    geometry.triangles.reserve(static_cast<std::size_t>(most));
     if (!model::assemble(data, static_cast<std::uint32_t>(positions->count()), geometry)) {
       return kNoIndices;
     }

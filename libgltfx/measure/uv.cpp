@@ -68,10 +68,9 @@ LargestTexture largest_texture(const Source& source, const MaterialTextures& tex
 // The values of one material.
 class UvMeasurer {
  public:
-  UvMeasurer(Taking& taking, std::size_t material, const UvSurface& surface)
+  UvMeasurer(Taking& taking, std::size_t material, UvSurface surface)
       : taking_(taking), material_(material) {
     std::uint64_t outside = 0, degenerate = 0, inverted = 0;
-    sound_.points = surface.points;
     sound_.triangles.reserve(surface.triangles.size());
     for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
       const UvTriangle corners = surface.corners(i);
@@ -85,6 +84,7 @@ class UvMeasurer {
       if (signed_area(corners) > 0) ++inverted;
       box_.include(box_of(corners));
     }
+    sound_.points = std::move(surface.points);
     set(Name::uv_outside, outside);
     set(Name::uv_degenerate, degenerate);
     set(Name::uv_inverted, inverted);
@@ -185,7 +185,7 @@ void take_uv(Taking& taking) {
       }
       continue;
     }
-    UvMeasurer measurer(taking, material, surface);
+    UvMeasurer measurer(taking, material, std::move(surface));
     const LargestTexture largest = largest_texture(source, own, set);
     measurer.take_overlap();
     measurer.take_islands(largest);

@@ -99,7 +99,9 @@ GeometryError assemble_finite(const PrimitiveData& data, Geometry& geometry) {
   std::erase_if(geometry.triangles, has_infinite);
   std::erase_if(geometry.segments, has_infinite);
   std::erase_if(geometry.points, is_infinite);
-  geometry.triangles.shrink_to_fit();
+  if (geometry.triangles.size() < geometry.triangles.capacity() / 2) {
+    geometry.triangles.shrink_to_fit();
+  }
   return geometry.empty() ? GeometryError::empty : GeometryError::none;
 }
 
@@ -285,7 +287,10 @@ bool assemble(const PrimitiveData& data, std::uint32_t vertices, Geometry& to) {
   const codec::DracoMesh* packed = data.packed();
   const Mode mode = packed != nullptr ? Mode::triangles : *data.primitive().mode;
   PrimitiveAssembly assembly(mode, vertices, restart_index(data), to);
-  if (packed != nullptr) to.triangles.reserve(to.triangles.size() + packed->indices.size() / 3);
+  if (draws_triangles(mode)) {
+    const std::uint64_t most = index_count(data, vertices) / (mode == Mode::triangles ? 3 : 1);
+    to.triangles.reserve(to.triangles.size() + static_cast<std::size_t>(most));
+  }
   if (!for_each_index(data, vertices, [&](std::uint32_t index) { assembly.add(index); })) {
     return false;
   }

@@ -126,7 +126,7 @@ template <typename Use>
 bool for_each_index(const PrimitiveData& data, std::uint32_t vertices, Use use);
 
 /// Makes the triangles, segments or points of a primitive with so many vertices. False: its indices
-/// cannot be read. Precondition: it has a mode.
+/// cannot be read. Preconditions: it has a mode; a budget allows a triangle for each index.
 bool assemble(const PrimitiveData& data, std::uint32_t vertices, Geometry& to);
 
 /// Whether the asset may have compressed geometry, of which a byte is worth many.
