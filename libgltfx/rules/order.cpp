@@ -132,8 +132,20 @@ constexpr DataRule kDataRules[] = {
 
 // What an asset without errors shows.
 constexpr DataRule kShownRules[] = {
-    {check_nothing_visible}, {check_far_positions}, {check_stray_vertices}, {check_rest_pose},
-    {check_morph_reach},     {check_keyframes},     {check_clips},          {check_bound_names},
+    {check_nothing_visible},
+    {check_far_positions},
+    {check_stray_vertices},
+    {check_rest_pose},
+    {check_morph_reach},
+    {check_keyframes},
+    {check_clips},
+    {check_bound_names},
+    {check_material_values},
+    {check_vertex_colors},
+    {check_light_intensity},
+    {check_texture_contents},
+    {check_texture_coordinates},
+    {check_shown_alpha},
 };
 
 }  // namespace

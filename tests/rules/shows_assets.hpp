@@ -200,18 +200,20 @@ inline std::set<std::string, std::less<>> codes_of_group(std::string_view group)
 
 inline constexpr unsigned kDraws = 50;
 
-/// What `--select` of the group reports on an asset; without a severity of its own for hints.
+/// What `--select` of the group reports on an asset, with pixels; without a severity of its own for
+/// hints.
 inline FileReport shown(const std::string& asset) {
   ValidateOptions options;
+  options.pixels = PixelLevel::needed;
   options.select = codes_of_group("shows");
   return validate_bytes(asset, "test", options);
 }
 
 /// Each asset drawn from the generators is found, at a pointer that begins so.
 inline void expect_found(const std::string& code, const std::string& pointer,
-                         const std::vector<Generator>& generators) {
+                         const std::vector<Generator>& generators, unsigned draws = kDraws) {
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    for (unsigned seed = 0; seed < kDraws; ++seed) {
+    for (unsigned seed = 0; seed < draws; ++seed) {
       Drawn drawn(seed);
       generators[i](drawn);
       const std::string asset = drawn.text();
@@ -228,9 +230,9 @@ inline void expect_found(const std::string& code, const std::string& pointer,
 
 /// None of them has a finding of the group, but those that `besides` names.
 inline void expect_silent(const std::vector<Generator>& generators,
-                          const std::set<std::string_view>& besides = {}) {
+                          const std::set<std::string_view>& besides = {}, unsigned draws = kDraws) {
   for (std::size_t i = 0; i < generators.size(); ++i) {
-    for (unsigned seed = 0; seed < kDraws; ++seed) {
+    for (unsigned seed = 0; seed < draws; ++seed) {
       Drawn drawn(seed);
       generators[i](drawn);
       const std::string asset = drawn.text();

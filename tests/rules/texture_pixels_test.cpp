@@ -48,9 +48,13 @@ TEST(PixelLevels, AreHeadersUnlessAskedFor) {
 }
 
 TEST(PixelLevels, OnlyWhatARuleNeedsIsDecoded) {
-  const Textured textured{base_color(), {broken_png()}};
+  const Textured textured{extension("KHR_materials_clearcoat",
+                                    R"("clearcoatFactor": 1, "clearcoatTexture": {"index": 0})"),
+                          {broken_png()},
+                          {},
+                          R"("KHR_materials_clearcoat")"};
   EXPECT_EQ(about_textures(textured), Lines{});
-  EXPECT_EQ(needed(textured), Lines{}) << "no rule of this profile looks at base colours";
+  EXPECT_EQ(needed(textured), Lines{}) << "no rule of this profile looks at a clearcoat";
   EXPECT_EQ(needed({base_color(R"(, "alphaMode": "MASK")"), {rgba_png()}}), Lines{});
   EXPECT_EQ(about_textures(textured, Profile::standard, PixelLevel::all),
             Lines{"IMAGE_PIXELS_INVALID /images/0"});

@@ -6,6 +6,7 @@
 #include <gltfx/report.hpp>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -35,6 +36,8 @@ class Budget {
   std::uint64_t listed_left_;
 };
 
+struct StudiedTextures;
+
 /// State shared by the rules. They count the images that they decode in `report`.
 struct DataPhase {
   const Context& context;
@@ -46,6 +49,8 @@ struct DataPhase {
   /// By accessor, the elements of those without a buffer view whose data is part of compressed
   /// geometry.
   std::unordered_map<std::uint32_t, model::AccessorData> decoded = {};
+  /// The texture slots, once check_texture_slots() has run; null if there are none.
+  std::shared_ptr<StudiedTextures> textures = {};
 
   std::optional<model::AccessorData> open(std::uint32_t accessor) const {
     const auto found = decoded.find(accessor);

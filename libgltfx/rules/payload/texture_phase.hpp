@@ -6,6 +6,7 @@
 #include <gltfx/report.hpp>
 
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 #include <variant>
 #include <vector>
@@ -13,6 +14,8 @@
 #include "codec/client.hpp"
 #include "model/image_decoding.hpp"
 #include "model/resource_data.hpp"
+#include "rules/core/animated.hpp"
+#include "rules/payload/texel_study.hpp"
 #include "rules/payload/texture_slots.hpp"
 
 namespace gltfx::validate {
@@ -26,7 +29,12 @@ class PixelSource {
                        std::uint64_t texels = std::uint64_t{1} << 30U)
       : decoding_(resources, texels) {}
 
-  using Request = model::ImageDecoding::Request;
+  struct Request {
+    std::uint32_t image = 0;
+    bool normals = false;  ///< check it as a normal map
+    bool slopes = false;   ///< study its slopes
+    bool alpha = false;    ///< study its alpha
+  };
   /// Decodes images with a valid header, `jobs` at a time; others are skipped, and images beyond
   /// the limit of texels fail as too large. Stops if images reach limits of time and memory.
   void decode(const std::vector<Request>& wanted, unsigned jobs);
@@ -41,8 +49,21 @@ class PixelSource {
     const codec::ImageResult* result = result_of(image);
     return result == nullptr ? nullptr : std::get_if<codec::DecodeError>(result);
   }
+  /// The studies that were requested of an image, or null: also where it has too few channels.
+  const SlopeStudy* slopes(std::uint32_t image) const {
+    const auto found = studies_.find(image);
+    return found == studies_.end() || !found->second.slopes ? nullptr : &*found->second.slopes;
+  }
+  const AlphaStudy* alpha(std::uint32_t image) const {
+    const auto found = studies_.find(image);
+    return found == studies_.end() || !found->second.alpha ? nullptr : &*found->second.alpha;
+  }
 
  private:
+  struct Studies {
+    std::optional<SlopeStudy> slopes;
+    std::optional<AlphaStudy> alpha;
+  };
   const codec::ImageResult* result_of(std::uint32_t image) const {
     const auto found = results_.find(image);
     return found == results_.end() ? nullptr : &found->second;
@@ -50,6 +71,14 @@ class PixelSource {
 
   model::ImageDecoding decoding_;
   std::unordered_map<std::uint32_t, codec::ImageResult> results_;  ///< by image
+  std::unordered_map<std::uint32_t, Studies> studies_;             ///< likewise
+};
+
+/// What the phase leaves to rules about what an asset shows.
+struct StudiedTextures {
+  Animated animated;
+  std::vector<TextureSlot> slots;
+  PixelSource pixels;
 };
 
 /// The input of the rules of this phase. They report to `sink`.
@@ -67,6 +96,10 @@ struct TexturePhase {
     return found && found->doubt.empty() ? &*found : nullptr;
   }
 };
+
+/// Statistics of the channel that a slot reads as 'r', 'g', 'b' or 'a'. Precondition: for 'a' the
+/// image has alpha.
+const codec::ChannelStatistics& statistics_of(const codec::Image& image, char channel);
 
 /// Channels: missing alpha and colors, textures hidden by a factor of 0, coverage.
 void check_channels(const TexturePhase& phase);

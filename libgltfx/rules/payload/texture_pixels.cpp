@@ -56,12 +56,6 @@ void check_decoded(const TexturePhase& phase) {
 
 // --- Channels that are the same everywhere ---
 
-const codec::ChannelStatistics& statistics_of(const codec::Image& image, char channel) {
-  if (channel == 'a') return image.alpha();
-  if (image.channels < 3) return image.statistics[0];
-  return image.statistics[channel == 'r' ? 0 : channel == 'g' ? 1 : 2];
-}
-
 bool has_channel(const codec::Image& image, char channel) {
   return channel != 'a' || image.has_alpha();
 }
@@ -179,6 +173,12 @@ void check_normal_map(const TexturePhase& phase, const TextureSlot& slot, std::u
 }
 
 }  // namespace
+
+const codec::ChannelStatistics& statistics_of(const codec::Image& image, char channel) {
+  if (channel == 'a') return image.alpha();
+  if (image.channels < 3) return image.statistics[0];
+  return image.statistics[channel == 'r' ? 0 : channel == 'g' ? 1 : 2];
+}
 
 void check_pixels(const TexturePhase& phase) {
   check_decoded(phase);

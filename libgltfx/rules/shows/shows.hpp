@@ -25,5 +25,18 @@ void check_keyframes(DataPhase& phase);
 void check_clips(DataPhase& phase);
 /// Names that engines bind by: those of morph targets, and of nodes that move.
 void check_bound_names(DataPhase& phase);
+/// Materials that hide their own textures, that are metals by default, or blend a whole character.
+void check_material_values(DataPhase& phase);
+/// Vertex colors that are black everywhere. Reads one color of a primitive where it is not black.
+void check_vertex_colors(DataPhase& phase);
+/// Lights that are off or blinding.
+void check_light_intensity(DataPhase& phase);
+/// Textures that make a surface black or violet, or turn its relief over. By decoded images.
+void check_texture_contents(DataPhase& phase);
+/// Texture coordinates that show one color of a texture, its edge, or a tiny part. Reads a few
+/// triangles of a primitive, and all only where these are suspicious.
+void check_texture_coordinates(DataPhase& phase);
+/// Alpha modes that do not suit the texels that triangles show. By decoded images.
+void check_shown_alpha(DataPhase& phase);
 
 }  // namespace gltfx::validate
