@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which parts of textures the triangles show.
+#include <map>
+
 #include "rules/shows_textured.hpp"
 
 namespace gltfx::test {
@@ -150,11 +152,16 @@ TEST(OutsideOfAClampedTexture, BordersRepeatsAndDecalsAreNotReported) {
 
 constexpr int kLarge = 1024;
 
-// Stripes in one bit.
-std::string striped(int size) {
-  return encode_png(
-      {static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(size), PngColor::grey, 1,
-       std::string(static_cast<std::size_t>(size) * static_cast<std::size_t>(size) / 8, '\x3c')});
+// Stripes in one bit, made once for a size.
+const std::string& striped(int size) {
+  static std::map<int, std::string> made;
+  std::string& png = made[size];
+  if (png.empty()) {
+    const auto side = static_cast<std::size_t>(size);
+    png = encode_png({static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(size),
+                      PngColor::grey, 1, std::string(side * side / 8, '\x3c')});
+  }
+  return png;
 }
 
 TEST(BarelyUsedTexture, IsFound) {
