@@ -62,9 +62,10 @@ class CoordinateCheck {
     }
     for (const auto& [texture, uses] : uses_) check_collapsed(uses);
     for (const auto& [texture, uses] : uses_) {
+      const model::Sampler sampler = sampler_of(texture);
       for (const TextureUse& use : uses) {
         check_tangent_space(use);
-        check_clamped(use);
+        check_clamped(use, sampler);
       }
     }
     check_sizes();
@@ -182,13 +183,12 @@ class CoordinateCheck {
 
   // --- Beyond the edge ---
 
-  model::Sampler sampler_of(const TextureUse& use) const {
+  model::Sampler sampler_of(std::uint32_t texture) const {
     const auto& textures = context_.asset.elements(model::RootArray::textures);
-    return model::read_texture(context_.asset, textures[use.slot->texture]).sampler;
+    return model::read_texture(context_.asset, textures[texture]).sampler;
   }
 
-  void check_clamped(const TextureUse& use) {
-    const model::Sampler sampler = sampler_of(use);
+  void check_clamped(const TextureUse& use, const model::Sampler& sampler) {
     const std::array<bool, 2> clamped{sampler.wrap_s == model::Wrap::clamp_to_edge,
                                       sampler.wrap_t == model::Wrap::clamp_to_edge};
     if (!clamped[0] && !clamped[1]) return;
