@@ -16,6 +16,22 @@ std::array<std::uint64_t, 3> corners_of(model::Mode mode, std::uint64_t i) {
   return {mode == model::Mode::triangle_fan ? 0 : i, i + 1, i + 2};
 }
 
+// The first N numbers of an element that exists, without memory of its own.
+template <std::size_t N>
+std::array<double, N> numbers_at(const model::AccessorData& data, std::uint64_t index) {
+  std::array<double, N> numbers{};
+  model::with_component_type(data.format().component, [&](auto zero) {
+    using T = decltype(zero);
+    std::array<T, 16> values{};
+    data.read_one(reinterpret_cast<std::byte*>(values.data()), index);
+    for (std::size_t k = 0; k < N; ++k) {
+      numbers[k] = static_cast<double>(model::to_float(values[k], data.format().normalized));
+      if (N == 1) numbers[k] = static_cast<double>(values[k]);
+    }
+  });
+  return numbers;
+}
+
 }  // namespace
 
 std::vector<std::vector<PlacedPrimitive>> primitives_of_materials(const Context& context) {
@@ -51,6 +67,7 @@ UvSample sample_uvs(DataPhase& phase, const model::Primitive& primitive,
   const std::uint64_t corners = indices ? indices->count() : uvs.count();
   const bool list = *primitive.mode == model::Mode::triangles;
   UvSample sample;
+  sample.triangles.reserve(kFew);
   sample.of = list ? corners / 3 : corners - std::min<std::uint64_t>(corners, 2);
   for (std::uint64_t n = 0; n < std::min(kFew, sample.of); ++n) {
     // Without an overflow: at most 16 times a count of elements.
@@ -60,13 +77,12 @@ UvSample sample_uvs(DataPhase& phase, const model::Primitive& primitive,
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint64_t vertex = which[k];
       if (indices) {
-        const std::vector<float> index = model::element_at(*indices, vertex);
-        if (index.empty()) return {};
-        vertex = static_cast<std::uint64_t>(index.front());
+        if (vertex >= indices->count()) return {};
+        vertex = static_cast<std::uint64_t>(std::max(0.0, numbers_at<1>(*indices, vertex)[0]));
       }
-      const std::vector<float> uv = model::element_at(uvs, vertex);
-      if (uv.size() != 2) return {};
-      triangle[k] = {uv[0], uv[1]};
+      if (vertex >= uvs.count()) return {};
+      const auto [u, v] = numbers_at<2>(uvs, vertex);
+      triangle[k] = {static_cast<float>(u), static_cast<float>(v)};
     }
     sample.triangles.push_back(triangle);
   }
