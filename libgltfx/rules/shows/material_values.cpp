@@ -156,6 +156,8 @@ void check_metal(DataPhase& phase, std::uint32_t index, const Material& material
   const std::string word = dielectric_word(names);
   if (word.empty()) return;
   const NodeId object = phase.context.asset.elements(RootArray::materials)[index];
+  // Extensions may make it a surface of another kind.
+  if (phase.context.document.find(object, "extensions") != json::kNoNode) return;
   const NodeId rough = phase.context.document.find(object, "pbrMetallicRoughness");
   if (rough != json::kNoNode && !phase.context.document.is_object(rough)) return;
   const NodeId written =
