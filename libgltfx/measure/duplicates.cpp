@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Waste: what is stored again, and bytes that are the same.
+#include "measure/duplicates.hpp"
+
 #include <algorithm>
 #include <optional>
 #include <set>
@@ -115,14 +117,14 @@ class DuplicateObjects {
   }
 
   // Each is found once; materials and meshes need what they refer to.
-  std::uint64_t images() {
+  const Duplicates::Pairs& images() {
     if (!images_) {
       images_ = merge(RootArray::images, {"uri", "bufferView", "mimeType"},
                       [this](NodeId image) { return bytes_of(image); });
     }
     return *images_;
   }
-  std::uint64_t materials() {
+  const Duplicates::Pairs& materials() {
     if (!materials_) {
       images();
       merge(RootArray::samplers, {}, no_content);
@@ -131,7 +133,7 @@ class DuplicateObjects {
     }
     return *materials_;
   }
-  std::uint64_t accessors() {
+  const Duplicates::Pairs& accessors() {
     if (!equal_accessors_) {
       equal_accessors_ =
           merge(RootArray::accessors, {"bufferView", "byteOffset", "sparse", "min", "max"},
@@ -139,7 +141,7 @@ class DuplicateObjects {
     }
     return *equal_accessors_;
   }
-  std::uint64_t meshes() {
+  Duplicates::Pairs meshes() {
     materials();
     accessors();
     return merge(RootArray::meshes, {}, no_content);
@@ -156,8 +158,8 @@ class DuplicateObjects {
 
   // `stored`: members that say where the content is.
   template <class Hash>
-  std::uint64_t merge(RootArray array, std::initializer_list<std::string_view> stored,
-                      const Hash& content) {
+  Duplicates::Pairs merge(RootArray array, std::initializer_list<std::string_view> stored,
+                          const Hash& content) {
     graph::ContentGroups groups;
     for (const NodeId element : source_.asset().elements(array)) {
       if (element == json::kNoNode) continue;
@@ -170,9 +172,9 @@ class DuplicateObjects {
       equal_.describe(element, is_left_out, description);
       groups.add(element, std::move(description));
     }
-    const auto pairs = groups.find(content, [](NodeId, NodeId) { return true; });
+    Duplicates::Pairs pairs = groups.find(content, [](NodeId, NodeId) { return true; });
     for (const auto& [element, first] : pairs) equal_.merge(element, first);
-    return pairs.size();
+    return pairs;
   }
 
   std::optional<std::string> elements_of(NodeId object) {
@@ -198,7 +200,7 @@ class DuplicateObjects {
   ContentHash& hash_;
   graph::EqualObjects equal_;
   std::unordered_map<NodeId, std::uint32_t> accessors_;
-  std::optional<std::uint64_t> images_, materials_, equal_accessors_;
+  std::optional<Duplicates::Pairs> images_, materials_, equal_accessors_;
 };
 
 }  // namespace
@@ -218,10 +220,18 @@ void take_duplicates(Taking& taking) {
   };
   set(Name::duplicate_bytes, [&] { return DuplicateBytes(source, hash).count(); });
   DuplicateObjects objects(source, hash);
-  set(Name::duplicate_images, [&] { return objects.images(); });
-  set(Name::duplicate_materials, [&] { return objects.materials(); });
-  set(Name::duplicate_accessors, [&] { return objects.accessors(); });
-  set(Name::duplicate_meshes, [&] { return objects.meshes(); });
+  set(Name::duplicate_images, [&] { return objects.images().size(); });
+  set(Name::duplicate_materials, [&] { return objects.materials().size(); });
+  set(Name::duplicate_accessors, [&] { return objects.accessors().size(); });
+  set(Name::duplicate_meshes, [&] { return objects.meshes().size(); });
+}
+
+Duplicates find_duplicates(const Source& source) {
+  ContentHash hash(source);
+  DuplicateObjects objects(source, hash);
+  Duplicates found{objects.images(), objects.materials(), objects.accessors(), objects.meshes()};
+  found.complete = !hash.exhausted();
+  return found;
 }
 
 }  // namespace gltfx::measure

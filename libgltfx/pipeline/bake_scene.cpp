@@ -240,7 +240,9 @@ BakeScene build_bake_scene(const validate::ValidatedAsset& asset, FileReport rep
 
 BakeScene prepare_bake_scene(BakeScene result, const BakeOptions& options) {
   if (!result.scene) return result;
-  if (!result.subject) {
+  // Overlays show surfaces that are transparent, and another variant may have another alpha.
+  const bool plain = options.overlay == BakeOverlay::none && options.variant.empty();
+  if (!result.subject || (plain && !result.unseen.empty())) {
     return failed(std::move(result), BakeProblem::nothing_to_see,
                   "nothing in it is visible" + (result.unseen.empty() ? "" : ": " + result.unseen));
   }

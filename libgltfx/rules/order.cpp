@@ -12,19 +12,20 @@ const RuleGroup &accessor_layout_rules(), &accessor_timed_rules(), &accessor_val
     &agi_names_rules(), &animation_paths_rules(), &animation_pointer_rules(), &animation_rules(),
     &asset_root_rules(), &attribute_check_rules(), &attribute_names_rules(), &audio_rules(),
     &bound_names_rules(), &buffer_view_rules(), &buffers_rules(), &camera_rules(),
-    &container_rules(), &element_values_rules(), &extension_accessors_rules(),
-    &extension_use_rules(), &fallback_rules(), &gaussian_splatting_rules(), &image_source_rules(),
-    &images_rules(), &influences_rules(), &instancing_rules(), &interactivity_rules(),
-    &lights_image_based_rules(), &lights_punctual_rules(), &lod_rules(),
-    &material_extensions_rules(), &material_lobes_rules(), &material_rules(),
-    &materials_mdl_rules(), &materials_mtoon_rules(), &mesh_groups_rules(), &mesh_primitive_rules(),
-    &mesh_quantization_rules(), &mesh_rules(), &missing_files_rules(), &node_constraint_rules(),
-    &node_graph_rules(), &node_mesh_rules(), &node_transform_rules(), &nonvisual_geometry_rules(),
-    &packed_geometry_rules(), &physics_rules(), &resource_rules(), &scene_rules(),
-    &schema_fix_rules(), &single_root_rules(), &skin_rules(), &sparse_rules(), &spring_bone_rules(),
-    &structural_metadata_rules(), &techniques_webgl_rules(), &text_rules(), &unused_objects_rules(),
-    &uri_form_rules(), &value_fix_rules(), &view_use_rules(), &vrm_avatar_rules(),
-    &vrm_expressions_rules(), &vrm_humanoid_pose_rules(), &vrm_humanoid_rules(), &xmp_rules();
+    &container_rules(), &default_scene_rules(), &element_values_rules(),
+    &extension_accessors_rules(), &extension_use_rules(), &fallback_rules(),
+    &gaussian_splatting_rules(), &image_source_rules(), &images_rules(), &influences_rules(),
+    &instancing_rules(), &interactivity_rules(), &keyframe_fix_rules(), &lights_image_based_rules(),
+    &lights_punctual_rules(), &lod_rules(), &material_extensions_rules(), &material_lobes_rules(),
+    &material_rules(), &materials_mdl_rules(), &materials_mtoon_rules(), &mesh_groups_rules(),
+    &mesh_primitive_rules(), &mesh_quantization_rules(), &mesh_rules(), &missing_files_rules(),
+    &node_constraint_rules(), &node_graph_rules(), &node_mesh_rules(), &node_transform_rules(),
+    &nonvisual_geometry_rules(), &packed_geometry_rules(), &physics_rules(), &resource_rules(),
+    &scene_rules(), &schema_fix_rules(), &single_root_rules(), &skin_rules(), &sparse_rules(),
+    &spring_bone_rules(), &structural_metadata_rules(), &techniques_webgl_rules(), &text_rules(),
+    &unused_objects_rules(), &uri_form_rules(), &value_fix_rules(), &view_use_rules(),
+    &vrm_avatar_rules(), &vrm_expressions_rules(), &vrm_humanoid_pose_rules(),
+    &vrm_humanoid_rules(), &xmp_rules();
 
 namespace {
 
@@ -46,6 +47,8 @@ constexpr const RuleGroup& (*kRuleGroups[])() = {
     sparse_rules,
     influences_rules,
     bound_names_rules,
+    default_scene_rules,
+    keyframe_fix_rules,
     // Lists of extensions: other findings depend on the declarations.
     extension_use_rules,
     fallback_rules,
@@ -133,6 +136,7 @@ constexpr DataRule kDataRules[] = {
 // What an asset without errors shows.
 constexpr DataRule kShownRules[] = {
     {check_nothing_visible},
+    {check_variants},
     {check_far_positions},
     {check_stray_vertices},
     {check_rest_pose},
@@ -146,6 +150,8 @@ constexpr DataRule kShownRules[] = {
     {check_texture_contents},
     {check_texture_coordinates},
     {check_shown_alpha},
+    {check_waste_bytes},
+    {check_waste_objects},
 };
 
 }  // namespace

@@ -84,10 +84,20 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report, Checked
   report.info->resources = std::move(resources.listed);
 }
 
+bool wants_shown_rules(const ValidateOptions& options) {
+  if (options.select.empty() && options.ignore.empty()) return true;
+  const auto all = rules();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].group == "shows" && is_enabled(options, static_cast<Code>(i))) return true;
+  }
+  return false;
+}
+
 // What an asset shows is only worth a word where nothing is wrong with it.
 void check_what_is_shown(const Context& context, const Collector& collector,
                          CheckedBytes& checked) {
   if (!checked.phase || context.deviations.no_additional_rules || collector.has_errors()) return;
+  if (!wants_shown_rules(context.options)) return;
   for (const DataRule& rule : shown_rules()) rule.check(*checked.phase);
 }
 

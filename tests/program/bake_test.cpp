@@ -93,6 +93,20 @@ TEST_F(BakeTest, NothingToSeeIsNoPicture) {
   EXPECT_EQ(bake({"gone.gltf", "-o", "a.png"}).code, 3);
 }
 
+TEST_F(BakeTest, AMeshThatIsAPointIsNoPicture) {
+  folder_.write("point.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+    "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3,
+                   "min": [0, 0, 0], "max": [0, 0, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36, "target": 34962}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"}]})");
+  const Outcome outcome = bake({"point.gltf", "-o", "a.png"});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("nothing in it is visible: all vertices of mesh 0 are at one place"));
+}
+
 TEST_F(BakeTest, EmbedWritesTheAsset) {
   copy("good/bowl.glb");
   const Outcome outcome = bake({"bowl.glb", "--embed"});

@@ -45,6 +45,23 @@ TEST_F(BaselineTest, RecordingSaysWhereAndHowMuchInsteadOfListingAll) {
   EXPECT_EQ(here({"--write-baseline", "known.json", "--quiet"}).err, "");
 }
 
+// What an asset shows counts like any other finding.
+TEST_F(BaselineTest, KnowsFindingsOfAGroup) {
+  folder_.write("assets/unseen.gltf", R"({"asset": {"version": "2.0"}, "scene": 0,
+    "scenes": [{}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"type": "VEC3", "componentType": 5126, "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}]})");
+  const std::vector<std::string> strict{"--select", "shows", "--fail-on", "warning"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), strict.begin(), strict.end());
+    return here(std::move(more));
+  };
+  EXPECT_EQ(with({}).code, 1);
+  EXPECT_EQ(with({"--write-baseline", "known.json"}).code, 0);
+  EXPECT_THAT(known(), HasSubstr("NOTHING_VISIBLE"));
+  EXPECT_EQ(with({"--baseline", "known.json"}).code, 0);
+}
+
 TEST_F(BaselineTest, OneThatTheConfigurationNamesNeedNotBeThereToBeRecorded) {
   folder_.write("gltfx.toml", "baseline = \"known.json\"\n");
   const Outcome missing = here({});

@@ -57,6 +57,40 @@ TEST_F(Filter, SelectKeepsTheNamedCodesOnly) {
   EXPECT_EQ(findings({"--select", "UNUSED_OBJECT", "--select", "VALUE_NOT_IN_RANGE"}).size(), 2U);
 }
 
+// A triangle whose corners are at one place, in a scene that is not the default: a warning and an
+// info of the group `shows`, and an info of none.
+const std::string kUnseen = R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}],
+ "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3, "min": [0, 0, 0], "max": [0, 0, 0]}],
+ "bufferViews": [{"buffer": 0, "byteLength": 36, "target": 34962}],
+ "nodes": [{"mesh": 0}], "materials": [{}],
+ "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+ "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA"}]})";
+
+TEST_F(Filter, OptionsTakeTheNameOfAGroup) {
+  using testing::UnorderedElementsAre;
+  const std::vector<std::string> all = findings({}, kUnseen);
+  EXPECT_THAT(all, UnorderedElementsAre("warning NOTHING_VISIBLE", "info DEFAULT_SCENE_MISSING",
+                                        "info UNUSED_OBJECT"));
+  EXPECT_THAT(findings({"--select", "shows"}, kUnseen),
+              UnorderedElementsAre("warning NOTHING_VISIBLE", "info DEFAULT_SCENE_MISSING"));
+  EXPECT_THAT(findings({"--ignore", "shows"}, kUnseen), ElementsAre("info UNUSED_OBJECT"));
+  EXPECT_THAT(findings({"--select", "shows", "--ignore", "DEFAULT_SCENE_MISSING"}, kUnseen),
+              ElementsAre("warning NOTHING_VISIBLE"));
+  EXPECT_THAT(findings({"--severity", "shows=error"}, kUnseen),
+              UnorderedElementsAre("error NOTHING_VISIBLE", "error DEFAULT_SCENE_MISSING",
+                                   "info UNUSED_OBJECT"));
+}
+
+TEST_F(Filter, ConfigurationTakesTheNameOfAGroup) {
+  folder_.write("gltfx.toml", "[severity]\nshows = \"hint\"\n");
+  EXPECT_THAT(findings({}, kUnseen), Contains("info UNUSED_OBJECT"));
+  EXPECT_THAT(findings({}, kUnseen), Not(Contains("warning NOTHING_VISIBLE")));
+  folder_.write("gltfx.toml", "ignore = [\"shows\"]\n");
+  EXPECT_THAT(findings({}, kUnseen), ElementsAre("info UNUSED_OBJECT"));
+  folder_.write("gltfx.toml", "select = [\"shows\"]\n");
+  EXPECT_EQ(findings({}, kUnseen).size(), 2U);
+}
+
 TEST_F(Filter, IgnoreDropsTheNamedCodes) {
   EXPECT_THAT(findings({"--ignore", "VALUE_NOT_IN_RANGE,UNUSED_OBJECT"}),
               ElementsAre("warning UNEXPECTED_PROPERTY"));

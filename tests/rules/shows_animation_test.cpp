@@ -301,7 +301,7 @@ TEST(LoopOpen, IsFoundWhereMostChannelsAreClosed) {
     std::vector<Channel> all;
     for (std::size_t i = 0; i < channels; ++i) {
       const bool turns = i % 2 == 1;
-      std::vector<Four> values = turns ? spin(d, 5, d.number(5, 60)) : path(d, 5);
+      std::vector<Four> values = turns ? spin(d, 5, d.number(5, 55)) : path(d, 5);
       if (turns) values.back() = d.pick(0, 1) == 0 ? values.front() : negative(values.front());
       if (i < open) values.back() = turns ? d.turn(77) : Four{9, 9, 9, 0};
       all.push_back({turns ? "rotation" : "translation", values});
@@ -314,11 +314,13 @@ TEST(LoopOpen, IsFoundWhereMostChannelsAreClosed) {
                    [&](Drawn& d) { loop(d, static_cast<std::size_t>(d.pick(5, 12)), 1); },
                    [&](Drawn& d) { loop(d, 12, static_cast<std::size_t>(d.pick(1, 3))); },
                });
-  expect_silent({
-      [&](Drawn& d) { loop(d, static_cast<std::size_t>(d.pick(1, 12)), 0); },
-      [&](Drawn& d) { loop(d, 3, 1); },
-      [&](Drawn& d) { loop(d, 8, static_cast<std::size_t>(d.pick(3, 8))); },
-  });
+  expect_silent(
+      {
+          [&](Drawn& d) { loop(d, static_cast<std::size_t>(d.pick(1, 12)), 0); },
+          [&](Drawn& d) { loop(d, 3, 1); },
+          [&](Drawn& d) { loop(d, 8, static_cast<std::size_t>(d.pick(3, 8))); },
+      },
+      {"DUPLICATE_ACCESSORS", "ANIMATION_HALF_TURN"});  // an open end may be half a turn away
 }
 
 }  // namespace

@@ -146,6 +146,27 @@ bool complete_target_names(Fixing& fixing, const Subject& subject) {
   return fixing.replace(names, json + "]");
 }
 
+// The name with the index of the target, and once more if another target has that name.
+bool rename_target(Fixing& fixing, const Subject& subject) {
+  const json::Document& document = fixing.document();
+  const NodeId name = subject.value;
+  if (name == json::kNoNode || !document.is_string(name)) return false;
+  const NodeId names = fixing.parent(name);
+  if (names == json::kNoNode || document.kind(names) != json::Kind::array) return false;
+  std::set<std::string> known;
+  std::size_t index = 0;
+  std::size_t at = 0;
+  for (const NodeId each : document.elements(names)) {
+    if (document.is_string(each)) known.insert(document.string(each));
+    if (each == name) index = at;
+    ++at;
+  }
+  std::string renamed = document.string(name);
+  do renamed += fmt::format("_{}", index);
+  while (known.contains(renamed));
+  return fixing.replace_scalar(name, json::string_value(renamed));
+}
+
 }  // namespace
 
 void check_bound_names(DataPhase& phase) {
@@ -154,7 +175,8 @@ void check_bound_names(DataPhase& phase) {
 }
 
 const RuleGroup& bound_names_rules() {
-  static constexpr FixEntry kFixes[] = {{Code::MORPH_TARGET_NAMES_COUNT, complete_target_names}};
+  static constexpr FixEntry kFixes[] = {{Code::MORPH_TARGET_NAMES_COUNT, complete_target_names},
+                                        {Code::MORPH_TARGET_NAME_REPEATED, rename_target}};
   static constexpr RuleGroup group{.fixes = kFixes};
   return group;
 }

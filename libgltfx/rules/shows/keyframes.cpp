@@ -16,6 +16,8 @@
 #include "model/elements.hpp"
 #include "rules/collector.hpp"
 #include "rules/finding.hpp"
+#include "rules/shows/curve_scan.hpp"
+#include "rules/shows/fix_curves.hpp"
 #include "rules/shows/shows.hpp"
 
 namespace gltfx::validate {
@@ -147,61 +149,53 @@ bool has_idle_tangents(const Keys& keys) {
   return moves > 1e-4;
 }
 
-// Whether linear keys may be half a turn apart, or change a sign: most curves need no closer look,
-// and rigs have thousands of them.
+// Whether linear keys may be half a turn apart, or change a sign.
 bool may_matter(const model::AccessorData& values, AnimationPath path) {
   if (values.format().component != model::ComponentType::float32) return true;
+  constexpr float kNearHalf = 2e-3F;  // twice what counts: single precision rounds
   const bool rotation = path == AnimationPath::rotation;
-  bool found = false;
-  std::array<float, 4> before{};
-  bool first = true;
-  const auto look = [&](const float* from, const float* to) {
-    if (rotation) {
-      const float along = from[0] * to[0] + from[1] * to[1] + from[2] * to[2] + from[3] * to[3];
-      found |= std::abs(along) < 2e-3F;
-    } else {
-      found |= from[0] * to[0] < 0 || from[1] * to[1] < 0 || from[2] * to[2] < 0;
-    }
+  const std::size_t width = rotation ? 4 : 3;
+  const auto look = [rotation](const float* vectors, std::size_t count) {
+    return rotation ? has_right_angle(vectors, count, kNearHalf) : has_sign_change(vectors, count);
   };
-  const unsigned width = rotation ? 4 : 3;
-  values.visit<float>([&](const float* numbers, std::size_t elements, std::uint64_t) {
-    if (!first) look(before.data(), numbers);
-    for (std::size_t i = 1; i < elements; ++i) look(numbers + (i - 1) * width, numbers + i * width);
-    first = false;
-    std::copy_n(numbers + (elements - 1) * width, width, before.begin());
+  bool found = false;
+  std::array<float, 8> seam{};  // the last key of a block, and the first one of the next
+  values.visit<float>([&](const float* numbers, std::size_t elements, std::uint64_t first) {
+    std::copy_n(numbers, width, seam.begin() + static_cast<std::ptrdiff_t>(width));
+    found |= (first > 0 && look(seam.data(), 2)) || look(numbers, elements);
+    std::copy_n(numbers + (elements - 1) * width, width, seam.begin());
   });
   return found;
 }
 
 class KeyframeRules {
  public:
-  explicit KeyframeRules(DataPhase& phase) : phase_(phase), context_(phase.context) {}
+  explicit KeyframeRules(DataPhase& phase)
+      : phase_(phase),
+        context_(phase.context),
+        inputs_(context_.views.accessors.size()),
+        outputs_(context_.views.accessors.size()) {}
 
   void run() {
     const auto& animations = context_.views.animations;
     for (std::size_t i = 0; i < animations.size(); ++i) {
-      std::set<std::uint32_t> seen;
+      animation_ = i;
+      std::vector<std::uint8_t> seen(animations[i].samplers.size());
       for (const model::AnimationChannel& channel : animations[i].channels) {
-        if (!channel.sampler || !seen.insert(*channel.sampler).second) continue;
-        check(animations[i], i, channel);
+        if (!channel.sampler || std::exchange(seen[*channel.sampler], 1) != 0) continue;
+        check(animations[i].samplers[*channel.sampler], channel);
       }
     }
   }
 
  private:
-  void check(const model::Animation& animation, std::size_t index,
-             const model::AnimationChannel& channel) {
-    const model::AnimationSampler& sampler = animation.samplers[*channel.sampler];
+  void check(const model::AnimationSampler& sampler, const model::AnimationChannel& channel) {
     if (!sampler.input || !sampler.output) return;
-    at_ = fmt::format("/animations/{}/samplers/{}", index, *channel.sampler);
+    at_ = *channel.sampler;
     sampler_ = sampler.object;
-    if (inputs_.insert(*sampler.input).second) check_density(*sampler.input);
-    // Curves that share accessors are the same.
-    if (!outputs_.emplace(*sampler.input, *sampler.output, sampler.interpolation, channel.path)
-             .second) {
-      return;
-    }
+    if (std::exchange(inputs_[*sampler.input], 1) == 0) check_density(*sampler.input);
     if (!is_interesting(sampler.interpolation, channel.path)) return;
+    if (is_known(sampler, channel.path)) return;
     const auto keys = read(sampler, channel.path);
     if (!keys) return;
     if (channel.path == AnimationPath::rotation) check_rotation(*keys, sampler.interpolation);
@@ -219,6 +213,15 @@ class KeyframeRules {
           Code::ANIMATION_TANGENTS_MOVE, "output",
           "All keys have the same value, but tangents that are not 0 move the curve between them.");
     }
+  }
+
+  // Curves that share accessors are the same.
+  bool is_known(const model::AnimationSampler& sampler, AnimationPath path) {
+    const Curve curve{*sampler.input, sampler.interpolation, path};
+    std::optional<Curve>& first = outputs_[*sampler.output];
+    if (first) return curve == *first || !more_.emplace(*sampler.output, curve).second;
+    first = curve;
+    return false;
   }
 
   // Steps have no way between keys, and only some properties can vanish on it.
@@ -304,20 +307,30 @@ class KeyframeRules {
 
   void send(Code code, std::string_view member, std::string message) {
     report_at(
-        phase_.sink, fmt::format("{}/{}", at_, member),
+        phase_.sink, fmt::format("/animations/{}/samplers/{}/{}", animation_, at_, member),
         finding_on(context_, context_.document.find(sampler_, member), code, std::move(message)));
   }
 
   DataPhase& phase_;
   const Context& context_;
-  std::set<std::uint32_t> inputs_;
-  std::set<std::tuple<std::uint32_t, std::uint32_t, Interpolation, AnimationPath>> outputs_;
-  std::string at_;  ///< pointer of the sampler that is checked
-  json::NodeId sampler_ = json::kNoNode;
+  using Curve = std::tuple<std::uint32_t, Interpolation, AnimationPath>;  // times, meaning
+  std::vector<std::uint8_t> inputs_;           ///< whether checked, by accessor
+  std::vector<std::optional<Curve>> outputs_;  ///< the first curve with these values, by accessor
+  std::set<std::pair<std::uint32_t, Curve>> more_;
+  std::size_t animation_ = 0;             ///< the sampler that is checked
+  std::uint32_t at_ = 0;                  ///< likewise
+  json::NodeId sampler_ = json::kNoNode;  ///< likewise
 };
 
 }  // namespace
 
 void check_keyframes(DataPhase& phase) { KeyframeRules(phase).run(); }
+
+const RuleGroup& keyframe_fix_rules() {
+  static constexpr FixEntry kFixes[] = {{Code::ANIMATION_ROTATION_FLIPS, negate_keys},
+                                        {Code::ANIMATION_TANGENTS_MOVE, clear_tangents}};
+  static constexpr RuleGroup group{.fixes = kFixes};
+  return group;
+}
 
 }  // namespace gltfx::validate

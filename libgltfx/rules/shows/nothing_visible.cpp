@@ -10,8 +10,12 @@
 #include "base/codes.hpp"
 #include "model/fields.hpp"
 #include "model/pose.hpp"
+#include "model/skin.hpp"
 #include "rules/core/use.hpp"
 #include "rules/finding.hpp"
+#include "rules/fix.hpp"
+#include "rules/payload/texture_phase.hpp"
+#include "rules/shows/flat_nodes.hpp"
 #include "rules/shows/primitive_extent.hpp"
 #include "rules/shows/shows.hpp"
 
@@ -21,7 +25,6 @@ namespace {
 using model::Primitive;
 using model::RootArray;
 using model::SemanticKind;
-using model::Vector3;
 
 // Why something that is drawn is not seen. `none`: it is seen, or nobody can tell.
 enum class Unseen : std::uint8_t { none, hidden, scaled_to_zero, collapsed, clear };
@@ -33,7 +36,10 @@ class SceneWalk {
       : phase_(phase),
         context_(phase.context),
         meshes_(context_.views.meshes.size()),
-        moves_(has_moves(context_)) {}
+        moves_(may_change_scales(context_)),
+        flat_(context_) {
+    if (pixel_level(context_.options) != PixelLevel::headers) pixels_.emplace(phase_.resources);
+  }
 
   // Whether nothing is seen for certain.
   bool run(const std::vector<model::NodeIndex>& roots) {
@@ -74,22 +80,6 @@ class SceneWalk {
     bool hidden = false;
   };
 
-  // Scales and properties of extensions may change while the asset is shown.
-  static bool has_moves(const Context& context) {
-    for (const model::Animation& animation : context.views.animations) {
-      for (const model::AnimationChannel& channel : animation.channels) {
-        if (channel.path == model::AnimationPath::scale ||
-            channel.path == model::AnimationPath::other) {
-          return true;
-        }
-      }
-    }
-    const auto& used = context.checked.extensions_used;
-    return std::any_of(used.begin(), used.end(), [](const auto& name) {
-      return std::string_view(name) == "KHR_interactivity";
-    });
-  }
-
   bool is_hidden(const model::Node& node) const {
     if (node.extensions == json::kNoNode) return false;
     const json::NodeId object =
@@ -98,30 +88,36 @@ class SceneWalk {
     return !model::Properties(context_.document, object).flag("visible", true);
   }
 
-  // Whether some vector survives the transform with an area.
-  static bool is_flat(const model::Affine& transform) {
-    const auto& c = transform.columns;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vector3 across = model::cross(c[i], c[(i + 1) % 3]);
-      if (model::dot(across, across) > 0) return false;
+  // A joint that is scaled to 0, if all joints of the skin are.
+  std::optional<model::NodeIndex> flat_joint(std::uint32_t skin) {
+    const model::Skin read =
+        model::read_skin(context_.asset, context_.asset.elements(RootArray::skins)[skin]);
+    std::optional<model::NodeIndex> first;
+    for (const model::NodeIndex joint : read.joint_nodes) {
+      const auto cause = flat_.cause(joint);
+      if (!cause) return std::nullopt;
+      if (!first) first = cause;
     }
-    return true;
+    return first;
   }
 
   bool shows(const model::Node& node, const Step& step) {
     ++nodes_with_mesh_;
     Unseen reason = Unseen::none;
+    model::NodeIndex at = step.node;
+    const auto joint = node.skin ? flat_joint(*node.skin) : std::nullopt;
     if (step.hidden) {
       reason = Unseen::hidden;
-    } else if (!node.skin && is_flat(step.parent)) {
+    } else if (joint || (!node.skin && is_flat(step.parent))) {
       reason = Unseen::scaled_to_zero;
+      at = joint.value_or(at);
     } else {
       reason = reason_of(*node.mesh, node.skin.has_value());
     }
     const bool may_move = moves_ && reason != Unseen::collapsed;
     if (reason == Unseen::none || may_move) return true;
     constexpr std::size_t kMostCauses = 1024;
-    if (causes_.size() < kMostCauses) causes_.push_back({reason, step.node, *node.mesh});
+    if (causes_.size() < kMostCauses) causes_.push_back({reason, at, *node.mesh});
     return false;
   }
 
@@ -151,13 +147,16 @@ class SceneWalk {
     const bool deforms = skinned || !primitive.targets.empty();
     if (!deforms && has_extent(phase_, primitive, *data) == false) return Unseen::collapsed;
     const bool extended = context_.document.find(primitive.node, "extensions") != json::kNoNode;
-    return !extended && is_clear(phase_, primitive) ? Unseen::clear : Unseen::none;
+    return !extended && is_clear(phase_, primitive, pixels_ ? &*pixels_ : nullptr) ? Unseen::clear
+                                                                                   : Unseen::none;
   }
 
   DataPhase& phase_;
   const Context& context_;
   std::vector<std::optional<Unseen>> meshes_;
   const bool moves_;
+  FlatNodes flat_;
+  std::optional<PixelSource> pixels_;  ///< nothing: images are not decoded
   std::vector<Cause> causes_;
   std::uint64_t nodes_with_mesh_ = 0;
 };
@@ -272,7 +271,25 @@ void check_default_scene(DataPhase& phase) {
                        "No scene is the default: a viewer may show the first one, or nothing."));
 }
 
+// --- Fix ---
+
+bool set_only_scene(Fixing& fixing, const Subject& subject) {
+  const json::Document& document = fixing.document();
+  const json::NodeId scenes = subject.value;
+  const bool one = scenes != json::kNoNode && document.kind(scenes) == json::Kind::array &&
+                   document.array_size(scenes) == 1;
+  if (!one || document.find(document.root(), "scenes") != scenes) return false;
+  if (document.find(document.root(), "scene") != json::kNoNode) return false;
+  return fixing.append_member(document.root(), "scene", "0");
+}
+
 }  // namespace
+
+const RuleGroup& default_scene_rules() {
+  static constexpr FixEntry kFixes[] = {{Code::DEFAULT_SCENE_MISSING, set_only_scene}};
+  static constexpr RuleGroup group{.fixes = kFixes};
+  return group;
+}
 
 void check_nothing_visible(DataPhase& phase) {
   const Context& context = phase.context;

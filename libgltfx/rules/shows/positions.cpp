@@ -55,17 +55,27 @@ constexpr double kFarAway = 100;  // in widths of the other vertices
 // Whether half of a sample of vertices, at least, is in a small part of the bounds.
 bool is_crowded(const AccessorData& data, double width) {
   constexpr std::size_t kSample = 13;
+  const bool floats = data.format().component == model::ComponentType::float32;
   const std::uint64_t step = std::max<std::uint64_t>(1, data.count() / kSample);
-  std::array<std::vector<float>, 3> axes;
-  for (std::uint64_t i = 0; i < data.count() && axes[0].size() < kSample; i += step) {
-    const std::vector<float> element = model::element_at(data, i);
-    for (std::size_t k = 0; k < 3; ++k) axes[k].push_back(element[k]);
+  const auto count =
+      static_cast<std::size_t>(std::min<std::uint64_t>(kSample, (data.count() - 1) / step + 1));
+  std::array<std::array<float, kSample>, 3> axes{};
+  for (std::size_t i = 0; i < count; ++i) {
+    std::array<float, 3> place{};
+    if (floats) {
+      data.read_one(reinterpret_cast<std::byte*>(place.data()), i * step);
+    } else {
+      const std::vector<float> element = model::element_at(data, i * step);
+      std::copy_n(element.begin(), place.size(), place.begin());
+    }
+    for (std::size_t k = 0; k < 3; ++k) axes[k][i] = place[k];
   }
-  return std::all_of(axes.begin(), axes.end(), [&](std::vector<float>& values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t quarter = values.size() / 4;
-    const double core = static_cast<double>(values[values.size() - 1 - quarter]) -
-                        static_cast<double>(values[quarter]);
+  const std::size_t quarter = count / 4;
+  return std::all_of(axes.begin(), axes.end(), [&](std::array<float, kSample>& values) {
+    const auto end = values.begin() + static_cast<std::ptrdiff_t>(count);
+    std::sort(values.begin(), end);
+    const double core =
+        static_cast<double>(values[count - 1 - quarter]) - static_cast<double>(values[quarter]);
     return core * kFarAway / 2 < width;
   });
 }

@@ -76,6 +76,30 @@ double greatest_alpha(DataPhase& phase, const Primitive& primitive) {
   return static_cast<double>(alpha);
 }
 
+// The greatest alpha in the images of the texture of the base color; 1 without them or if they
+// cannot be decoded.
+double greatest_texel_alpha(const DataPhase& phase, const model::Material& material,
+                            PixelSource& pixels) {
+  const model::Asset& asset = phase.context.asset;
+  const auto& texture = material.of(MaterialSlot::base_color).texture;
+  if (!texture) return 1;
+  const std::vector<std::uint32_t> images =
+      model::read_texture(asset, asset.elements(model::RootArray::textures)[*texture]).images;
+  double greatest = images.empty() ? 1 : 0;
+  for (const std::uint32_t image : images) {
+    const auto& header = phase.resources.images[image].header;
+    if (!header || !image::can_be_transparent(*header)) return 1;
+    if (pixels.of(image) == nullptr && pixels.error(image) == nullptr) {
+      pixels.decode({{image}}, phase.context.options.jobs);
+    }
+    const codec::Image* decoded = pixels.of(image);
+    if (decoded == nullptr || !decoded->has_alpha() || decoded->bits > 16) return 1;
+    const double full = static_cast<double>((1U << decoded->bits) - 1);
+    greatest = std::max(greatest, decoded->alpha().greatest / full);
+  }
+  return greatest;
+}
+
 }  // namespace
 
 // The first triangles answer nearly always; the others are read where they do not.
@@ -118,7 +142,7 @@ std::optional<bool> has_extent(DataPhase& phase, const Primitive& primitive,
   });
 }
 
-bool is_clear(DataPhase& phase, const Primitive& primitive) {
+bool is_clear(DataPhase& phase, const Primitive& primitive, PixelSource* pixels) {
   if (!primitive.material) return false;
   const model::Material material = model::read_material(phase.context.asset, *primitive.material);
   if (material.alpha_mode == model::AlphaMode::opaque) return false;
@@ -128,7 +152,10 @@ bool is_clear(DataPhase& phase, const Primitive& primitive) {
                             : 0;
   const bool mask = material.alpha_mode == model::AlphaMode::mask;
   const auto unseen = [&](double alpha) { return mask ? alpha < cutoff : alpha <= 0; };
-  return unseen(factor) || unseen(factor * greatest_alpha(phase, primitive));
+  if (unseen(factor)) return true;
+  const double colored = factor * greatest_alpha(phase, primitive);
+  if (unseen(colored)) return true;
+  return pixels != nullptr && unseen(colored * greatest_texel_alpha(phase, material, *pixels));
 }
 
 }  // namespace gltfx::validate

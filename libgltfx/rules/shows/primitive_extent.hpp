@@ -7,6 +7,7 @@
 #include "model/accessor_data.hpp"
 #include "model/mesh.hpp"
 #include "rules/payload/phases.hpp"
+#include "rules/payload/texture_phase.hpp"
 
 namespace gltfx::validate {
 
@@ -16,7 +17,7 @@ std::optional<bool> has_extent(DataPhase& phase, const model::Primitive& primiti
                                const model::AccessorData& positions);
 
 /// Whether the alpha of material and vertex colors leaves nothing of a primitive, whatever its
-/// texture has.
-bool is_clear(DataPhase& phase, const model::Primitive& primitive);
+/// texture has. With `pixels`, also that of the texture, which is decoded.
+bool is_clear(DataPhase& phase, const model::Primitive& primitive, PixelSource* pixels);
 
 }  // namespace gltfx::validate

@@ -23,6 +23,14 @@ void check_morph_reach(DataPhase& phase);
 void check_keyframes(DataPhase& phase);
 /// Animations without a duration, and nearly closed loops. Only if the rules are enabled.
 void check_clips(DataPhase& phase);
+/// Primitives with materials for variants only. Reads no bytes.
+void check_variants(DataPhase& phase);
+/// Images and accessors that are stored again, and bytes outside of buffer views. Compares bytes
+/// only where formats, sizes and samples agree.
+void check_waste_bytes(DataPhase& phase);
+/// Unused vertices, from counts alone unless hints are wanted. Equal materials and meshes, and
+/// keyframes without effect, only if these rules are enabled.
+void check_waste_objects(DataPhase& phase);
 /// Names that engines bind by: those of morph targets, and of nodes that move.
 void check_bound_names(DataPhase& phase);
 /// Materials that hide their own textures, that are metals by default, or blend a whole character.
