@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gltfx/pipeline.hpp>
+#include <gltfx/validate.hpp>
 
 #include <filesystem>
 #include <new>
 #include <utility>
+
+#include <fmt/format.h>
 
 #include "base/pages.hpp"
 #include "inspect/facts.hpp"
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/open_asset.hpp"
+#include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -24,6 +28,20 @@ UpgradeFact fact_of(UpgradeAction&& action) {
   fact.done = action.done;
   fact.notes = std::move(action.notes);
   return fact;
+}
+
+void add_shown(const FileReport& validation, InspectReport& report) {
+  for (const Diagnostic& each : validation.diagnostics) {
+    const RuleDescription* rule = find_rule(each.code);
+    if (rule == nullptr || rule->group != "shows") continue;
+    report.shown.push_back({std::string(each.code), std::string(severity_name(each.severity)),
+                            each.pointer, each.message});
+  }
+  const std::uint64_t errors = validation.counts.errors;
+  if (errors == 0) return;
+  report.shown_problem = fmt::format(
+      "The asset has {} error{}, see 'gltfx validate': what it shows is checked without errors.",
+      errors, errors == 1 ? "" : "s");
 }
 
 InspectReport failed(const std::string& path, std::string why) {
@@ -63,10 +81,16 @@ InspectReport inspect_opened(const std::string& path, Result<model::OpenedAsset>
   UpgradeOptions wanted;
   wanted.root = options.root;
   wanted.schemas = schemas;
-  UpgradeReport upgrade = dry_run_upgrade(*asset, wanted);
+  ValidateOptions check;
+  check.root = options.root;
+  check.schemas = schemas;
+  check.jobs = options.jobs;
+  validate::ValidatedAsset validated(*std::move(asset), check);
+  UpgradeReport upgrade = dry_run_upgrade(validated, wanted).report;
   give_back_memory();
-  InspectReport report = collect(*asset, *schemas, options);
+  InspectReport report = collect(validated.asset(), *schemas, options);
   add_upgrade(std::move(upgrade), report);
+  add_shown(validated.report(), report);
   return report;
 }
 

@@ -209,6 +209,20 @@ void write_list(Writer& writer, std::string_view name, const std::vector<Facts>&
   writer.end_array();
 }
 
+void write_shown(Writer& writer, const std::vector<ShownFact>& shown) {
+  writer.key("shows");
+  writer.begin_array();
+  for (const ShownFact& fact : shown) {
+    writer.begin_object();
+    writer.member("code", fact.code);
+    writer.member("severity", fact.severity);
+    writer.member("pointer", fact.pointer);
+    writer.member("message", fact.message);
+    writer.end_object();
+  }
+  writer.end_array();
+}
+
 void write_report(Writer& writer, const InspectReport& report) {
   writer.begin_object();
   writer.member("path", report.path);
@@ -220,6 +234,8 @@ void write_report(Writer& writer, const InspectReport& report) {
   writer.key("upgrade");
   report::write_upgrade_facts(writer, report.upgrade);
   member_if(writer, "upgradeProblem", report.upgrade_problem);
+  write_shown(writer, report.shown);
+  member_if(writer, "showsProblem", report.shown_problem);
   writer.end_object();
 }
 

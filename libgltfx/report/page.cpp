@@ -128,6 +128,7 @@ void write_rule(Writer& writer, const RuleDescription& rule) {
   writer.member("summary", rule.summary);
   writer.member("why", rule.why);
   writer.member("help", rule.help);
+  if (!rule.group.empty()) writer.member("group", rule.group);
   writer.end_object();
 }
 

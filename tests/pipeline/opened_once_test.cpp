@@ -81,7 +81,7 @@ TEST(OpenedOnce, ByValidation) {
 }
 
 TEST(OpenedOnce, ByInspection) {
-  EXPECT_EQ(work_of([] { inspect_file(kCurrent); }), (Work{1, 1, 0}));
+  EXPECT_EQ(work_of([] { inspect_file(kCurrent); }), (Work{1, 1, 1}));
   EXPECT_EQ(work_of([] { inspect_file(kLegacyBinary); }), (Work{1, 2, 2}));
 }
 

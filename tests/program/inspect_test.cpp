@@ -74,6 +74,30 @@ TEST_F(Inspect, JsonHasTheSameForEachAsset) {
   }
 }
 
+TEST_F(Inspect, TellsWhyNothingIsSeen) {
+  const std::string begin = R"({"asset": {"version": "2.0")";
+  const std::string end = R"(}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0, "scale": [0, 0, 0]}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 3,
+                   "min": [0, 0, 0], "max": [1, 1, 0]}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36, "target": 34962}],
+    "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]})";
+  folder_.write("unseen.gltf", begin + end);
+  folder_.write("broken.gltf", begin + R"(, "minVersion": 2)" + end);
+  EXPECT_THAT(here({"unseen.gltf"}).out,
+              AllOf(HasSubstr("What it shows"), HasSubstr("warning[NOTHING_VISIBLE]"),
+                    HasSubstr("node 0 or a parent of it is scaled to 0")));
+  EXPECT_THAT(here({"broken.gltf"}).out, HasSubstr("The asset has 1 error"));
+  const json report =
+      json::parse(here({"unseen.gltf", "broken.gltf", "--format", "json"}).out)["assets"];
+  ASSERT_EQ(report[0]["shows"].size(), 1U);
+  EXPECT_EQ(report[0]["shows"][0]["code"], "NOTHING_VISIBLE");
+  EXPECT_EQ(report[0]["shows"][0]["pointer"], "/nodes/0");
+  EXPECT_TRUE(report[1]["shows"].empty());
+  EXPECT_TRUE(report[1].contains("showsProblem"));
+}
+
 TEST_F(Inspect, TextsOfMegabytesAreCut) {
   const std::string text(2'000'000, 'x');
   folder_.write("a.gltf", R"({"asset": {"version": "2.0", "generator": ")" + text +

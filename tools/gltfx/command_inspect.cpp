@@ -37,6 +37,7 @@ class Page {
   std::string write(const InspectReport& report) {
     text_ = style_.bold(report::safe(report.path)) + "\n";
     if (report.facts) write(*report.facts);
+    write_shown(report);
     write_upgrade(report);
     if (report.facts) write_problems(report.facts->problems);
     return std::move(text_);
@@ -255,6 +256,22 @@ class Page {
                                  const PropertyTableFacts& each) {
     table.add({std::to_string(index), cell(each.name), cell(each.class_id), grouped(each.rows),
                grouped(each.columns), grouped(each.bytes)});
+  }
+
+  void write_shown(const InspectReport& report) {
+    if (report.shown.empty() && report.shown_problem.empty()) return;
+    title("What it shows");
+    for (std::size_t i = 0; i < report.shown.size() && (most_ == 0 || i < most_); ++i) {
+      const ShownFact& fact = report.shown[i];
+      text_ += wrapped(
+          report::safe(fmt::format("{}[{}] {}{}", fact.severity, fact.code, fact.message,
+                                   fact.pointer.empty() ? "" : fmt::format(" ({})", fact.pointer))),
+          4);
+    }
+    if (most_ > 0 && report.shown.size() > most_) {
+      text_ += fmt::format("    and {} more\n", report.shown.size() - most_);
+    }
+    if (!report.shown_problem.empty()) text_ += wrapped(report::safe(report.shown_problem), 4);
   }
 
   void write_upgrade(const InspectReport& report) {

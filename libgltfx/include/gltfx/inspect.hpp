@@ -167,6 +167,15 @@ struct UpgradeFact {
   std::vector<std::string> notes;  ///< as UpgradeAction has them
 };
 
+/// A finding of the rules about what an asset without errors shows: the group `shows`, without
+/// hints.
+struct ShownFact {
+  std::string code;      ///< of the rule: "NOTHING_VISIBLE"
+  std::string severity;  ///< "warning", "info"
+  std::string pointer;   ///< JSON pointer of the object; empty: the whole asset
+  std::string message;   ///< one sentence
+};
+
 /// Options of an inspection.
 struct InspectOptions {
   /// Folder that the asset and its files may come from; empty: the asset's own.
@@ -188,6 +197,8 @@ struct InspectReport {
   std::optional<AssetFacts> facts;   ///< set if there is no error
   std::vector<UpgradeFact> upgrade;  ///< legacy objects, in the order of the document
   std::string upgrade_problem;       ///< why no upgrade is possible; else empty
+  std::vector<ShownFact> shown;      ///< in the order of a validation
+  std::string shown_problem;         ///< why these rules did not run, one sentence; else empty
 };
 
 /// `gltfx inspect --format json`: one report after the other.

@@ -321,10 +321,14 @@ function fold(heading, note, content) {
     make("div", {}, content));
 }
 
-function fillOverview(rules) {
-  const ruleRows = rules.map((entry) => [make("span.label.is-" + entry.severity, {}, entry.severity),
+function ruleTable(caption, rules) {
+  const rows = rules.map((entry) => [make("span.label.is-" + entry.severity, {}, entry.severity),
     make("a.mono", { href: "#rule=" + entry.code }, entry.code),
     report.rules[entry.code] ? report.rules[entry.code].summary : "", grouped(entry.findings), grouped(entry.assets)]);
+  return table(caption, [["severity"], ["rule"], ["what it says"], ["findings", true], ["assets", true]], rows);
+}
+
+function fillOverview(rules) {
   const extensions = extensionCounts();
   const extensionRows = extensions.map((one) => [make("span.mono", {}, link(one.spec, visible(one.name))), one.status,
     one.successor ? make("span.mono", {}, isolated(one.successor)) : "", grouped(one.assets)]);
@@ -332,8 +336,12 @@ function fillOverview(rules) {
     .sort((a, b) => b[1] - a[1]).map(([use, bytes]) => [use, use + " " + sizeText(bytes), bytes]);
   const overview = byId("overview");
   if (rules.length > 0) {
-    overview.append(fold("Findings by rule", counted(rules.length, "rule"), table("Rules that found something",
-      [["severity"], ["rule"], ["what it says"], ["findings", true], ["assets", true]], ruleRows)));
+    overview.append(fold("Findings by rule", counted(rules.length, "rule"), ruleTable("Rules that found something", rules)));
+  }
+  const shows = rules.filter((entry) => (report.rules[entry.code] || {}).group === "shows");
+  if (shows.length > 0) {
+    overview.append(fold("What the assets show", counted(shows.length, "rule"),
+      ruleTable("Why nothing is to be seen, or what is not meant", shows)));
   }
   if (limits.length > 0) {
     overview.append(fold("Requirements", counted(limits.length, "limit"), [limitTable(limits),
