@@ -286,7 +286,9 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
   facts.lights = lights_of(source);
   add_metadata_facts(source.asset, source.views, facts);
   const model::SceneExtent extent = model::scene_extent(
-      source.asset, source.views, source.loaded.data, facts.meshes, kInstanceBytes);
+      source.asset, source.views, source.loaded.data, facts.meshes, kInstanceBytes,
+      model::compute_pose(source.asset, source.views,
+                          model::choose_scene(source.asset, source.views)));
   facts.drawn_triangles = extent.triangles;
   facts.bounds = extent.bounds;
   if (options.measures) {

@@ -96,13 +96,13 @@ ExtentBox box_of(const json::Document& document, const Views& views, const Mesh&
 class ExtentMeasurer {
  public:
   ExtentMeasurer(const Asset& asset, const Views& views, const ResourceData& resources,
-                 std::span<const MeshFacts> meshes, std::uint64_t instance_bytes)
+                 std::span<const MeshFacts> meshes, std::uint64_t instance_bytes, const Pose& pose)
       : asset_(asset),
         views_(views),
         resources_(resources),
         meshes_(meshes),
         budget_(instance_bytes),
-        pose_(compute_pose(asset, views, choose_scene(asset, views))) {
+        pose_(pose) {
     for (const Mesh& mesh : views.meshes) {
       boxes_.push_back(box_of(asset.document(), views, mesh));
     }
@@ -154,7 +154,7 @@ class ExtentMeasurer {
   const ResourceData& resources_;
   const std::span<const MeshFacts> meshes_;
   MemoryBudget budget_;
-  const Pose pose_;
+  const Pose& pose_;
   std::vector<ExtentBox> boxes_;  // by mesh
   std::map<std::uint32_t, std::vector<Affine>> joints_;
   std::uint64_t joints_left_ = kMostJoints;
@@ -165,8 +165,9 @@ class ExtentMeasurer {
 }  // namespace
 
 SceneExtent scene_extent(const Asset& asset, const Views& views, const ResourceData& resources,
-                         std::span<const MeshFacts> meshes, std::uint64_t instance_bytes) {
-  return ExtentMeasurer(asset, views, resources, meshes, instance_bytes).run();
+                         std::span<const MeshFacts> meshes, std::uint64_t instance_bytes,
+                         const Pose& pose) {
+  return ExtentMeasurer(asset, views, resources, meshes, instance_bytes, pose).run();
 }
 
 }  // namespace gltfx::model

@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "model/pose.hpp"
 #include "model/resource_data.hpp"
 #include "model/views.hpp"
 
@@ -20,11 +21,12 @@ struct SceneExtent {
 };
 
 /// `meshes`: by index, with their triangles; empty: none are counted. `instance_bytes`: memory
-/// limit for the transforms of instances; the node is used for those that do not fit. Bounds come
-/// from the corners of each mesh's own bounds, so they may be too wide for rotated meshes. Takes
-/// time linear in nodes and instances, and in the joints of skinned meshes up to a limit, beyond
-/// which only one joint is used.
+/// limit for the transforms of instances; the node is used for those that do not fit. `pose`: of
+/// the default scene. Bounds come from the corners of each mesh's own bounds, so they may be too
+/// wide for rotated meshes. Takes time linear in nodes and instances, and in the joints of skinned
+/// meshes up to a limit, beyond which only one joint is used.
 SceneExtent scene_extent(const Asset& asset, const Views& views, const ResourceData& resources,
-                         std::span<const MeshFacts> meshes, std::uint64_t instance_bytes);
+                         std::span<const MeshFacts> meshes, std::uint64_t instance_bytes,
+                         const Pose& pose);
 
 }  // namespace gltfx::model

@@ -12,6 +12,7 @@
 #include <unordered_map>
 
 #include "model/accessor_data.hpp"
+#include "model/pose.hpp"
 #include "rules/context.hpp"
 
 namespace gltfx::measure {
@@ -51,6 +52,10 @@ struct DataPhase {
   std::unordered_map<std::uint32_t, model::AccessorData> decoded = {};
   /// The texture slots, once check_texture_slots() has run; null if there are none.
   std::shared_ptr<StudiedTextures> textures = {};
+  std::unique_ptr<const model::Pose> made_pose = nullptr;
+
+  /// The nodes of the default scene, at rest; made on the first call.
+  const model::Pose& pose();
 
   std::optional<model::AccessorData> open(std::uint32_t accessor) const {
     const auto found = decoded.find(accessor);

@@ -49,10 +49,19 @@ std::string length_text(double metres) {
 
 }  // namespace
 
+const model::Pose& DataPhase::pose() {
+  if (!made_pose) {
+    made_pose = std::make_unique<const model::Pose>(model::compute_pose(
+        context.asset, context.views, model::choose_scene(context.asset, context.views)));
+  }
+  return *made_pose;
+}
+
 void check_scene_extent(DataPhase& phase) {
   if (!is_measured(phase.context)) return;
-  const model::SceneExtent extent = model::scene_extent(phase.context.asset, phase.context.views,
-                                                        phase.resources, {}, kInstanceTransforms);
+  const model::SceneExtent extent =
+      model::scene_extent(phase.context.asset, phase.context.views, phase.resources, {},
+                          kInstanceTransforms, phase.pose());
   if (!extent.bounds) return;
   const double width = width_of(*extent.bounds);
   // A single point has no width.

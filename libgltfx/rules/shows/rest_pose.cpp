@@ -100,8 +100,7 @@ class RestPose {
       : phase_(phase),
         context_(phase.context),
         widths_(context_.views.meshes.size()),
-        pose_(model::compute_pose(context_.asset, context_.views,
-                                  model::choose_scene(context_.asset, context_.views))) {}
+        pose_(phase.pose()) {}
 
   void run() {
     const auto& skins = context_.asset.elements(RootArray::skins);
@@ -302,7 +301,7 @@ class RestPose {
   DataPhase& phase_;
   const Context& context_;
   std::vector<std::optional<double>> widths_;  ///< by mesh
-  const model::Pose pose_;
+  const model::Pose& pose_;
   const model::DracoMeshes draco_;  // none: bitstreams are not decoded twice
 };
 
