@@ -25,7 +25,7 @@ const RuleGroup &accessor_layout_rules(), &accessor_timed_rules(), &accessor_val
     &spring_bone_rules(), &structural_metadata_rules(), &techniques_webgl_rules(), &text_rules(),
     &unused_objects_rules(), &uri_form_rules(), &value_fix_rules(), &view_use_rules(),
     &vrm_avatar_rules(), &vrm_expressions_rules(), &vrm_humanoid_pose_rules(),
-    &vrm_humanoid_rules(), &xmp_rules();
+    &vrm_humanoid_rules(), &wrong_side_rules(), &xmp_rules();
 
 namespace {
 
@@ -49,6 +49,7 @@ constexpr const RuleGroup& (*kRuleGroups[])() = {
     bound_names_rules,
     default_scene_rules,
     keyframe_fix_rules,
+    wrong_side_rules,
     // Lists of extensions: other findings depend on the declarations.
     extension_use_rules,
     fallback_rules,
@@ -135,23 +136,12 @@ constexpr DataRule kDataRules[] = {
 
 // What an asset without errors shows.
 constexpr DataRule kShownRules[] = {
-    {check_nothing_visible},
-    {check_variants},
-    {check_far_positions},
-    {check_stray_vertices},
-    {check_rest_pose},
-    {check_morph_reach},
-    {check_keyframes},
-    {check_clips},
-    {check_bound_names},
-    {check_material_values},
-    {check_vertex_colors},
-    {check_light_intensity},
-    {check_texture_contents},
-    {check_texture_coordinates},
-    {check_shown_alpha},
-    {check_waste_bytes},
-    {check_waste_objects},
+    {check_nothing_visible}, {check_variants},         {check_far_positions},
+    {check_stray_vertices},  {check_geometry},         {check_rest_pose},
+    {check_morph_reach},     {check_keyframes},        {check_clips},
+    {check_bound_names},     {check_material_values},  {check_vertex_colors},
+    {check_light_intensity}, {check_texture_contents}, {check_texture_coordinates},
+    {check_shown_alpha},     {check_waste_bytes},      {check_waste_objects},
 };
 
 }  // namespace

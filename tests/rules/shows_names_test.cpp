@@ -129,19 +129,20 @@ TEST(NodeNames, OfMovingNodesAreNotShared) {
                    },
                });
   expect_silent({
-      [](Drawn& d) { moving(d, names(some(d, 1))); },
-      [](Drawn& d) {
-        moving(d, {"arm", "leg", "leg"});
-      },
-      [](Drawn& d) {
-        moving(d, {"", "", "leg"});
-      },
-      [](Drawn& d) {
-        for (std::size_t i = some(d, 2); i > 0; --i) {
-          d.root({{"mesh", d.mesh(d.shape(1))}, {"name", "rock"}});
-        }
-      },
-  });
+                    [](Drawn& d) { moving(d, names(some(d, 1))); },
+                    [](Drawn& d) {
+                      moving(d, {"arm", "leg", "leg"});
+                    },
+                    [](Drawn& d) {
+                      moving(d, {"", "", "leg"});
+                    },
+                    [](Drawn& d) {
+                      for (std::size_t i = some(d, 2); i > 0; --i) {
+                        d.root({{"mesh", d.mesh(d.shape(1))}, {"name", "rock"}});
+                      }
+                    },
+                },
+                {"TRIANGLES_COINCIDE"});
 }
 
 }  // namespace

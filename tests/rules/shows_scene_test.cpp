@@ -280,22 +280,24 @@ TEST(FarPositions, AreFoundInFloats) {
 }
 
 TEST(FarPositions, AreFineNearerOrInANode) {
-  expect_silent({
-      [](Drawn& d) {
-        const double width = d.magnitude(0.1, 100);
-        const double near = width * d.magnitude(1, 4000);
-        d.root_with(moved(d.shape(width), {0, d.sign() * near, 0}));
+  expect_silent(
+      {
+          [](Drawn& d) {
+            const double width = d.magnitude(0.1, 100);
+            const double near = width * d.magnitude(1, 4000);
+            d.root_with(moved(d.shape(width), {0, d.sign() * near, 0}));
+          },
+          [](Drawn& d) {
+            d.root({{"mesh", d.mesh(d.shape(d.number(0.5, 5)))},
+                    {"translation", three(d.number(3e5, 8e5), 120, d.number(-6e6, -4e6))}});
+          },
+          // A screw of a house.
+          [](Drawn& d) {
+            d.root_with(d.shape(d.number(20, 50)));
+            d.root_with(moved(d.shape(1e-3), {d.number(15, 25), d.number(0, 5), 0}));
+          },
       },
-      [](Drawn& d) {
-        d.root({{"mesh", d.mesh(d.shape(d.number(0.5, 5)))},
-                {"translation", three(d.number(3e5, 8e5), 120, d.number(-6e6, -4e6))}});
-      },
-      // A screw of a house.
-      [](Drawn& d) {
-        d.root_with(d.shape(d.number(20, 50)));
-        d.root_with(moved(d.shape(1e-3), {d.number(15, 25), d.number(0, 5), 0}));
-      },
-  });
+      {"PIVOT_FAR_OUTSIDE"});
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "rules/payload/phases.hpp"
+#include "rules/shows/placed_scene.hpp"
 
 namespace gltfx::validate {
 
@@ -14,6 +15,17 @@ void check_nothing_visible(DataPhase& phase);
 void check_far_positions(DataPhase& phase);
 /// A few vertices far away from all others. Reads all positions only where a sample is suspicious.
 void check_stray_vertices(DataPhase& phase);
+/// What the scene draws, and where: the four rules below. Reads bounds, few triangles of each
+/// primitive, and all of those that are suspicious.
+void check_geometry(DataPhase& phase);
+/// Triangles wound against their normals, and closed surfaces that face inward.
+void check_wrong_sides(DataPhase& phase, PlacedScene& scene);
+/// Lengths in other units than meters, parts far away from all others, and the origin outside.
+void check_placement(DataPhase& phase, const PlacedScene& scene);
+/// The same triangles twice in one place, and flat surfaces in one plane.
+void check_coincidence(DataPhase& phase, PlacedScene& scene);
+/// Scenes of which all cameras see backs only. Stops at the first front.
+void check_camera_backs(DataPhase& phase, const PlacedScene& scene);
 /// Skins whose inverse bind matrices do not fit the rest pose, so that meshes are pulled apart.
 /// Reads vertices only where joints are in the wrong places.
 void check_rest_pose(DataPhase& phase);
