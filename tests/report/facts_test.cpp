@@ -65,10 +65,10 @@ testing::SchemaCheck published_facts_schema() {
 }
 
 TEST(FactsJson, IsAsThePublishedSchemaSays) {
-  InspectReport whole{"a.gltf", {}, full(), {}, "no"};
+  InspectReport whole{"a.gltf", {}, full(), {}, "no", {}, {}};
   whole.upgrade = {{"/materials/0", "KHR_a", "KHR_b", "safe", true, {"note"}}};
-  const InspectReport broken{"b.gltf", "it holds no glTF", {}, {}, {}};
-  const InspectReport bare{"c.gltf", {}, bare_facts(), {}, {}};
+  const InspectReport broken{"b.gltf", "it holds no glTF", {}, {}, {}, {}, {}};
+  const InspectReport bare{"c.gltf", {}, bare_facts(), {}, {}, {}, {}};
   const Json report = run({whole, broken, bare});
   EXPECT_THAT(published_facts_schema().errors(report), IsEmpty());
   EXPECT_EQ(report["assets"].size(), 3U);

@@ -51,7 +51,8 @@ std::optional<Measurements> take_own_measures(const Context& context,
     if (is_enabled(context.options, own_code(i))) add_named(*pages[i], *request.wanted);
   }
   if (request.wanted->empty()) return std::nullopt;
-  if (context.options.products) request.parameters.product = context.options.products->find(name);
+  if (context.options.products)
+    request.parameters.product = context.options.products->find(source.name());
   request.pixels = context.options.pixels != PixelLevel::headers;
   return measure::take(source, request);
 }
