@@ -21,6 +21,8 @@ Result<MeasureScope> scope_of(std::string_view name);
 /// The measure of that name on the scope. The Error has the nearest one, or the scopes that it is
 /// on.
 Result<const MeasureDescription*> measure_of(MeasureScope on, std::string_view name);
+/// The operators that a measure has on a scope.
+std::vector<std::string_view> ops_of(const MeasureDescription& measure, MeasureScope on);
 /// The operator of that name, which the measure must have. The Error has those that it has.
 Result<LimitOp> op_of(const MeasureDescription& measure, MeasureScope on, std::string_view name);
 

@@ -15,12 +15,46 @@ from assets import base, data_uri, merged, text_of
 from by_hand import finished, raw
 
 # A file of any size has one.
-ONE_IN_A_FILE = {"BUFFER_GLB_CHUNK_TOO_BIG", "GLB_BIN_PADDING", "GLB_CHUNK_LENGTH_UNALIGNED", "GLB_CHUNK_TOO_BIG",
+ONE_IN_A_FILE = {"BUFFER_GLB_CHUNK_TOO_BIG", "DEFAULT_SCENE_MISSING", "GLB_BIN_PADDING", "GLB_CHUNK_LENGTH_UNALIGNED", "GLB_CHUNK_TOO_BIG",
                  "GLB_CHUNK_TYPE_NUMBER", "GLB_EXTRA_DATA", "GLB_JSON_PADDING", "GLB_LENGTH_MISMATCH",
                  "JSON_BYTE_ORDER_MARK", "JSON_INVALID_UTF8"}
 # A report lists the first of them, or one for all objects of an extension.
 TOLD_ONCE = {"JSON_DUPLICATE_KEY", "JSON_TRAILING_COMMA", "JSON_MISSING_COMMA", "EXTENSION_NAME_MISSPELT",
-             "EXTENSION_REQUIRED_WITH_FALLBACK", "EXTENSION_SHOULD_BE_REQUIRED", "EXTENSION_UNUSED"}
+             "EXTENSION_REQUIRED_WITH_FALLBACK", "EXTENSION_SHOULD_BE_REQUIRED", "EXTENSION_UNUSED", "NORMALS_AGAINST_WINDING",
+             "SURFACE_INSIDE_OUT"}
+
+
+# Each member that refers to an element of a root array, and to which.
+REFERENCES = {"mesh": "meshes", "material": "materials", "indices": "accessors", "bufferView": "bufferViews",
+              "buffer": "buffers", "input": "accessors", "output": "accessors", "node": "nodes", "children": "nodes",
+              "nodes": "nodes", "attributes": "accessors", "targets": "accessors"}
+# Reported once for objects that share data: the whole example is repeated.
+WHOLE = {"ANIMATION_ROTATION_FLIPS", "ANIMATION_TANGENTS_MOVE", "MORPH_TARGET_NAME_REPEATED",
+         "NORMALS_AGAINST_WINDING", "SURFACE_INSIDE_OUT"}
+
+
+def shifted(value, by, array=None):
+    """The value with each reference moved by the number of elements in its array."""
+    if isinstance(value, dict):
+        return {key: shifted(one, by, REFERENCES.get(key, array if isinstance(one, int) else None))
+                for key, one in value.items()}
+    if isinstance(value, list):
+        return [shifted(one, by, array) for one in value]
+    return value + by[array] if array and isinstance(value, int) else value
+
+
+def whole_assets(document, n):
+    """The asset n times in one scene, side by side."""
+    arrays = {key: len(value) for key, value in document.items() if isinstance(value, list) and key != "scenes"}
+    joined = copy.deepcopy(document)
+    for i in range(1, n):
+        by = {key: i * length for key, length in arrays.items()}
+        for key in arrays:
+            joined[key] += [shifted(one, by) for one in document[key]]
+        for node in joined["nodes"][-arrays["nodes"]:]:
+            node["translation"] = [10 * i, 0, 0]
+        joined["scenes"][0]["nodes"] += shifted(document["scenes"][0]["nodes"], by, "nodes")
+    return text_of(joined)
 
 
 def repeated_members(text):
@@ -141,6 +175,8 @@ def build_of(program, code, bad):
     if code in BY_HAND:
         return BY_HAND[code], None
     document = json.loads(bad)
+    if code in WHOLE:
+        return functools.partial(whole_assets, document), None
     pointer = findings(program, code, bad.encode())[0]["pointer"]
     index = accessor_at(document, pointer) if code not in TOLD_ONCE else None
     by_elements = None

@@ -117,7 +117,7 @@ TEST_F(Markers, ManyPointsAreThinnedOut) {
 
 TEST_F(Markers, LinesOfLengthZeroAreNothingToSee) {
   asset.node({{"mesh", add_mesh(kLines, {{1, 1, 1}, {1, 1, 1}})}});
-  EXPECT_EQ(report(asset).problem, BakeProblem::none);  // two places, one direction
+  EXPECT_EQ(report(asset).problem, BakeProblem::nothing_to_see);
   asset = AssetText();
   asset.node({{"mesh", add_mesh(kLines, {{1, 1, 1}})}});
   EXPECT_EQ(report(asset).problem, BakeProblem::nothing_to_see);

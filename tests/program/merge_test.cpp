@@ -72,7 +72,7 @@ TEST_F(Merge, KeepsTheRequirementsOfTheRuns) {
   }
   folder_.write("1.jsonl", lines);
   const std::string out = merge({"1.jsonl", "--format", "csv"}).out;
-  EXPECT_THAT(out, testing::HasSubstr(",mesh,/meshes/0,triangles,7,max,5,fail,gltfx.toml:1\r\n"));
+  EXPECT_THAT(out, testing::HasSubstr(",mesh,/meshes/0,triangles,7,max,5,fail,gltfx.toml:1,\r\n"));
   EXPECT_THAT(merge({"1.jsonl", "--format", "jsonl"}).out, testing::HasSubstr("\"gltfx.toml:1\""));
 }
 

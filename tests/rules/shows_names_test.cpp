@@ -142,7 +142,7 @@ TEST(NodeNames, OfMovingNodesAreNotShared) {
                       }
                     },
                 },
-                {"TRIANGLES_COINCIDE"});
+                {"DUPLICATE_ACCESSORS", "TRIANGLES_COINCIDE"});
 }
 
 }  // namespace

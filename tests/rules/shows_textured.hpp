@@ -31,7 +31,7 @@ inline void expect_found_in_pictures(const std::string& code, const std::string&
   expect_found(code, pointer, generators, kPictureDraws);
 }
 inline void expect_silent_in_pictures(const std::vector<Generator>& generators) {
-  expect_silent(generators, {}, kPictureDraws);
+  expect_silent(generators, {"DUPLICATE_ACCESSORS"}, kPictureDraws);
 }
 
 /// A PNG of 8 bits; the color says how many of the four numbers of a texel it has.

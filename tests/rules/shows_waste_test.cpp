@@ -183,19 +183,21 @@ TEST(DuplicateObjects, AreMaterialsAndMeshes) {
                    d.root({{"mesh", d.mesh(primitive, {{"name", fmt::format("leaf {}", i)}})}});
                  }
                }});
-  expect_silent({
-      [](Drawn& d) {
-        std::vector<double> all;
-        for (std::size_t i = drawn_count(d, 5, 9); i > 0; --i) all.push_back(d.number(0, 1));
-        materials(d, all, true);
+  expect_silent(
+      {
+          [](Drawn& d) {
+            std::vector<double> all;
+            for (std::size_t i = drawn_count(d, 5, 9); i > 0; --i) all.push_back(d.number(0, 1));
+            materials(d, all, true);
+          },
+          [](Drawn& d) { materials(d, std::vector<double>(drawn_count(d, 1, 4), 0.5), true); },
+          // Instances.
+          [](Drawn& d) {
+            const std::size_t mesh = d.mesh(d.shape(1));
+            for (std::size_t i = drawn_count(d, 5, 9); i > 0; --i) d.root({{"mesh", mesh}});
+          },
       },
-      [](Drawn& d) { materials(d, std::vector<double>(drawn_count(d, 1, 4), 0.5), true); },
-      // Instances.
-      [](Drawn& d) {
-        const std::size_t mesh = d.mesh(d.shape(1));
-        for (std::size_t i = drawn_count(d, 5, 9); i > 0; --i) d.root({{"mesh", mesh}});
-      },
-  });
+      {"DUPLICATE_ACCESSORS", "TRIANGLES_COINCIDE"});
 }
 
 // A shape with further vertices among its own, which no corner has.

@@ -43,15 +43,17 @@ BoundsBox box_of_all(const PlacedScene& scene) {
 }
 
 // A finding about the scene that is drawn; an asset without scenes has it at its root.
-void report_on_scene(DataPhase& phase, Code code, std::string message) {
+void report_on_scene(DataPhase& phase, Code code, std::string message, std::string help) {
   const auto scene = model::choose_scene(phase.context.asset, phase.context.views).scene;
-  if (scene) {
-    report_element(phase.sink, phase.context, RootArray::scenes, *scene, code, std::move(message));
-    return;
-  }
-  phase.sink.report(
-      Path(), finding_on(phase.context, phase.context.document.root(), code, std::move(message)));
+  const json::NodeId object = scene ? phase.context.asset.elements(RootArray::scenes)[*scene]
+                                    : phase.context.document.root();
+  Finding finding = finding_on(phase.context, object, code, std::move(message), std::move(help));
+  report_at(phase.sink, scene ? fmt::format("/scenes/{}", *scene) : std::string(),
+            std::move(finding));
 }
+
+constexpr std::string_view kScaleHelp =
+    "if so, convert the unit in the export, or scale the root nodes";
 
 // --- Units ---
 
@@ -183,13 +185,15 @@ void check_units(DataPhase& phase, const PlacedScene& scene) {
   if (width >= kTiniest && width < kTiny) {
     report_on_scene(
         phase, Code::UNITS_NOT_METERS,
-        fmt::format("The scene is {:.3g} mm wide: this looks like {}.", width * 1000, unit));
+        fmt::format("The scene is {:.3g} mm wide: this looks like {}.", width * 1000, unit),
+        std::string(kScaleHelp));
   } else if (width >= kLarge && width <= kLargestScene && is_one_thing(phase.context, scene, box)) {
     report_on_scene(phase, Code::UNITS_NOT_METERS,
                     fmt::format("The scene is one object of {:.3g} x {:.3g} x {:.3g} m: if it is "
                                 "no building, this looks like {}.",
                                 box.most[0] - box.least[0], box.most[1] - box.least[1],
-                                box.most[2] - box.least[2], unit));
+                                box.most[2] - box.least[2], unit),
+                    std::string(kScaleHelp));
   }
 }
 
@@ -289,7 +293,8 @@ void check_pivot(DataPhase& phase, const PlacedScene& scene) {
   report_on_scene(phase, Code::PIVOT_FAR_OUTSIDE,
                   fmt::format("All that is drawn is {:.3g} m wide and {:.3g} m from the origin, "
                               "around which the asset is placed and turned.",
-                              box.width(), distance));
+                              box.width(), distance),
+                  "move the origin to the model in the authoring tool");
 }
 
 }  // namespace

@@ -190,12 +190,12 @@ void check_images(DataPhase& phase) {
   }
   constexpr std::uint64_t kWorthMemory = 65536;
   if (bytes < kWorthBytes && memory < kWorthMemory) return;
-  report_element(phase.sink, context, RootArray::images, pairs.front().copy.index,
-                 Code::DUPLICATE_IMAGES,
-                 fmt::format("{} of {} images {} the bytes of an earlier one ({}): {} bytes are "
-                             "stored again, and the copies take {} bytes of memory.",
-                             pairs.size(), images.size(), pairs.size() == 1 ? "has" : "have",
-                             places(context, RootArray::images, pairs), bytes, memory));
+  report_waste(phase, RootArray::images, pairs.front().copy.index, Code::DUPLICATE_IMAGES,
+               fmt::format("{} of {} images {} the bytes of an earlier one ({}): {} bytes are "
+                           "stored again, and the copies take {} bytes of memory.",
+                           pairs.size(), images.size(), pairs.size() == 1 ? "has" : "have",
+                           places(context, RootArray::images, pairs), bytes, memory),
+               "`gltfx convert --dedup` stores each image once");
 }
 
 // --- Accessors ---
@@ -244,14 +244,14 @@ void check_accessors(DataPhase& phase) {
   for (const Pair& pair : pairs) copies.push_back(pair.copy.bytes);
   const std::uint64_t bytes = bytes_in(std::move(copies));
   if (!is_worth(phase, bytes)) return;
-  report_element(
-      phase.sink, context, RootArray::accessors, pairs.front().copy.index,
-      Code::DUPLICATE_ACCESSORS,
+  report_waste(
+      phase, RootArray::accessors, pairs.front().copy.index, Code::DUPLICATE_ACCESSORS,
       fmt::format("{} of {} accessors {} the elements of an earlier one ({}): {} bytes, {:.0f} % "
                   "of all buffers, are stored again.",
                   pairs.size(), accessors.size(), pairs.size() == 1 ? "has" : "have",
                   places(context, RootArray::accessors, pairs), bytes,
-                  100 * static_cast<double>(bytes) / static_cast<double>(all)));
+                  100 * static_cast<double>(bytes) / static_cast<double>(all)),
+      "`gltfx convert --dedup` stores equal elements once");
 }
 
 // --- Bytes without a buffer view ---
@@ -317,9 +317,10 @@ void check_unused_bytes(DataPhase& phase) {
     if (own > 0 && !first) first = i;
   }
   if (!first || !is_worth(phase, bytes)) return;
-  report_element(phase.sink, context, RootArray::buffers, *first, Code::UNUSED_BYTES,
-                 fmt::format("{} of {} bytes are outside of all buffer views.", bytes,
-                             phase.resources.buffer_bytes()));
+  report_waste(phase, RootArray::buffers, *first, Code::UNUSED_BYTES,
+               fmt::format("{} of {} bytes are outside of all buffer views.", bytes,
+                           phase.resources.buffer_bytes()),
+               "export again; no option of `gltfx convert` removes bytes that nothing ever used");
 }
 
 }  // namespace

@@ -156,8 +156,8 @@ void check_vertices(DataPhase& phase) {
       "{}{} of {} vertices of {} are used by no index: {} bytes", exact ? "" : "At least ",
       most.unused, most.vertices, object_label(context, RootArray::meshes, most.mesh), most.bytes);
   if (all.size() > 1) message += fmt::format(", {} bytes with those of other meshes", bytes);
-  report_element(phase.sink, context, RootArray::meshes, most.mesh, Code::UNUSED_VERTICES,
-                 message + ".");
+  report_waste(phase, RootArray::meshes, most.mesh, Code::UNUSED_VERTICES, message + ".",
+               "`gltfx convert --prune` removes unused vertices");
 }
 
 // --- Materials and meshes ---
@@ -171,10 +171,13 @@ void report_copies(DataPhase& phase, RootArray array, std::string_view noun,
   std::unordered_map<json::NodeId, std::size_t> index;
   for (std::size_t i = 0; i < objects.size(); ++i) index.emplace(objects[i], i);
   const std::size_t copy = index.at(pairs.front().first);
-  report_element(phase.sink, context, array, copy, Code::DUPLICATE_OBJECTS,
-                 fmt::format("{} of {} {} equal earlier ones, such as {} and {}.", pairs.size(),
-                             objects.size(), noun, object_label(context, array, copy),
-                             object_label(context, array, index.at(pairs.front().second))));
+  report_waste(phase, array, copy, Code::DUPLICATE_OBJECTS,
+               fmt::format("{} of {} {} equal earlier ones, such as {} and {}.", pairs.size(),
+                           objects.size(), noun, object_label(context, array, copy),
+                           object_label(context, array, index.at(pairs.front().second))),
+               array == RootArray::materials
+                   ? "`gltfx convert --dedup` shares equal materials whose names agree"
+                   : "let nodes share one mesh in the authoring tool");
 }
 
 void check_copies(DataPhase& phase) {
@@ -237,10 +240,11 @@ void check_redundant_keyframes(DataPhase& phase) {
     }
   }
   if (bytes < static_cast<double>(kWorthBytes) || redundant < kPart * all) return;
-  report_element(phase.sink, context, RootArray::animations, first, Code::REDUNDANT_KEYFRAMES,
-                 fmt::format("{:.0f} of {:.0f} keyframes are where interpolation is without them: "
-                             "about {:.0f} bytes.",
-                             redundant, all, bytes));
+  report_waste(phase, RootArray::animations, first, Code::REDUNDANT_KEYFRAMES,
+               fmt::format("{:.0f} of {:.0f} keyframes are where interpolation is without them: "
+                           "about {:.0f} bytes.",
+                           redundant, all, bytes),
+               "`gltfx convert --resample` removes them");
 }
 
 }  // namespace
