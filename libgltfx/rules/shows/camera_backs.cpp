@@ -62,10 +62,12 @@ class CameraBacks {
       if (sees_front(eye).value_or(true)) return;
     }
     const std::uint32_t node = eyes_.front().node;
-    report_element(phase_.sink, context_, RootArray::nodes, node, Code::CAMERA_SEES_BACKS,
-                   fmt::format("{} sees only backs of triangles, which viewers leave out{}.",
-                               object_label(context_, RootArray::nodes, node),
-                               eyes_.size() > 1 ? "; so do the other cameras of the scene" : ""));
+    report_element(
+        phase_.sink, context_, RootArray::nodes, node, Code::CAMERA_SEES_BACKS,
+        fmt::format(
+            "The camera of {} has only backs of triangles in view, which viewers do not draw{}.",
+            object_label(context_, RootArray::nodes, node),
+            eyes_.size() > 1 ? "; the same is true for the other cameras of the scene" : ""));
   }
 
  private:

@@ -224,12 +224,13 @@ class Coincidences {
       message = fmt::format("{} and {} draw", object_label(context_, RootArray::nodes, one.node),
                             object_label(context_, RootArray::nodes, other.node));
     }
-    message += share < 1 ? fmt::format(" {:.0f} % of their triangles", 100 * share)
+    message += share < 1 ? fmt::format(" {:.0f} % of the triangles of the smaller one", 100 * share)
                          : std::string(" the same triangles");
-    message += " in one place: only one of both is seen, or they flicker";
+    message += " in the same place: one hides the other, or they flicker";
     if (doubles_ > 1) {
-      message += fmt::format("; {}{} other {} as well", doubles_ == kMostDoubles ? "at least " : "",
-                             doubles_ - 1, doubles_ == 2 ? "pair does" : "pairs do");
+      message +=
+          fmt::format("; {}{} other {} the same", doubles_ == kMostDoubles ? "at least " : "",
+                      doubles_ - 1, doubles_ == 2 ? "pair does" : "pairs do");
     }
     const bool of_mesh = one.node == other.node;
     const std::string pointer =

@@ -28,12 +28,14 @@ std::string strangeness(const model::Light& light) {
   const double strength = static_cast<double>(light.intensity);
   if (light.type == model::LightType::directional) {
     if (strength < kMostLux) return {};
-    return fmt::format("intensity is {:.3g} lux, {:.0f} times as bright as the sun", strength,
+    return fmt::format("intensity is {:.0f} lux, {:.0f} times as bright as the sun", strength,
                        strength / kSun);
   }
   if (strength < kMostCandela) return {};
   return fmt::format(
-      "intensity is {:.3g} candela, at a distance of 1 m {:.0f} times as bright as the sun",
+      "intensity is {:.0f} candela: at a distance of 1 m, the light is {:.0f} times as bright as "
+      "the "
+      "sun",
       strength, strength / kSun);
 }
 

@@ -268,10 +268,10 @@ void check_far_parts(DataPhase& phase, const PlacedScene& scene) {
         i > 0 ? fmt::format(" and {} other{}", i, i == 1 ? "" : "s") : std::string();
     report_element(
         phase.sink, phase.context, RootArray::nodes, nodes.front().node, Code::PART_FAR_AWAY,
-        fmt::format("{}{} lies {:.3g} m from all other parts, which are {:.3g} m wide: a picture "
-                    "of all of them shows dots.",
+        fmt::format("{}{} {} {:.0f} m away from all other parts, which are {:.3g} m wide together: "
+                    "a view of the whole scene shows only dots.",
                     object_label(phase.context, RootArray::nodes, nodes.front().node), others,
-                    nodes.front().distance, 2 * reach[i + 1]));
+                    i > 0 ? "lie" : "lies", nodes.front().distance, 2 * reach[i + 1]));
     return;
   }
 }

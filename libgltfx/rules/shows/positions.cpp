@@ -188,8 +188,8 @@ void check_stray_vertices(DataPhase& phase) {
       if (!stray) continue;
       report_positions(
           phase, i, k, *positions, Code::STRAY_VERTEX,
-          fmt::format("Vertex {}{} is at ({:.6g}, {:.6g}, {:.6g}), {:.3g} times as far away as all "
-                      "others are wide: what frames the mesh shows it as a dot.",
+          fmt::format("Vertex {}{} is at ({:.6g}, {:.6g}, {:.6g}), {:.0f} times as far away as all "
+                      "other vertices are wide: a view of the whole mesh shows only a dot.",
                       stray->vertex,
                       stray->count > 1 ? fmt::format(", the farthest of {},", stray->count) : "",
                       stray->place[0], stray->place[1], stray->place[2], stray->times));

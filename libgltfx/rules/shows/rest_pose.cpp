@@ -283,11 +283,14 @@ class RestPose {
     const std::string joint =
         object_label(context_, RootArray::nodes, rest.skin.joint_nodes[rest.worst]);
     std::string message = fmt::format(
-        "At rest, joints change the edges of {} by {:.2g} of their length on average, and {} of {} "
-        "edges grow by more than half of its width: the inverse bind matrices do not fit the "
-        "joints, as that of {}, which is {:.3g} widths from its bone.",
+        "At rest, the joints change the edges of {} by {:.0f} % of their length on average, and {} "
+        "of "
+        "{} edges grow by more than half of the width of the mesh: the inverse bind matrices do "
+        "not "
+        "fit the joints. For example, {} is {:.3g} widths of the mesh away from the end of its "
+        "bone.",
         object_label(context_, RootArray::meshes, mesh),
-        edges.change / std::max(edges.length, 1e-30), edges.grown, edges.all, joint,
+        100 * edges.change / std::max(edges.length, 1e-30), edges.grown, edges.all, joint,
         rest.away / width);
     const bool matrices = rest.skin.inverse_bind_matrices.has_value();
     report_at(

@@ -41,7 +41,7 @@ void check_occlusion(DataPhase& phase, const TextureSlot& slot, const codec::Ima
   if (strength < kFull) return;
   report_slot(
       phase.context, phase.sink, slot, Code::OCCLUSION_BLACK,
-      fmt::format("R of {} is {}in every texel, so no ambient light reaches {}.",
+      fmt::format("The red channel of {} is {}in every texel, so no ambient light reaches {}.",
                   image_label(phase.context, slot.images.front()),
                   brightest == 0 ? "0 " : fmt::format("at most {} of {} ", brightest, image.full()),
                   object_label(phase.context, model::RootArray::materials, slot.material_index)));
@@ -170,12 +170,13 @@ bool is_turned_over(DataPhase& phase, const TextureSlot& slot,
 void check_relief(DataPhase& phase, const TextureSlot& slot, const SlopeStudy& study,
                   const std::vector<PlacedPrimitive>& users) {
   if (!is_clear(study.down, study.up, study) || is_turned_over(phase, slot, users)) return;
-  report_slot(phase.context, phase.sink, slot, Code::NORMAL_MAP_DIRECTX,
-              fmt::format("Green of {} points down, as in DirectX: in {} of the {} squares of the "
-                          "image with relief, slopes fit together only if it is turned over.",
-                          image_label(phase.context, slot.images.front()),
-                          percent(study.down, study.down + study.up + study.rough),
-                          study.down + study.up + study.rough));
+  report_slot(
+      phase.context, phase.sink, slot, Code::NORMAL_MAP_DIRECTX,
+      fmt::format("The green channel of {} points down, as in DirectX: in {} of the {} squares of "
+                  "the image with relief, the slopes fit together only if green is turned over.",
+                  image_label(phase.context, slot.images.front()),
+                  percent(study.down, study.down + study.up + study.rough),
+                  study.down + study.up + study.rough));
 }
 
 void check_color(DataPhase& phase, const TextureSlot& slot, const SlopeStudy& study) {

@@ -240,11 +240,12 @@ void check_redundant_keyframes(DataPhase& phase) {
     }
   }
   if (bytes < static_cast<double>(kWorthBytes) || redundant < kPart * all) return;
-  report_waste(phase, RootArray::animations, first, Code::REDUNDANT_KEYFRAMES,
-               fmt::format("{:.0f} of {:.0f} keyframes are where interpolation is without them: "
-                           "about {:.0f} bytes.",
-                           redundant, all, bytes),
-               "`gltfx convert --resample` removes them");
+  report_waste(
+      phase, RootArray::animations, first, Code::REDUNDANT_KEYFRAMES,
+      fmt::format("{:.0f} of {:.0f} keyframes have no effect, because interpolation gives the "
+                  "same values without them: about {:.0f} bytes.",
+                  redundant, all, bytes),
+      "`gltfx convert --resample` removes them");
 }
 
 }  // namespace

@@ -336,15 +336,15 @@ class WrongSides {
       case WrongSide::Cause::unknown:
         break;
     }
-    return text + ": its triangles or its normals are turned around";
+    return text + ": either its triangles or its normals are reversed";
   }
 
   std::string inside_text(const WrongSide& wrong) const {
     return fmt::format(
         "{} is inside out: its surface is closed, and its {} triangles face inward, {}",
         object_label(context_, RootArray::meshes, wrong.mesh), wrong.triangles,
-        wrong.hidden ? "which only the double-sided material hides"
-                     : "so that its front is left out and the inside of its back is seen");
+        wrong.hidden ? "which is hidden only because the material is double-sided"
+                     : "so viewers leave out its front and show the inside of the far side");
   }
 
   DataPhase& phase_;
