@@ -113,6 +113,19 @@ def skinned_instances(n):
     return finished({"meshes": [{"primitives": [drawn]}], "nodes": [{"mesh": 1, "skin": 0}] * n})
 
 
+def skin_of_scale_0(n):
+    """Nodes of one skin, all of whose joints are below a node that is scaled to 0."""
+    drawn = {"attributes": {"POSITION": 0, "JOINTS_0": assets.JOINTS, "WEIGHTS_0": assets.WEIGHTS}}
+    asset = base()
+    first, mesh, skin = len(asset["nodes"]), len(asset["meshes"]), len(asset["skins"])
+    below = list(range(first + 1, first + 1 + n))
+    asset["meshes"].append({"primitives": [drawn]})
+    asset["skins"].append({"joints": below})
+    asset["nodes"] += [{"scale": [0, 0, 0], "children": below}] + [{}] * n + [{"mesh": mesh, "skin": skin}] * n
+    asset["scenes"] = [{"nodes": [first] + list(range(first + 1 + n, first + 1 + 2 * n))}]
+    return text_of(asset)
+
+
 def skins(n):
     return finished({"skins": [{"joints": [0, 1], "inverseBindMatrices": assets.MATRIX}] * n})
 
@@ -312,6 +325,26 @@ def legacy_images(n):
             "index": 1 + i}}}} for i in range(n)]})
 
 
+def inside_out(by_mesh):
+    """Closed surfaces that face inward: in a mesh and a node each, or as primitives of one mesh."""
+    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    faces = [(0, 1, 2), (0, 3, 1), (0, 2, 3), (1, 3, 2)]
+    data = b"".join(struct.pack("<3f", *corners[i]) for face in faces for i in face)
+    primitive = {"attributes": {"POSITION": 0}, "material": 0}
+
+    def build(n):
+        meshes = [{"primitives": [primitive]}] * n if by_mesh else [{"primitives": [primitive] * n}]
+        nodes = [{"mesh": i, "translation": [2 * i, 0, 0]} for i in range(len(meshes))]
+        return text_of({
+            "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}], "nodes": nodes,
+            "meshes": meshes, "materials": [{"name": "x" * n}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "type": "VEC3", "count": 12, "min": [0, 0, 0],
+                           "max": [1, 1, 1]}],
+            "bufferViews": [{"buffer": 0, "byteLength": len(data)}],
+            "buffers": [{"uri": data_uri(data), "byteLength": len(data)}]})
+    return build
+
+
 def glb(chunks, json=None):
     text = json or text_of(base())
     text += b" " * (-len(text) % 4)
@@ -349,6 +382,7 @@ CONSTRUCTS = {
     "joints deep": joints,
     "skinned instances": skinned_instances,
     "skins of the same joints": skins,
+    "nodes of a skin of scale 0": skin_of_scale_0,
     "animations of one node": animations,
     "channels of a node each": channels,
     "channels that are the same": same_channels,
@@ -423,6 +457,8 @@ CONSTRUCTS = {
         {"uri": data_uri(bytes(8)), "byteLength": 8}] * n}),
     "views of one buffer": lambda n: finished({"bufferViews": [{"buffer": 0, "byteLength": 4}] * n}),
     "accessors of one view": lambda n: finished({"accessors": base()["accessors"][:1] * n}),
+    "meshes inside out": inside_out(True),
+    "primitives inside out": inside_out(False),
     "chunks of a GLB": lambda n: glb(struct.pack("<II", 0, 0x12345678) * n),
     "bytes after a GLB": lambda n: glb(b"") + bytes(n),
     "levels of a KTX2 image": ktx2_levels,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -90,6 +91,11 @@ class SceneWalk {
 
   // A joint that is scaled to 0, if all joints of the skin are.
   std::optional<model::NodeIndex> flat_joint(std::uint32_t skin) {
+    const auto [known, is_new] = flat_joints_.try_emplace(skin);
+    if (is_new) known->second = find_flat_joint(skin);
+    return known->second;
+  }
+  std::optional<model::NodeIndex> find_flat_joint(std::uint32_t skin) {
     const model::Skin read =
         model::read_skin(context_.asset, context_.asset.elements(RootArray::skins)[skin]);
     std::optional<model::NodeIndex> first;
@@ -105,7 +111,7 @@ class SceneWalk {
     ++nodes_with_mesh_;
     Unseen reason = Unseen::none;
     model::NodeIndex at = step.node;
-    const auto joint = node.skin ? flat_joint(*node.skin) : std::nullopt;
+    const auto joint = node.skin && !step.hidden ? flat_joint(*node.skin) : std::nullopt;
     if (step.hidden) {
       reason = Unseen::hidden;
     } else if (joint || (!node.skin && is_flat(step.parent))) {
@@ -153,6 +159,7 @@ class SceneWalk {
 
   DataPhase& phase_;
   const Context& context_;
+  std::map<std::uint32_t, std::optional<model::NodeIndex>> flat_joints_;  // by skin
   std::vector<std::optional<Unseen>> meshes_;
   const bool moves_;
   FlatNodes flat_;

@@ -73,15 +73,17 @@ class CoordinateCheck {
 
  private:
   void add(const TextureSlot& slot, const PlacedPrimitive& by) {
+    constexpr std::size_t kMostUses = std::size_t{1} << 16U;  // of a kilobyte each
     const UvMapping mapping = read_uv_mapping(context_.document, slot.use->texture_info);
     auto uvs = open_uvs(phase_, *by.primitive, set_of(mapping));
     UvSample sample;
-    if (uvs) sample = sample_uvs(phase_, *by.primitive, *uvs);
+    if (uvs && count_ < kMostUses) sample = sample_uvs(phase_, *by.primitive, *uvs);
     if (sample.triangles.empty()) {
       unknown_.insert(slot.images.begin(), slot.images.end());
       incomplete_.insert(slot.texture);
       return;
     }
+    ++count_;
     uses_[slot.texture].push_back({by, &slot, mapping, *std::move(uvs), std::move(sample)});
   }
 
@@ -306,6 +308,7 @@ class CoordinateCheck {
   DataPhase& phase_;
   const Context& context_;
   std::map<std::uint32_t, std::vector<TextureUse>> uses_;  // by texture
+  std::size_t count_ = 0;                                  // of uses
   std::set<std::uint32_t> incomplete_;                     // textures with uses that cannot be read
   std::set<std::uint32_t> unknown_;                        // images, likewise
   std::set<std::array<std::uint64_t, 3>> reported_;

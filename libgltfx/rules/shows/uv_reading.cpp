@@ -67,8 +67,8 @@ UvSample sample_uvs(DataPhase& phase, const model::Primitive& primitive,
   const std::uint64_t corners = indices ? indices->count() : uvs.count();
   const bool list = *primitive.mode == model::Mode::triangles;
   UvSample sample;
-  sample.triangles.reserve(kFew);
   sample.of = list ? corners / 3 : corners - std::min<std::uint64_t>(corners, 2);
+  sample.triangles.reserve(static_cast<std::size_t>(std::min(kFew, sample.of)));
   for (std::uint64_t n = 0; n < std::min(kFew, sample.of); ++n) {
     // Without an overflow: at most 16 times a count of elements.
     const std::uint64_t i = sample.of <= kFew ? n : sample.of / kFew * n;

@@ -135,8 +135,11 @@ std::vector<Unused> counted_unused(const DataPhase& phase) {
     if (unused == nullptr || *unused <= 0) continue;
     const MeasuredPrimitive& at = taken.primitives[i];
     const model::Primitive& primitive = context.views.meshes[at.mesh].primitives[at.index];
-    const VertexSet& set = sets.at(*primitive.find(model::SemanticKind::position)->accessor);
-    if (!set.countable) continue;
+    const model::Attribute* positions = primitive.find(model::SemanticKind::position);
+    if (positions == nullptr || !positions->accessor) continue;
+    const auto found = sets.find(*positions->accessor);
+    if (found == sets.end() || !found->second.countable) continue;
+    const VertexSet& set = found->second;
     const auto count = static_cast<std::uint64_t>(*unused);
     all.push_back({at.mesh, set.vertices, count, bytes_of(count, set.each)});
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ class WrongSides {
 
   void run() {
     for (std::uint32_t i = 0; i < context_.views.meshes.size(); ++i) {
-      if (scene_.draws(i)) suspect(i);
+      if (scene_.draws(i) && found_.size() < kMostSurfaces) suspect(i);
     }
     // What is meant to face inward need not be looked at.
     std::vector<WrongSide> suspects;
@@ -57,7 +58,10 @@ class WrongSides {
       if (each.code != Code::SURFACE_INSIDE_OUT || !is_meant(each)) suspects.push_back(each);
     }
     found_.clear();
-    for (const WrongSide& each : suspects) examine(each.mesh);
+    for (const WrongSide& each : suspects) {
+      if (found_.size() < kMostSurfaces) examine(each.mesh);
+    }
+    if (found_.size() > kMostSurfaces) found_.resize(kMostSurfaces);
     std::vector<WrongSide> left;
     for (const WrongSide& each : found_) {
       if (!is_meant(each)) left.push_back(each);
@@ -67,6 +71,8 @@ class WrongSides {
   }
 
  private:
+  // Of an asset that are judged: each is compared with all that the scene draws.
+  static constexpr std::size_t kMostSurfaces = 256;
   // Triangles of a primitive that are looked at first; then one of so many, at least and at most.
   static constexpr std::uint64_t kFirst = 8, kOneOf = 32, kLeast = 64, kMost = 4096;
 
@@ -206,7 +212,9 @@ class WrongSides {
     constexpr std::array<std::string_view, 7> kWords = {
         "sky", "dome", "room", "outline", "interior", "backdrop", "environment"};
     const auto fits = [&](json::NodeId object) {
-      const std::string name = lower_case(model::string_member(context_.document, object, "name"));
+      constexpr std::size_t kLongestName = 256;
+      const std::string name = lower_case(
+          model::string_member(context_.document, object, "name").substr(0, kLongestName));
       return std::any_of(kWords.begin(), kWords.end(), [&](std::string_view word) {
         return name.find(word) != std::string::npos;
       });
@@ -270,18 +278,15 @@ class WrongSides {
   }
 
   bool is_wrong_as(const WrongSide& wrong, const Placed& placed) const {
-    const auto same = [&](const WrongSide& each) {
-      return each.code == wrong.code && each.cause == wrong.cause &&
-             each.primitive.value_or(placed.primitive) == placed.primitive;
+    // In the order of meshes and primitives; a mesh has either one entry, or some of primitives.
+    const auto before = [](const WrongSide& each, const Placed& other) {
+      return std::pair(each.mesh, each.primitive.value_or(other.primitive)) <
+             std::pair(other.mesh, other.primitive);
     };
-    // In the order of their meshes.
-    auto at = std::lower_bound(
-        found_.begin(), found_.end(), placed.mesh,
-        [](const WrongSide& each, std::uint32_t mesh) { return each.mesh < mesh; });
-    for (; at != found_.end() && at->mesh == placed.mesh; ++at) {
-      if (same(*at)) return true;
-    }
-    return false;
+    const auto at = std::lower_bound(found_.begin(), found_.end(), placed, before);
+    return at != found_.end() && at->mesh == placed.mesh &&
+           at->primitive.value_or(placed.primitive) == placed.primitive && at->code == wrong.code &&
+           at->cause == wrong.cause;
   }
 
   // One finding a file and code: the first of those that no material hides, and the number of the
@@ -298,7 +303,8 @@ class WrongSides {
     std::string message =
         code == Code::SURFACE_INSIDE_OUT ? inside_text(*first) : against_text(*first);
     if (count > 1) {
-      message += fmt::format("; {} other {} the same fault", count - 1,
+      message += fmt::format("; {}{} other {} the same fault",
+                             found_.size() == kMostSurfaces ? "at least " : "", count - 1,
                              count == 2 ? "surface has" : "surfaces have");
     }
     const std::string pointer = fmt::format("/meshes/{}", first->mesh);
