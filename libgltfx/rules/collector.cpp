@@ -212,44 +212,46 @@ void Collector::keep_text(SharedText text) {
 // An object of a wrong form, or with a broken reference, whatever the options make of the finding.
 void Collector::note_broken(Phase phase, const Path& path, const Finding& finding) {
   if (broken_ == nullptr || (phase != Phase::schema && phase != Phase::reference)) return;
-  const RuleDescription& rule = description(options_, finding.code);
-  if (finding.severity.value_or(rule.severity) == Severity::error) broken_->add(path, finding.span);
+  if (is_error(finding)) broken_->add(path, finding.span);
 }
 
 void Collector::add(Phase phase, const Path& path, Finding finding, Span extent) {
+  note_error(phase, finding);
   note_broken(phase, path, finding);
   const Severity severity = severity_of(finding);
-  if (!wants(finding, severity, extent)) return note_error(phase, severity, finding);
+  if (!wants(finding, severity, extent)) return;
   if (suppressions_ != nullptr &&
       suppressions_->covers(finding.code, path, static_cast<std::size_t>(phase), finding.count)) {
     return;
   }
-  note_error(phase, severity, finding);
   keep_site(phase, severity, finding);
   if (leave_out(phase, severity, finding) || fold(phase, severity, path, finding)) return;
   store(phase, severity, std::move(finding), path.pointer(), std::nullopt);
 }
 
 void Collector::report_offset(Phase phase, std::uint64_t offset, Finding finding) {
+  note_error(phase, finding);
   const Severity severity = severity_of(finding);
-  note_error(phase, severity, finding);
   if (!wants(finding, severity, finding.span)) return;
   keep_site(phase, severity, finding);
   store(phase, severity, std::move(finding), {}, offset);
 }
 
 void Collector::report_file(Phase phase, Finding finding) {
+  note_error(phase, finding);
   const Severity severity = severity_of(finding);
-  note_error(phase, severity, finding);
   if (!wants(finding, severity, finding.span)) return;
   keep_site(phase, severity, finding);
   store(phase, severity, std::move(finding), {}, std::nullopt);
 }
 
-void Collector::note_error(Phase phase, Severity severity, const Finding& finding) {
-  if (severity != Severity::error) return;
-  if (options_.ignore.contains(description(options_, finding.code).code)) return;
-  phases_[static_cast<std::size_t>(phase)].has_errors = true;
+bool Collector::is_error(const Finding& finding) const {
+  const RuleDescription& rule = description(options_, finding.code);
+  return finding.severity.value_or(rule.severity) == Severity::error;
+}
+
+void Collector::note_error(Phase phase, const Finding& finding) {
+  if (is_error(finding)) phases_[static_cast<std::size_t>(phase)].has_errors = true;
 }
 
 bool Collector::has_errors() const {

@@ -90,8 +90,8 @@ class Collector {
   /// Where errors of form and references are noted from now on. Outlives the collector's phases.
   void note_broken(BrokenPlaces* places) { broken_ = places; }
 
-  /// Whether an error was reported that options and asset do not ignore, whether it is listed or
-  /// not. Call it while no phase runs.
+  /// Whether an error was reported, whatever options and suppressions make of it. Call it while no
+  /// phase runs.
   bool has_errors() const;
   /// The places of findings whose rules have a fix, of all phases; the first million of each rule.
   Sites take_sites();
@@ -138,7 +138,9 @@ class Collector {
   void add(Phase phase, const Path& path, Finding finding, Span extent);
   void note_broken(Phase phase, const Path& path, const Finding& finding);
   bool wants(const Finding& finding, Severity severity, Span extent);
-  void note_error(Phase phase, Severity severity, const Finding& finding);
+  /// Whatever the options make of it.
+  bool is_error(const Finding& finding) const;
+  void note_error(Phase phase, const Finding& finding);
   void keep_site(Phase phase, Severity severity, const Finding& finding);
   bool leave_out(Phase phase, Severity severity, const Finding& finding);
   bool fold(Phase phase, Severity severity, const Path& path, Finding& finding);

@@ -76,12 +76,17 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report, Checked
   for (const DataRule& rule : data_rules()) {
     if (!rule.additional || !context.deviations.no_additional_rules) rule.check(phase);
   }
-  check_truncated(context, resources.data, sink);
   report.info = model::asset_info(context.asset, context.views);
-  check_targets(context, resources.data, sink);
-  check_limits(context, source, report, sink);
-  checked.measured = take_own_measures(context, source);
   report.info->resources = std::move(resources.listed);
+}
+
+// What engines and users require beside the specification.
+void check_requirements(const Context& context, Sink& sink, FileReport& report,
+                        CheckedBytes& checked) {
+  if (!checked.source) return;
+  check_targets(context, checked.resources.data, sink);
+  check_limits(context, *checked.source, report, sink);
+  checked.measured = take_own_measures(context, *checked.source);
 }
 
 bool wants_shown_rules(const ValidateOptions& options) {
@@ -151,6 +156,8 @@ bool check_document(Context& context, json::Document& own, Collector& collector,
       jobs, [&] { check_links(context); },
       [&] { check_bytes(context, collector.sink(Phase::resources), report, bytes); });
   check_what_is_shown(context, collector, bytes);
+  check_requirements(context, collector.sink(Phase::resources), report, bytes);
+  check_truncated(context, bytes.resources.data, collector.sink(Phase::resources));
   return true;
 }
 

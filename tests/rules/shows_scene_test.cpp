@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a scene shows at all, and where its vertices are.
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "measure/limit.hpp"
 #include "rules/shows_assets.hpp"
 
 namespace gltfx::test {
@@ -298,6 +303,39 @@ TEST(FarPositions, AreFineNearerOrInANode) {
           },
       },
       {"PIVOT_FAR_OUTSIDE"});
+}
+
+bool says(const FileReport& report, std::string_view code) {
+  return std::any_of(report.diagnostics.begin(), report.diagnostics.end(),
+                     [&](const Diagnostic& each) { return each.code == code; });
+}
+
+// What is wrong with an asset explains more. What a user requires of it does not.
+TEST(ShownRules, RunOnAssetsWithoutErrors) {
+  Drawn drawn(1);
+  drawn.root_with(collapsed(drawn, false));
+  ValidateOptions options;
+  options.limits = measure::read_budget("triangles=0", "test")->front().limits;
+  const FileReport over = validate_bytes(drawn.text(), "test", options);
+  EXPECT_TRUE(says(over, "BUDGET_TRIANGLES"));
+  EXPECT_TRUE(says(over, "NOTHING_VISIBLE"));
+
+  drawn.made.json["nodes"][0]["camera"] = 7;
+  const std::string broken = drawn.text();
+  EXPECT_FALSE(says(validate_bytes(broken, "test", {}), "NOTHING_VISIBLE"));
+  ValidateOptions hidden;
+  hidden.ignore = {"UNRESOLVED_REFERENCE"};
+  EXPECT_FALSE(says(validate_bytes(broken, "test", hidden), "NOTHING_VISIBLE"));
+  hidden = {};
+  hidden.severity = {{"UNRESOLVED_REFERENCE", Severity::warning}};
+  EXPECT_FALSE(says(validate_bytes(broken, "test", hidden), "NOTHING_VISIBLE"));
+  drawn.made.json["nodes"][0]["extras"]["gltfx"]["ignore"] =
+      Json::array({{{"code", "UNRESOLVED_REFERENCE"}, {"reason", "a test"}}});
+  hidden = {};
+  hidden.inline_suppressions = true;
+  const FileReport suppressed = validate_bytes(drawn.text(), "test", hidden);
+  EXPECT_FALSE(says(suppressed, "UNRESOLVED_REFERENCE"));
+  EXPECT_FALSE(says(suppressed, "NOTHING_VISIBLE"));
 }
 
 }  // namespace
