@@ -13,7 +13,10 @@ namespace {
 
 // Findings may be why there is no picture, but not where a limit is stated.
 Hash128 key_of(ValidateOptions options, const BakeOptions& bake) {
-  for (Limit& limit : options.limits) limit.from.clear();
+  for (Limit& limit : options.limits) {
+    limit.from.clear();
+    limit.note.clear();
+  }
   HashParts parts;
   parts.add("pictures of the page");
   parts.add(picture_key(bake, *options.cache));

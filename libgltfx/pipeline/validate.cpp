@@ -124,6 +124,7 @@ void add(HashParts& parts, const Limit& limit) {
   parts.add(slot);
   for (const double size : product) add(parts, size);
   parts.add(from);
+  parts.add(note);
 }
 
 void add(HashParts& parts, const std::vector<TargetRange>& ranges) {

@@ -132,6 +132,17 @@ TEST_F(Cache, OtherOptionsAreOtherReports) {
 }
 
 // A limit on pixels wants them, unless the user says the opposite.
+TEST_F(Cache, AnotherNoteOfALimitIsAnotherReport) {
+  folder_.write("assets/a.gltf", R"({"asset": {"version": "2.0"}, "nodes": [{}]})");
+  TempFolder::wait_for_tick();
+  const auto with_note = [&](const std::string& note) {
+    folder_.write("gltfx.toml", "[budgets]\nnodes = { max = 0, note = \"" + note + "\" }\n");
+    return gltfx({"validate", "assets", "--cache", "cache", "--format", "agent"}, setting_).out;
+  };
+  EXPECT_THAT(with_note("props"), HasSubstr("gltfx.toml:2: props"));
+  EXPECT_THAT(with_note("doors"), HasSubstr("gltfx.toml:2: doors"));
+}
+
 TEST_F(Cache, AskingForHeadersIsAnotherReport) {
   const std::string page = read_file(fixture("../schema/measures/albedo-max.md"));
   const std::string fence = "```json\n";
