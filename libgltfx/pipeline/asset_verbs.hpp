@@ -41,10 +41,6 @@ struct UpgradeDryRun {
 /// those that the asset was validated with. Large documents of both assets are forgotten.
 UpgradeDryRun dry_run_upgrade(validate::ValidatedAsset& asset, const UpgradeOptions& options);
 
-/// The same for an asset that was not validated yet: that happens where it names something legacy.
-/// Throws where memory is missing; the asset is not to be used then.
-UpgradeReport dry_run_upgrade(model::OpenedAsset& asset, const UpgradeOptions& options);
-
 /// As inspect_file(), without what an upgrade would do. An upgrade holds two documents: it is
 /// tried before there are facts to hold beside them.
 InspectReport inspect_asset(const model::OpenedAsset& asset, const schema::Set& schemas,

@@ -219,16 +219,6 @@ UpgradeDryRun dry_run_upgrade(ValidatedAsset& asset, const UpgradeOptions& optio
   return dry_run;
 }
 
-UpgradeReport dry_run_upgrade(OpenedAsset& asset, const UpgradeOptions& options) {
-  if (auto report = find_old_container(asset, options)) return *std::move(report);
-  const SchemaSet schemas = schemas_of(options);
-  if (!upgrade::names_legacy(asset.document(), *schemas)) return report_on(asset.name());
-  ValidatedAsset before = validated(std::move(asset), schemas);
-  UpgradeReport report = dry_run_upgrade(before, options).report;
-  asset = before.take_asset();
-  return report;
-}
-
 UpgradeReport upgrade_file(const std::string& path, const UpgradeOptions& options) {
   FolderIndex folders;
   return upgrade_path(path, options, folders);

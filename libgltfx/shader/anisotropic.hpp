@@ -92,7 +92,6 @@ class AnisotropicAlbedo {
   SpecularAlbedo at(double azimuth, double cosine) const;
   /// The mean over all azimuths at a cosine.
   SpecularAlbedo mean_at(const TableCell& column) const;
-  const Microfacets& facets() const { return facets_; }
 
  private:
   struct Values {

@@ -199,8 +199,14 @@ std::vector<std::string_view> codes_from_user(std::string_view name, const OwnRu
 
 std::string suggest_code(std::string_view code, const OwnRules* own) {
   std::vector<std::string_view> codes;
-  for (const RuleDescription& rule : rules(own)) codes.push_back(rule.code);
-  return suggestion(upper_case(code), codes);
+  std::set<std::string_view> groups;
+  for (const RuleDescription& rule : rules(own)) {
+    codes.push_back(rule.code);
+    if (!rule.group.empty()) groups.insert(rule.group);
+  }
+  const std::vector<std::string_view> names(groups.begin(), groups.end());
+  const std::string group = suggestion(lower_case(code), names);
+  return group.empty() ? suggestion(upper_case(code), codes) : group;
 }
 
 }  // namespace gltfx::tool
