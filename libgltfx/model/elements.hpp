@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -85,6 +87,21 @@ class ElementBlocks {
   AccessorData data_;
   std::uint64_t next_ = 0;
 };
+
+/// One index of unsigned scalars, at any position that exists. Nothing: they have another format.
+inline std::optional<std::uint64_t> index_at(const AccessorData& data, std::uint64_t at) {
+  std::optional<std::uint64_t> index;
+  if (at >= data.count() || data.components() != 1) return index;
+  with_component_type(data.format().component, [&](auto zero) {
+    using T = decltype(zero);
+    if constexpr (std::is_unsigned_v<T>) {
+      T value = 0;
+      data.read_one(reinterpret_cast<std::byte*>(&value), at);
+      index = value;
+    }
+  });
+  return index;
+}
 
 /// One element at any position: for curves, of which few elements are read. Empty when it does not
 /// exist.

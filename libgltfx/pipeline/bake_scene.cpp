@@ -23,6 +23,7 @@
 #include "pipeline/scene_pose.hpp"
 #include "preview/markers.hpp"
 #include "preview/overlay.hpp"
+#include "rules/shows/shows.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -47,7 +48,7 @@ bool forbids_picture(const FileReport& report) {
 
 // What validation says of a scene that shows nothing, as a half sentence; or empty.
 std::string find_unseen(const FileReport& report) {
-  constexpr std::string_view kBegin = "Nothing is visible: ";
+  constexpr std::string_view kBegin = validate::kNothingIsVisible;
   for (const Diagnostic& each : report.diagnostics) {
     if (each.code == "NOTHING_VISIBLE" && each.message.starts_with(kBegin)) {
       return std::string(without_stop(std::string_view(each.message).substr(kBegin.size())));

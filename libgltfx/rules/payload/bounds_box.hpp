@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -12,6 +13,11 @@
 #include "model/node.hpp"
 
 namespace gltfx::validate {
+
+/// Elements beyond the limits of a phase are not checked, and may be NaN or infinite.
+inline bool is_finite(const std::array<float, 3>& place) {
+  return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]);
+}
 
 struct BoundsBox {
   model::Vector3 least{kMost, kMost, kMost};
@@ -23,6 +29,7 @@ struct BoundsBox {
       most[k] = std::max(most[k], other.most[k]);
     }
   }
+  bool empty() const { return most[0] < least[0]; }
   /// The longest side; negative: empty.
   double width() const {
     return std::max({most[0] - least[0], most[1] - least[1], most[2] - least[2]});
@@ -31,7 +38,7 @@ struct BoundsBox {
   double reach() const {
     double reach = 0;
     for (std::size_t k = 0; k < 3; ++k) reach = std::max({reach, -least[k], most[k]});
-    return most[0] < least[0] ? 0 : reach;
+    return empty() ? 0 : reach;
   }
 
  private:
@@ -39,8 +46,8 @@ struct BoundsBox {
 };
 
 /// Nothing: the accessor has no bounds of three numbers.
-inline std::optional<BoundsBox> box_of(const json::Document& document,
-                                       const model::Accessor& accessor) {
+inline std::optional<BoundsBox> stated_box(const json::Document& document,
+                                           const model::Accessor& accessor) {
   if (accessor.format.type != model::ElementType::vec3) return std::nullopt;
   const auto least = model::float_array<3>(document, accessor.min);
   const auto most = model::float_array<3>(document, accessor.max);

@@ -10,10 +10,12 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <vector>
 
 #include "model/accessor_data.hpp"
 #include "model/pose.hpp"
 #include "rules/context.hpp"
+#include "rules/payload/bounds_box.hpp"
 
 namespace gltfx::measure {
 class Source;
@@ -53,9 +55,15 @@ struct DataPhase {
   /// The texture slots, once check_texture_slots() has run; null if there are none.
   std::shared_ptr<StudiedTextures> textures = {};
   std::unique_ptr<const model::Pose> made_pose = nullptr;
+  std::vector<std::optional<BoundsBox>> made_boxes = {};  ///< by accessor
 
   /// The nodes of the default scene, at rest; made on the first call.
   const model::Pose& pose();
+  /// The bounds that an accessor states, read once. Empty: it has none of three numbers.
+  const BoundsBox& box_of(std::uint32_t accessor);
+  /// The bounds of the positions of a mesh or a primitive, likewise.
+  BoundsBox box_of_mesh(std::uint32_t mesh);
+  BoundsBox box_of_primitive(const model::Primitive& primitive);
 
   std::optional<model::AccessorData> open(std::uint32_t accessor) const {
     const auto found = decoded.find(accessor);

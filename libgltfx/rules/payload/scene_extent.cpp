@@ -57,6 +57,28 @@ const model::Pose& DataPhase::pose() {
   return *made_pose;
 }
 
+const BoundsBox& DataPhase::box_of(std::uint32_t accessor) {
+  made_boxes.resize(context.views.accessors.size());
+  std::optional<BoundsBox>& box = made_boxes[accessor];
+  if (!box) {
+    box = stated_box(context.document, context.views.accessors[accessor]).value_or(BoundsBox());
+  }
+  return *box;
+}
+
+BoundsBox DataPhase::box_of_primitive(const model::Primitive& primitive) {
+  const model::Attribute* positions = primitive.find(model::SemanticKind::position);
+  return positions == nullptr || !positions->accessor ? BoundsBox() : box_of(*positions->accessor);
+}
+
+BoundsBox DataPhase::box_of_mesh(std::uint32_t mesh) {
+  BoundsBox box;
+  for (const model::Primitive& primitive : context.views.meshes[mesh].primitives) {
+    box.include(box_of_primitive(primitive));
+  }
+  return box;
+}
+
 void check_scene_extent(DataPhase& phase) {
   if (!is_measured(phase.context)) return;
   const model::SceneExtent extent =

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Names by which engines find morph targets and nodes.
-#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <string>
-#include <string_view>
 #include <unordered_map>
 #include <vector>
 

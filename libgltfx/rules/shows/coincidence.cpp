@@ -196,7 +196,7 @@ class Coincidences {
       scale = std::max(scale, std::sqrt(model::dot(world.columns[k], world.columns[k])));
     }
     return std::max(placed.box.reach(),
-                    scale * scene_.box_of_primitive(primitive_of(placed)).reach());
+                    scale * phase_.box_of_primitive(primitive_of(placed)).reach());
   }
 
   // The side of cells in which places are the same; nothing: positions are too coarse for that.

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "base/number.hpp"
 #include "model/fields.hpp"
 #include "model/light.hpp"
 #include "rules/finding.hpp"

@@ -11,7 +11,6 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "base/number.hpp"
 #include "model/material.hpp"
 #include "rules/finding.hpp"
 #include "rules/payload/texture_phase.hpp"

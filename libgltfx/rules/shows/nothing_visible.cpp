@@ -39,7 +39,8 @@ class SceneWalk {
         meshes_(context_.views.meshes.size()),
         moves_(may_change_scales(context_)),
         flat_(context_) {
-    if (pixel_level(context_.options) != PixelLevel::headers) pixels_.emplace(phase_.resources);
+    const bool decodes = pixel_level(context_.options) != PixelLevel::headers;
+    if (decodes && phase.textures) pixels_ = &phase.textures->pixels;
   }
 
   // Whether nothing is seen for certain.
@@ -153,8 +154,7 @@ class SceneWalk {
     const bool deforms = skinned || !primitive.targets.empty();
     if (!deforms && has_extent(phase_, primitive, *data) == false) return Unseen::collapsed;
     const bool extended = context_.document.find(primitive.node, "extensions") != json::kNoNode;
-    return !extended && is_clear(phase_, primitive, pixels_ ? &*pixels_ : nullptr) ? Unseen::clear
-                                                                                   : Unseen::none;
+    return !extended && is_clear(phase_, primitive, pixels_) ? Unseen::clear : Unseen::none;
   }
 
   DataPhase& phase_;
@@ -163,7 +163,7 @@ class SceneWalk {
   std::vector<std::optional<Unseen>> meshes_;
   const bool moves_;
   FlatNodes flat_;
-  std::optional<PixelSource> pixels_;  ///< nothing: images are not decoded
+  PixelSource* pixels_ = nullptr;  ///< null: images are not decoded
   std::vector<Cause> causes_;
   std::uint64_t nodes_with_mesh_ = 0;
 };
@@ -209,7 +209,7 @@ void report_causes(DataPhase& phase, const SceneWalk& walk) {
   const Context& context = phase.context;
   const SceneWalk::Cause& first = walk.causes().front();
   const std::uint64_t others = walk.nodes_with_mesh() - 1;
-  std::string message = fmt::format("Nothing is visible: {}", cause_text(context, first));
+  std::string message = fmt::format("{}{}", kNothingIsVisible, cause_text(context, first));
   if (others > 0) {
     message += fmt::format("; the {} shows nothing either",
                            others == 1 ? "other node with a mesh"
@@ -248,16 +248,17 @@ void report_empty(DataPhase& phase, const model::SceneRoots& roots) {
   if (!node && (has_other_users(context) || !unseen_user(context).empty())) return;
   if (!node) {
     return report_nothing(phase, "/meshes/0", context.views.meshes.front().node,
-                          fmt::format("Nothing is visible: no node has {}.",
+                          fmt::format("{}no node has {}.", kNothingIsVisible,
                                       object_label(context, RootArray::meshes, 0)),
                           Severity::info);
   }
   if (!roots.scene) return;
-  report_nothing(phase, fmt::format("/scenes/{}", *roots.scene),
-                 context.asset.elements(RootArray::scenes)[*roots.scene],
-                 fmt::format("Nothing is visible: {} has no node with a mesh; {} is outside of it.",
-                             object_label(context, RootArray::scenes, *roots.scene),
-                             object_label(context, RootArray::nodes, *node)));
+  report_nothing(
+      phase, fmt::format("/scenes/{}", *roots.scene),
+      context.asset.elements(RootArray::scenes)[*roots.scene],
+      fmt::format("{}{} has no node with a mesh; {} is outside of it.", kNothingIsVisible,
+                  object_label(context, RootArray::scenes, *roots.scene),
+                  object_label(context, RootArray::nodes, *node)));
 }
 
 void check_default_scene(DataPhase& phase) {
@@ -305,8 +306,8 @@ void check_nothing_visible(DataPhase& phase) {
     if (!has_lost_vertices(context)) return;
     return report_nothing(
         phase, "/accessors", context.document.find(context.document.root(), "accessors"),
-        "Nothing is visible: the file has vertices and no mesh, node or scene that uses "
-        "them.",
+        fmt::format("{}the file has vertices and no mesh, node or scene that uses them.",
+                    kNothingIsVisible),
         Severity::info);
   }
   const model::SceneRoots roots = model::choose_scene(context.asset, context.views);

@@ -45,8 +45,7 @@ PlacedScene::PlacedScene(DataPhase& phase)
       context_(phase.context),
       pose_(phase.pose()),
       meshes_(context_.views.meshes.size(), 0),
-      moves_(context_.views.nodes.size(), 0),
-      boxes_(context_.views.accessors.size()) {
+      moves_(context_.views.nodes.size(), 0) {
   find_moving();
   for (NodeIndex i = 0; i < context_.views.nodes.size(); ++i) {
     if (pose_.in_scene[i] != 0 && pose_.visible[i] != 0 && context_.views.nodes[i].mesh) place(i);
@@ -88,7 +87,7 @@ void PlacedScene::place(NodeIndex index) {
     return;
   }
   for (std::uint32_t i = 0; i < primitives.size(); ++i) {
-    const BoundsBox own = box_of_primitive(primitives[i]);
+    const BoundsBox own = phase_.box_of_primitive(primitives[i]);
     const BoundsBox box = is_sound(own) ? moved_box(pose_.world[index], own) : own;
     if (is_sound(box)) {
       parts_.push_back({index, mesh, i, box});
@@ -96,25 +95,6 @@ void PlacedScene::place(NodeIndex index) {
       complete_ = false;
     }
   }
-}
-
-BoundsBox PlacedScene::box_of_primitive(const model::Primitive& primitive) {
-  const model::Attribute* positions = primitive.find(model::SemanticKind::position);
-  if (positions == nullptr || !positions->accessor) return {};
-  auto& known = boxes_[*positions->accessor];
-  if (!known) {
-    known = box_of(context_.document, context_.views.accessors[*positions->accessor])
-                .value_or(BoundsBox());
-  }
-  return *known;
-}
-
-BoundsBox PlacedScene::box_of_mesh(std::uint32_t mesh) {
-  BoundsBox box;
-  for (const model::Primitive& primitive : context_.views.meshes[mesh].primitives) {
-    box.include(box_of_primitive(primitive));
-  }
-  return box;
 }
 
 void check_geometry(DataPhase& phase) {

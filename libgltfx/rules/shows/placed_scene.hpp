@@ -4,12 +4,10 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "model/pose.hpp"
 #include "rules/payload/phases.hpp"
-#include "rules/shows/bounds_box.hpp"
 
 namespace gltfx::validate {
 
@@ -38,9 +36,6 @@ class PlacedScene {
 
   bool draws(std::uint32_t mesh) const { return meshes_[mesh] != 0; }
   bool skins(std::uint32_t mesh) const { return meshes_[mesh] == kSkinned; }
-  /// The bounds of a mesh in its own space, and of one primitive; may be empty.
-  BoundsBox box_of_mesh(std::uint32_t mesh);
-  BoundsBox box_of_primitive(const model::Primitive& primitive);
 
  private:
   static constexpr std::uint8_t kDrawn = 1, kSkinned = 2;
@@ -48,13 +43,12 @@ class PlacedScene {
   void find_moving();
   void place(model::NodeIndex index);
 
-  const DataPhase& phase_;
+  DataPhase& phase_;
   const Context& context_;
   const model::Pose& pose_;
   std::vector<Placed> parts_;
-  std::vector<std::uint8_t> meshes_;             ///< by mesh: 0, kDrawn or kSkinned
-  std::vector<std::uint8_t> moves_;              ///< by node
-  std::vector<std::optional<BoundsBox>> boxes_;  ///< by accessor
+  std::vector<std::uint8_t> meshes_;  ///< by mesh: 0, kDrawn or kSkinned
+  std::vector<std::uint8_t> moves_;   ///< by node
   bool moves_all_ = false;
   bool moves_any_ = false;
   bool complete_ = true;

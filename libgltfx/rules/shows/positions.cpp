@@ -12,7 +12,6 @@
 #include "base/codes.hpp"
 #include "model/elements.hpp"
 #include "rules/finding.hpp"
-#include "rules/shows/bounds_box.hpp"
 #include "rules/shows/shows.hpp"
 
 namespace gltfx::validate {
@@ -68,6 +67,7 @@ bool is_crowded(const AccessorData& data, double width) {
       const std::vector<float> element = model::element_at(data, i * step);
       std::copy_n(element.begin(), place.size(), place.begin());
     }
+    if (!is_finite(place)) return false;
     for (std::size_t k = 0; k < 3; ++k) axes[k][i] = place[k];
   }
   const std::size_t quarter = count / 4;
@@ -129,14 +129,15 @@ std::optional<Stray> find_stray(const model::Vectors<3>& places) {
 std::optional<Stray> find_stray(DataPhase& phase, std::uint32_t accessor) {
   constexpr std::uint64_t kFewest = 8;
   const model::Accessor& described = phase.context.views.accessors[accessor];
-  const auto box = box_of(phase.context.document, described);
-  if (!box || !described.count || *described.count < kFewest) return std::nullopt;
+  const BoundsBox& box = phase.box_of(accessor);
+  if (box.empty() || !described.count || *described.count < kFewest) return std::nullopt;
   const auto data = phase.open(accessor);
   if (!data || data->implied() || data->components() != 3) return std::nullopt;
-  if (!is_crowded(*data, box->width())) return std::nullopt;
+  if (!is_crowded(*data, box.width())) return std::nullopt;
   if (data->count() > UINT32_MAX || !phase.budget.take(data->count(), 3)) return std::nullopt;
   model::Vectors<3> places(static_cast<std::size_t>(data->count()));
   model::read_elements(*data, places);
+  if (!std::all_of(places.begin(), places.end(), is_finite)) return std::nullopt;
   return find_stray(places);
 }
 
@@ -154,10 +155,9 @@ void check_far_positions(DataPhase& phase) {
       if (positions == nullptr) continue;
       const model::Accessor& accessor = phase.context.views.accessors[*positions->accessor];
       if (accessor.format.component != model::ComponentType::float32) continue;
-      const auto box = box_of(phase.context.document, accessor);
-      if (!box) continue;
-      boxes[i].include(*box);
-      all.include(*box);
+      const BoundsBox& box = phase.box_of(*positions->accessor);
+      boxes[i].include(box);
+      all.include(box);
     }
   }
   for (std::size_t i = 0; i < meshes.size(); ++i) {

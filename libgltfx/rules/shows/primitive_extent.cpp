@@ -49,9 +49,7 @@ class Corners {
   std::uint64_t count() const { return indices_ ? indices_->count() : positions_.count(); }
   std::uint64_t vertices() const { return positions_.count(); }
   Vector3 operator[](std::uint64_t corner) const {
-    if (!indices_) return place_of(positions_, corner);
-    const std::vector<float> index = model::element_at(*indices_, corner);
-    return place_of(positions_, index.empty() ? 0 : static_cast<std::uint64_t>(index.front()));
+    return place_of(positions_, indices_ ? model::index_at(*indices_, corner).value_or(0) : corner);
   }
   Vector3 vertex(std::uint64_t index) const { return place_of(positions_, index); }
 

@@ -15,7 +15,6 @@
 #include "model/pose.hpp"
 #include "model/skin.hpp"
 #include "rules/finding.hpp"
-#include "rules/shows/bounds_box.hpp"
 #include "rules/shows/shows.hpp"
 
 namespace gltfx::validate {
@@ -185,19 +184,8 @@ class RestPose {
 
   double width_of(std::uint32_t mesh) {
     std::optional<double>& width = widths_[mesh];
-    if (!width) width = measured_width(mesh);
+    if (!width) width = phase_.box_of_mesh(mesh).width();
     return *width;
-  }
-
-  double measured_width(std::uint32_t mesh) const {
-    BoundsBox box;
-    for (const model::Primitive& primitive : context_.views.meshes[mesh].primitives) {
-      const model::Attribute* positions = primitive.find(model::SemanticKind::position);
-      if (positions == nullptr || !positions->accessor) continue;
-      const auto own = box_of(context_.document, context_.views.accessors[*positions->accessor]);
-      if (own) box.include(*own);
-    }
-    return box.width();
   }
 
   Edges stretch(const RestSkin& rest, std::uint32_t mesh, double width) {
@@ -266,6 +254,7 @@ class RestPose {
     void add_seams(Edges& edges) const {
       std::vector<std::uint32_t> order(bound.positions.size());
       std::iota(order.begin(), order.end(), 0U);
+      std::erase_if(order, [&](std::uint32_t i) { return !is_finite(bound.positions[i]); });
       std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         return bound.positions[a] != bound.positions[b] ? bound.positions[a] < bound.positions[b]
                                                         : a < b;
@@ -323,28 +312,21 @@ void check_morph_reach(DataPhase& phase) {
     const bool morphs = std::any_of(primitives.begin(), primitives.end(),
                                     [](const auto& each) { return !each.targets.empty(); });
     if (!morphs) continue;
-    BoundsBox box;
-    for (const model::Primitive& primitive : primitives) {
-      const model::Attribute* positions = primitive.find(model::SemanticKind::position);
-      if (positions == nullptr || !positions->accessor) continue;
-      const auto own = box_of(context.document, context.views.accessors[*positions->accessor]);
-      if (own) box.include(*own);
-    }
-    const double width = box.width();
+    const double width = phase.box_of_mesh(static_cast<std::uint32_t>(i)).width();
     if (!(width > 0)) continue;
     for (std::size_t p = 0; p < primitives.size(); ++p) {
       for (std::size_t t = 0; t < primitives[p].targets.size(); ++t) {
         for (const model::Attribute& each :
              model::read_attributes(context.asset, primitives[p].targets[t])) {
           if (each.semantic.kind != model::SemanticKind::position || !each.accessor) continue;
-          const auto moved = box_of(context.document, context.views.accessors[*each.accessor]);
-          if (!moved || moved->reach() <= kFar * width) continue;
+          const double reach = phase.box_of(*each.accessor).reach();
+          if (reach <= kFar * width) continue;
           report_at(
               phase.sink, fmt::format("/meshes/{}/primitives/{}/targets/{}/POSITION", i, p, t),
               finding_on(context, each.value, Code::MORPH_TARGET_FAR,
                          fmt::format("The target moves vertices by up to {:.3g}, {:.3g} times "
                                      "the width of the mesh, {:.3g}.",
-                                     moved->reach(), moved->reach() / width, width)));
+                                     reach, reach / width, width)));
         }
       }
     }

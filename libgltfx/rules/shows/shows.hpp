@@ -3,10 +3,15 @@
 /// others, and only on an asset without errors, which explain more.
 #pragma once
 
+#include <string_view>
+
 #include "rules/payload/phases.hpp"
 #include "rules/shows/placed_scene.hpp"
 
 namespace gltfx::validate {
+
+/// What findings of NOTHING_VISIBLE begin with; the reason follows.
+inline constexpr std::string_view kNothingIsVisible = "Nothing is visible: ";
 
 /// Scenes in which nothing can be seen, and files that leave the choice of a scene to viewers.
 /// Stops at the first triangle, line or point that can be seen.

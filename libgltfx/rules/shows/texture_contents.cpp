@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
-#include "base/text.hpp"
 #include "model/elements.hpp"
 #include "model/fields.hpp"
 #include "model/material.hpp"
@@ -94,10 +93,7 @@ class TangentReader {
   std::uint64_t triangles() const { return (indices_ ? indices_->count() : uvs_->count()) / 3; }
 
   TangentCorner corner(std::uint64_t at) const {
-    if (indices_) {
-      const std::vector<float> index = model::element_at(*indices_, at);
-      at = index.empty() ? 0 : static_cast<std::uint64_t>(index.front());
-    }
+    if (indices_) at = model::index_at(*indices_, at).value_or(0);
     TangentCorner corner;
     fill(*positions_, at, corner.position);
     fill(*normals_, at, corner.normal);

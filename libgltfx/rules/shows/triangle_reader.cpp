@@ -79,17 +79,7 @@ std::array<std::uint64_t, 3> TriangleReader::indices_of_list(std::uint64_t trian
 }
 
 std::uint64_t TriangleReader::index(std::uint64_t corner) const {
-  if (!indices_) return corner;
-  std::uint64_t index = 0;
-  model::with_component_type(indices_->format().component, [&](auto zero) {
-    using T = decltype(zero);
-    if constexpr (std::is_unsigned_v<T>) {
-      T value = 0;
-      indices_->read_one(reinterpret_cast<std::byte*>(&value), corner);
-      index = value;
-    }
-  });
-  return index;
+  return indices_ ? model::index_at(*indices_, corner).value_or(0) : corner;
 }
 
 Float3 TriangleReader::read(const AccessorData& data, std::uint32_t vertex) {

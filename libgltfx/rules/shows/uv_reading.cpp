@@ -16,20 +16,18 @@ std::array<std::uint64_t, 3> corners_of(model::Mode mode, std::uint64_t i) {
   return {mode == model::Mode::triangle_fan ? 0 : i, i + 1, i + 2};
 }
 
-// The first N numbers of an element that exists, without memory of its own.
-template <std::size_t N>
-std::array<double, N> numbers_at(const model::AccessorData& data, std::uint64_t index) {
-  std::array<double, N> numbers{};
+// The pair of an element that exists, without memory of its own.
+measure::UvPoint point_at(const model::AccessorData& data, std::uint64_t index) {
+  measure::UvPoint point{};
   model::with_component_type(data.format().component, [&](auto zero) {
     using T = decltype(zero);
-    std::array<T, 16> values{};
+    std::array<T, 2> values{};
     data.read_one(reinterpret_cast<std::byte*>(values.data()), index);
-    for (std::size_t k = 0; k < N; ++k) {
-      numbers[k] = static_cast<double>(model::to_float(values[k], data.format().normalized));
-      if (N == 1) numbers[k] = static_cast<double>(values[k]);
+    for (std::size_t k = 0; k < 2; ++k) {
+      point[k] = model::to_float(values[k], data.format().normalized);
     }
   });
-  return numbers;
+  return point;
 }
 
 }  // namespace
@@ -77,12 +75,12 @@ UvSample sample_uvs(DataPhase& phase, const model::Primitive& primitive,
     for (std::size_t k = 0; k < 3; ++k) {
       std::uint64_t vertex = which[k];
       if (indices) {
-        if (vertex >= indices->count()) return {};
-        vertex = static_cast<std::uint64_t>(std::max(0.0, numbers_at<1>(*indices, vertex)[0]));
+        const auto index = model::index_at(*indices, vertex);
+        if (!index) return {};
+        vertex = *index;
       }
       if (vertex >= uvs.count()) return {};
-      const auto [u, v] = numbers_at<2>(uvs, vertex);
-      triangle[k] = {static_cast<float>(u), static_cast<float>(v)};
+      triangle[k] = point_at(uvs, vertex);
     }
     sample.triangles.push_back(triangle);
   }

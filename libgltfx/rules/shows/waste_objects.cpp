@@ -3,11 +3,9 @@
 // interpolation gives.
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -27,12 +25,6 @@ namespace gltfx::validate {
 namespace {
 
 using model::RootArray;
-
-measure::Opened opened_of(const DataPhase& phase) {
-  const Context& context = phase.context;
-  return {phase.report.path, context.container, context.files,   context.asset,
-          context.views,     phase.resources,   context.schemas, context.options.jobs};
-}
 
 // --- Vertices ---
 
@@ -126,8 +118,7 @@ std::vector<Unused> counted_unused(const DataPhase& phase) {
   measure::Request request;
   request.wanted.emplace();
   request.wanted->push_back({MeasureScope::primitive, measure::Name::unused_vertices});
-  const measure::Source source(opened_of(phase));
-  const Measurements taken = measure::take(source, request);
+  const Measurements taken = measure::take(phase.measured, request);
   const MeasureColumn* column = taken.find(MeasureScope::primitive, "unused-vertices");
   std::vector<Unused> all;
   for (std::size_t i = 0; column != nullptr && i < column->values.size(); ++i) {
@@ -184,8 +175,7 @@ void report_copies(DataPhase& phase, RootArray array, std::string_view noun,
 }
 
 void check_copies(DataPhase& phase) {
-  const measure::Source source(opened_of(phase));
-  const measure::Duplicates found = measure::find_duplicates(source);
+  const measure::Duplicates found = measure::find_duplicates(phase.measured);
   if (!found.complete) return;
   report_copies(phase, RootArray::materials, "materials", found.materials);
   report_copies(phase, RootArray::meshes, "meshes", found.meshes);
@@ -220,8 +210,7 @@ void check_redundant_keyframes(DataPhase& phase) {
   measure::Request request;
   request.wanted.emplace();
   request.wanted->push_back({MeasureScope::animation, measure::Name::redundant_keyframes});
-  const measure::Source source(opened_of(phase));
-  const Measurements taken = measure::take(source, request);
+  const Measurements taken = measure::take(phase.measured, request);
   const MeasureColumn* column = taken.find(MeasureScope::animation, "redundant-keyframes");
   double all = 0;
   double redundant = 0;

@@ -87,7 +87,7 @@ class WrongSides {
   }
 
   Vec3d middle_of_mesh(std::uint32_t mesh) {
-    const BoundsBox box = scene_.box_of_mesh(mesh);
+    const BoundsBox box = phase_.box_of_mesh(mesh);
     return {(box.least[0] + box.most[0]) / 2, (box.least[1] + box.most[1]) / 2,
             (box.least[2] + box.most[2]) / 2};
   }
@@ -95,7 +95,7 @@ class WrongSides {
   // Notes a mesh that may be on the wrong side.
   void suspect(std::uint32_t mesh) {
     const auto parts = parts_of(mesh);
-    if (parts.empty() || !is_sound(scene_.box_of_mesh(mesh))) return;
+    if (parts.empty() || !is_sound(phase_.box_of_mesh(mesh))) return;
     const Vec3d origin = middle_of_mesh(mesh);
     constexpr double kAtFirst = 0.5, kThen = 0.1, kOpen = 0.4;
     const auto few = [](std::uint64_t) { return kFirst; };
