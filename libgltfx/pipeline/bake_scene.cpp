@@ -244,8 +244,9 @@ BakeScene prepare_bake_scene(BakeScene result, const BakeOptions& options) {
   // Overlays show surfaces that are transparent, and another variant may have another alpha.
   const bool plain = options.overlay == BakeOverlay::none && options.variant.empty();
   if (!result.subject || (plain && !result.unseen.empty())) {
-    return failed(std::move(result), BakeProblem::nothing_to_see,
-                  "nothing in it is visible" + (result.unseen.empty() ? "" : ": " + result.unseen));
+    std::string error = "nothing in it is visible";
+    if (!result.unseen.empty()) error += ": " + result.unseen;
+    return failed(std::move(result), BakeProblem::nothing_to_see, std::move(error));
   }
   if (!options.frame.empty() && !result.framed) {
     if (!result.scene->framed.empty()) {
