@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -55,6 +56,13 @@ std::string with_place(const ConvertNote& note) {
 struct Shared {
   FolderIndex& folders;
   steps::ImageEncodings& encodings;
+};
+
+/// The steps since the last one with its own proof.
+struct SinceProof {
+  std::shared_ptr<const OpenedAsset> proven = {};  ///< what that step made; null: the old asset
+  bool is_next = false;                            ///< what the last change makes becomes that
+  steps::Freedom freedom = {};                     ///< of all steps since then
 };
 
 /// One asset on its way through the steps.
@@ -158,7 +166,14 @@ class ConvertRun {
       return fmt::format("{} (--partial writes the rest)", with_place(row.refused.front()));
     }
     if (!row.changes) return std::nullopt;
-    freedom_ |= outcome->freedom;
+    if (outcome->freedom.own_proof) {
+      if (auto why = find_difference(stages_.asset())) return why;
+      steps::Freedom rest;
+      rest.plain_elements = since_.freedom.plain_elements;
+      since_ = {since_.proven, true, rest};
+    } else {
+      since_.freedom |= outcome->freedom;
+    }
     return add(std::move(outcome->change));
   }
 
@@ -168,6 +183,7 @@ class ConvertRun {
   }
   Reason apply() {
     auto trouble = stages_.apply();
+    if (std::exchange(since_.is_next, false)) since_.proven = stages_.share();
     return trouble ? Reason(std::move(trouble->message)) : std::nullopt;
   }
 
@@ -253,7 +269,7 @@ class ConvertRun {
     set_last_size(steps::stored_size(after.asset()));
     prove::NewFindings found = prove::new_findings(
         before_, after, schemas_,
-        freedom_.plain_elements ? prove::Louder::is_known : prove::Louder::is_new);
+        since_.freedom.plain_elements ? prove::Louder::is_known : prove::Louder::is_new);
     report_.new_warnings = std::move(found.warnings);
     if (!found.error.empty()) {
       return fmt::format("the new file would have the new error {}", found.error);
@@ -269,18 +285,21 @@ class ConvertRun {
     return report_.verified ? std::nullopt : Reason(difference + " (--verify)");
   }
 
-  // Where the new asset means something else than the old one, beyond what the steps say.
+  // Where an asset means something else than the old one, or than the result of the last step with
+  // its own proof, beyond what the steps since then say.
   Reason find_difference(const OpenedAsset& after) const {
+    const OpenedAsset& before = since_.proven ? *since_.proven : before_;
+    if (&before == &after) return std::nullopt;
     prove::MeaningRequest request;
-    if (freedom_.vertex_order) request.order = prove::VertexOrder::free;
-    if (freedom_.keyframes) request.animations = prove::AnimationComparison::curves;
+    if (since_.freedom.vertex_order) request.order = prove::VertexOrder::free;
+    if (since_.freedom.keyframes) request.animations = prove::AnimationComparison::curves;
     request.images =
-        freedom_.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
-    request.unused_may_go = freedom_.unused;
-    request.image_names_may_go = freedom_.image_names;
+        since_.freedom.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
+    request.unused_may_go = since_.freedom.unused;
+    request.image_names_may_go = since_.freedom.image_names;
     request.jobs = options_.jobs;
     request.most = 1;
-    const prove::Meaning meaning = prove::compare_meaning(before_, after, *schemas_, request);
+    const prove::Meaning meaning = prove::compare_meaning(before, after, *schemas_, request);
     if (meaning.same()) return std::nullopt;
     const prove::Difference& first = meaning.differences.front();
     return fmt::format("the new file would not mean the same: {}: {}", first.pointer, first.what);
@@ -295,8 +314,8 @@ class ConvertRun {
   ConvertReport& report_;
   steps::Stages stages_;
   std::optional<steps::UsedBytes> used_before_;
-  steps::Freedom freedom_;  ///< of all steps
-  bool laid_out_ = false;   ///< steps before the last changed something
+  SinceProof since_;
+  bool laid_out_ = false;  ///< steps before the last changed something
 };
 
 std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, const Shared& shared,

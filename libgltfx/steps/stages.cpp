@@ -22,7 +22,7 @@ std::optional<Error> Stages::apply() {
   auto next = change::apply(asset(), *last_);
   if (!next) return next.error();
   last_.reset();
-  now_.emplace(*std::move(next));
+  now_ = std::make_shared<const model::OpenedAsset>(*std::move(next));
   return std::nullopt;
 }
 

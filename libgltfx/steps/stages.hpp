@@ -2,6 +2,7 @@
 /// Several changes, each based on the result of the previous one.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "base/result.hpp"
@@ -17,6 +18,8 @@ class Stages {
 
   /// The asset after all changes that were applied.
   const model::OpenedAsset& asset() const { return now_ ? *now_ : before_; }
+  /// The same after the first change, which stays as it is; before, null.
+  std::shared_ptr<const model::OpenedAsset> share() const { return now_; }
   /// Adds a change of asset(), which is the same until apply(). Returns an Error (half a sentence)
   /// if there is no room for it. Precondition: all changes before are applied.
   std::optional<Error> add(change::Change change);
@@ -32,7 +35,7 @@ class Stages {
 
  private:
   const model::OpenedAsset& before_;
-  std::optional<model::OpenedAsset> now_;
+  std::shared_ptr<const model::OpenedAsset> now_;
   std::optional<change::Change> last_;
   change::Change all_;
 };

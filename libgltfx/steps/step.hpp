@@ -40,6 +40,8 @@ struct Freedom {
   /// Elements of streams may be plain: doubtful values, which may come from the encoder, are errors
   /// then.
   bool plain_elements = false;
+  /// Any, because the step itself measures them: what it makes is what later steps must keep.
+  bool own_proof = false;
 
   Freedom& operator|=(const Freedom& other) {
     vertex_order |= other.vertex_order;
@@ -48,6 +50,7 @@ struct Freedom {
     texels |= other.texels;
     image_names |= other.image_names;
     plain_elements |= other.plain_elements;
+    own_proof |= other.own_proof;
     return *this;
   }
 };

@@ -4,6 +4,9 @@
 namespace gltfx::steps {
 
 StepDescription decode_step();
+StepDescription scale_step();
+StepDescription rebase_step();
+StepDescription center_step();
 StepDescription prune_step();
 StepDescription dedup_step();
 StepDescription images_step();
@@ -17,8 +20,9 @@ StepDescription container_step();
 // Steps that remove elements run before equal objects are merged: vertices and keyframes that
 // several objects share can only be removed if none of these needs them.
 std::vector<StepDescription> steps() {
-  return {decode_step(), prune_step(),   weld_step(),    resample_step(), dedup_step(),
-          images_step(), reorder_step(), meshopt_step(), draco_step(),    container_step()};
+  return {decode_step(),  scale_step(),    rebase_step(),   center_step(), prune_step(),
+          weld_step(),    resample_step(), dedup_step(),    images_step(), reorder_step(),
+          meshopt_step(), draco_step(),    container_step()};
 }
 
 }  // namespace gltfx::steps

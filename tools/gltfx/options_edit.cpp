@@ -106,6 +106,19 @@ Result<std::vector<ImageConversion>> parse_images(std::string_view option, const
   return conversions;
 }
 
+// A factor, or the unit of the input: the result is in metres.
+Result<double> parse_scale(std::string_view option, std::string_view word) {
+  for (const auto& [unit, metres] :
+       Choices<double>{{"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}) {
+    if (word == unit) return metres;
+  }
+  const auto factor = parse_decimal(option, word, 1e-9, 1e9);
+  if (factor) return *factor;
+  return Error{
+      fmt::format("{}: {} is neither a factor from 1e-9 to 1e9, nor one of cm, mm, in, ft.", option,
+                  gltfx::quoted(word))};
+}
+
 }  // namespace
 
 void declare_upgrade(Options& options, UpgradeRequest& request) {
@@ -193,6 +206,15 @@ void declare_convert(Options& options, ConvertRequest& request) {
               flag(convert.resample));
   options.add("--shrink", "", "The five above, and PNG images compressed again",
               flag(convert.shrink));
+  options.add(
+      "--center", "POINT", "Move the bottom or the center (origin) of its box to 0 0 0",
+      one_of(convert.placement.center, {{"bottom", Pivot::bottom}, {"origin", Pivot::origin}}));
+  options.add("--scale", "FACTOR", "Multiply all lengths; of cm, mm, in or ft make metres",
+              parsed(convert.placement.scale, parse_scale, [] {
+                return values::choice({"cm", "mm", "in", "ft"});
+              }));
+  options.add("--rebase", "", "Move large offsets of vertices into nodes",
+              flag(convert.placement.rebase));
   options.add("--verify", "", "Refuse a result whose rendered picture differs",
               flag(convert.verify));
   options.add("--partial", "", "Write even if something was refused", flag(convert.partial));

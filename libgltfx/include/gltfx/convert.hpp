@@ -40,6 +40,27 @@ struct ImageConversion {
   std::optional<ImageClass> only;         ///< nothing: all classes
 };
 
+/// The point of the box of the default scene, at rest, that moves to the origin.
+enum class Pivot : std::uint8_t {
+  bottom,  ///< the center of its lower side
+  origin,  ///< its center
+};
+
+/// Size and place of an asset.
+struct Placement {
+  std::optional<Pivot> center;  ///< nothing: the scene stays where it is
+  double scale = 1;             ///< factor of all lengths, finite and above 0
+  bool rebase = false;          ///< large offsets of vertices move into nodes, those of nodes up
+};
+
+/// How far triangles are simplified. Exactly one of the two is not 0.
+struct Simplification {
+  /// Greatest distance of the surfaces before and after, as a part of the diagonal of the box of
+  /// the default scene at rest; for a mesh in no scene, of its own box.
+  double error = 0;
+  std::uint64_t triangles = 0;  ///< of all meshes together; meshes that must not change count, too
+};
+
 /// Options of a run.
 struct ConvertOptions : EditOptions {
   /// Nothing: from the ending of the output, or unchanged if there is no output.
@@ -56,6 +77,8 @@ struct ConvertOptions : EditOptions {
   bool weld = false;      ///< equal vertices of a primitive once
   bool reorder = false;   ///< triangles and vertices for the caches of a GPU
   bool resample = false;  ///< removes keyframes that interpolation reproduces
+  Placement placement;
+  std::optional<Simplification> simplify;  ///< nothing: all triangles stay
   /// All that loses nothing: the five above, and PNG images compressed again where that is smaller.
   bool shrink = false;
   bool verify = false;  ///< compares rendered pictures before and after
