@@ -39,8 +39,8 @@ class Centerer {
       return std::move(outcome_);
     }
     model::Vector3 shift = box->center();
-    for (double& each : shift) each = -each;
-    if (data_.input.options.placement.center == Pivot::bottom) shift[1] = -box->least[1];
+    for (double& each : shift) each = 0 - each;
+    if (data_.input.options.placement.center == Pivot::bottom) shift[1] = 0 - box->least[1];
     if (std::sqrt(model::dot(shift, shift)) <= kAtOrigin * box->diagonal())
       return std::move(outcome_);
     outcome_.row.refused = find_obstacles();

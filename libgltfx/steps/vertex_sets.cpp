@@ -218,8 +218,9 @@ void store_vertices(StepChanges& changes, const OpenedVertices& vertices,
   }
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const model::AccessorData& data = vertices.indices[i].data;
-    changes.contents.set(vertices.indices[i].accessor,
-                         {index_bytes(indices[i], data.format().component), data.count(), true});
+    changes.contents.set(
+        vertices.indices[i].accessor,
+        {index_bytes(indices[i], data.format().component), indices[i].size(), true});
   }
 }
 

@@ -53,9 +53,9 @@ std::vector<std::uint32_t> read_index_list(const model::AccessorData& data);
 /// The index value that is reserved for primitive restart: the maximum of the component type.
 std::uint32_t restart_index(const model::AccessorData& indices);
 
-/// Replaces vertices by some of them in another order, and all index lists. `order`: old numbers.
-/// `other_values`: the bounds of attributes may change. Precondition: `indices` fit into their
-/// component types.
+/// Replaces vertices by some of them in another order, and all index lists, which may be shorter.
+/// `order`: old numbers. `other_values`: the bounds of attributes may change. Precondition:
+/// `indices` fit into their component types.
 void store_vertices(StepChanges& changes, const OpenedVertices& vertices,
                     const std::vector<std::uint32_t>& order,
                     const std::vector<std::vector<std::uint32_t>>& indices, bool other_values);

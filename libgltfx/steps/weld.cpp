@@ -185,7 +185,9 @@ StepDescription weld_step() {
           "merges vertices of a primitive that are equal bit by bit",
           "all corners in their order, with all attributes and morph targets",
           "nothing",
-          [](const ConvertOptions& options) { return options.weld || options.shrink; },
+          [](const ConvertOptions& options) {
+            return options.weld || options.shrink || options.simplify;
+          },
           [](const StepInput& input) { return Welder(input).run(); }};
 }
 

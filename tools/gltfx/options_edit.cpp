@@ -119,6 +119,23 @@ Result<double> parse_scale(std::string_view option, std::string_view word) {
                   gltfx::quoted(word))};
 }
 
+// "0.1%", "triangles=50000".
+Result<Simplification> parse_simplification(std::string_view option, std::string_view word) {
+  constexpr std::string_view kTriangles = "triangles=";
+  if (word.starts_with(kTriangles)) {
+    const auto count = parse_number(option, word.substr(kTriangles.size()), 1);
+    if (!count) return count.error();
+    return Simplification{0, *count};
+  }
+  if (word.ends_with('%')) {
+    const auto percent = parse_decimal(option, word.substr(0, word.size() - 1), 1e-6, 50);
+    if (!percent) return percent.error();
+    return Simplification{*percent / 100, 0};
+  }
+  return Error{fmt::format("{}: {} is neither an error such as 0.1%, nor triangles=N.", option,
+                           gltfx::quoted(word))};
+}
+
 }  // namespace
 
 void declare_upgrade(Options& options, UpgradeRequest& request) {
@@ -206,6 +223,8 @@ void declare_convert(Options& options, ConvertRequest& request) {
               flag(convert.resample));
   options.add("--shrink", "", "The five above, and PNG images compressed again",
               flag(convert.shrink));
+  options.add("--simplify", "ERROR", "Remove triangles: 0.1% of the size, or triangles=N",
+              parsed(convert.simplify, parse_simplification));
   options.add(
       "--center", "POINT", "Move the bottom or the center (origin) of its box to 0 0 0",
       one_of(convert.placement.center, {{"bottom", Pivot::bottom}, {"origin", Pivot::origin}}));
