@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/checked.hpp"
+#include "model/draco.hpp"
 #include "model/instancing.hpp"
 
 namespace gltfx::model {
@@ -44,15 +45,28 @@ class BoxReader {
       : source_(source), budget_(readable_geometry(source)) {}
 
   std::optional<Error> read(const Mesh& mesh, const GeometryRequest& request, MeshPoints& to) {
+    const bool rigid = request.weights.empty() && request.joints.empty();
+    Geometry geometry;
+    std::optional<std::uint32_t> vertices;  // the accessor of those in `geometry`
+    std::vector<bool> known;                // those of them that are added
     for (const Primitive& primitive : mesh.primitives) {
       if (primitive.node == json::kNoNode) continue;
-      if (primitive.find(SemanticKind::position) == nullptr) continue;  // draws nothing
-      Geometry geometry;
-      const GeometryError error = read_geometry(source_, primitive, request, budget_, geometry);
+      const Attribute* const at = primitive.find(SemanticKind::position);
+      if (at == nullptr) continue;  // draws nothing
+      const bool plain = rigid && !read_draco(source_.asset, primitive);
+      GeometryError error = GeometryError::none;
+      if (plain && at->accessor && vertices == at->accessor) {
+        error = read_elements(source_, primitive, budget_, geometry);
+      } else {
+        geometry = {};
+        known.clear();
+        error = read_geometry(source_, primitive, request, budget_, geometry);
+        vertices = plain ? at->accessor : std::nullopt;
+      }
       if (error == GeometryError::empty) continue;
       if (error == GeometryError::too_large) return Error{kTooMany};
       if (error != GeometryError::none) return Error{"has geometry that cannot be read"};
-      add(geometry, to);
+      add(geometry, known, to);
     }
     return std::nullopt;
   }
@@ -90,8 +104,8 @@ class BoxReader {
   }
 
  private:
-  static void add(const Geometry& geometry, MeshPoints& to) {
-    std::vector<bool> known(geometry.positions.size(), false);
+  static void add(const Geometry& geometry, std::vector<bool>& known, MeshPoints& to) {
+    known.resize(geometry.positions.size(), false);
     const auto use = [&](std::uint32_t vertex) {
       if (known[vertex]) return;
       known[vertex] = true;

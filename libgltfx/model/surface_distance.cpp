@@ -2,6 +2,8 @@
 #include "model/surface_distance.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <limits>
 
 #include "base/parallel.hpp"
@@ -21,8 +23,11 @@ constexpr std::array<Vector3, 7> kSamples{{{1, 0, 0},
 // One direction, for triangles [first, last).
 SurfaceDistance farthest(const Surface& from, const SurfaceTree& to, std::size_t first,
                          std::size_t last, double most) {
+  constexpr std::uint64_t kMostWork = 256;  // boxes for a sample, in the mean
   SurfaceDistance found;
   std::uint32_t hint = 0;
+  std::uint64_t work = 0;
+  const std::uint64_t most_work = kMostWork * kSamples.size() * (last - first);
   for (std::size_t i = first; i < last && found.distance <= most; ++i) {
     const Vector3 a = from.corner(3 * i), b = from.corner(3 * i + 1), c = from.corner(3 * i + 2);
     for (const Vector3& weights : kSamples) {
@@ -31,6 +36,8 @@ SurfaceDistance farthest(const Surface& from, const SurfaceTree& to, std::size_t
         point[k] = weights[0] * a[k] + weights[1] * b[k] + weights[2] * c[k];
       const auto nearest = to.nearest(point, found.distance, hint);
       hint = nearest.triangle;
+      work += nearest.work;
+      if (work > most_work) return {std::numeric_limits<double>::infinity(), point};
       if (nearest.distance > found.distance) found = {nearest.distance, point};
     }
   }
@@ -42,15 +49,19 @@ SurfaceDistance farthest(const Surface& from, const SurfaceTree& to, double most
   SurfaceDistance found;
   const std::size_t count = (from.triangles() + kChunk - 1) / kChunk;
   std::vector<SurfaceDistance> chunks(count);
+  std::atomic<bool> is_tangled{false};
   parallel_ordered(
       count, jobs,
       [&](std::size_t i) {
+        if (is_tangled) return;
         chunks[i] =
             farthest(from, to, i * kChunk, std::min((i + 1) * kChunk, from.triangles()), most);
+        if (std::isinf(chunks[i].distance)) is_tangled = true;
       },
       [&](std::size_t i) {
         if (chunks[i].distance > found.distance) found = chunks[i];
       });
+  if (is_tangled) found.distance = std::numeric_limits<double>::infinity();
   return found;
 }
 

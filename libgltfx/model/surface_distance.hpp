@@ -9,13 +9,14 @@ namespace gltfx::model {
 /// The greatest distance from a point of one surface to the other one.
 struct SurfaceDistance {
   double distance = 0;
-  Vector3 at{};  ///< the point
+  Vector3 at{};  ///< the point; of an infinite distance, any
 };
 
 /// The greater distance of both directions: from corners, midpoints of edges and centers of the
-/// triangles of one surface to the nearest point of the other. Infinite if only one has triangles.
-/// Stops where it is known to be above `most`: then it is any distance above. Takes about n log n
-/// time on up to `jobs` threads, on which the result does not depend.
+/// triangles of one surface to the nearest point of the other. Infinite if only one has triangles,
+/// or if their triangles are in such a tangle that it would take too long. Stops where it is known
+/// to be above `most`: then it is any distance above. Takes about n log n time on up to `jobs`
+/// threads, on which the result does not depend.
 SurfaceDistance surface_distance(const SurfaceTree& one, const SurfaceTree& other, double most,
                                  unsigned jobs);
 

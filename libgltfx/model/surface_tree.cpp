@@ -139,7 +139,7 @@ double SurfaceTree::square_to_triangle(std::uint32_t triangle, const Vector3& po
 
 SurfaceTree::Nearest SurfaceTree::nearest(const Vector3& point, double enough,
                                           std::uint32_t hint) const {
-  if (nodes_.empty()) return {kNever, 0};
+  if (nodes_.empty()) return {kNever, 0, 0};
   double best = square_to_triangle(hint, point);
   const double limit = enough * enough;
   struct Step {
@@ -148,9 +148,11 @@ SurfaceTree::Nearest SurfaceTree::nearest(const Vector3& point, double enough,
   };
   std::array<Step, kDeepest> open;
   std::size_t count = 0;
+  std::uint32_t work = 0;
   open[count++] = {0, square_to(0, point)};
   while (count > 0 && best > limit) {
     const Step step = open[--count];
+    ++work;
     if (step.square >= best) continue;
     const Node& node = nodes_[step.node];
     for (std::uint32_t i = 0; i < node.count; ++i) {
@@ -166,7 +168,7 @@ SurfaceTree::Nearest SurfaceTree::nearest(const Vector3& point, double enough,
     open[count++] = far;
     open[count++] = near;
   }
-  return {std::sqrt(best), hint};
+  return {std::sqrt(best), hint, work};
 }
 
 }  // namespace gltfx::model

@@ -36,12 +36,14 @@ class SurfaceTree {
   struct Nearest {
     double distance = 0;
     std::uint32_t triangle = 0;
+    std::uint32_t work = 0;  ///< the boxes that were looked at
   };
   /// The distance of a point; infinite without triangles. Stops at the first triangle that is not
   /// farther away than `enough`. `hint`: a triangle that may be near.
   Nearest nearest(const Vector3& point, double enough, std::uint32_t hint) const;
 
-  /// Calls `visit` with each triangle whose box is not farther away than `radius`.
+  /// Calls `visit` with triangles whose box is not farther away than `radius`, as long as it
+  /// returns true.
   template <class Visit>
   void each_near(const Vector3& point, double radius, const Visit& visit) const;
 
@@ -79,7 +81,9 @@ void SurfaceTree::each_near(const Vector3& point, double radius, const Visit& vi
       open[count++] = node.first;
       open[count++] = node.first + 1;
     }
-    for (std::uint32_t i = 0; i < node.count; ++i) visit(order_[node.first + i]);
+    for (std::uint32_t i = 0; i < node.count; ++i) {
+      if (!visit(order_[node.first + i])) return;
+    }
   }
 }
 

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <iterator>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,6 +22,8 @@
 
 namespace gltfx::steps {
 namespace {
+
+constexpr std::uint32_t kUnused = UINT32_MAX;
 
 /// A set of vertices with its jobs, one for each list of indices.
 struct SimplifySet {
@@ -105,28 +106,29 @@ class Simplifier {
     }
     SimplifySet opened{&set, {}, jobs_.size()};
     if (std::string why = open_vertices(data_, set, opened.vertices); !why.empty()) return why;
+    std::map<std::uint32_t, const model::Primitive*> by_indices;
+    for (const model::Primitive* primitive : set.primitives) {
+      const auto [first, is_new] = by_indices.try_emplace(*primitive->indices, primitive);
+      if (!is_new && positions_of(*first->second) != positions_of(*primitive))
+        return "shares its indices with primitives that have other positions";
+    }
     std::vector<SimplifyJob> jobs;
     for (const IndexList& list : opened.vertices.indices) {
-      SimplifyJob& job = jobs.emplace_back();
-      if (std::string why = read(set, opened.vertices, list, job); !why.empty()) return why;
+      const model::Primitive& primitive = *by_indices.at(list.accessor);
+      std::string why = read(primitive, opened.vertices, list, jobs.emplace_back());
+      if (!why.empty()) return why;
     }
     std::move(jobs.begin(), jobs.end(), std::back_inserter(jobs_));
     opened_.push_back(std::move(opened));
     return {};
   }
 
-  std::string read(const VertexSet& set, const OpenedVertices& vertices, const IndexList& list,
-                   SimplifyJob& job) {
-    const auto found =
-        std::find_if(set.primitives.begin(), set.primitives.end(),
-                     [&](const model::Primitive* each) { return *each->indices == list.accessor; });
-    const model::Primitive& primitive = **found;
-    const std::uint32_t positions = *primitive.find(model::SemanticKind::position)->accessor;
-    const bool same = std::all_of(found, set.primitives.end(), [&](const model::Primitive* each) {
-      return *each->indices != list.accessor ||
-             *each->find(model::SemanticKind::position)->accessor == positions;
-    });
-    if (!same) return "shares its indices with primitives that have other positions";
+  static std::uint32_t positions_of(const model::Primitive& primitive) {
+    return *primitive.find(model::SemanticKind::position)->accessor;
+  }
+
+  std::string read(const model::Primitive& primitive, const OpenedVertices& vertices,
+                   const IndexList& list, SimplifyJob& job) {
     job.corners = read_index_list(list.data);
     if (job.corners.empty() || job.corners.size() % 3 != 0) return "has an incomplete triangle";
     for (const std::uint32_t corner : job.corners) {
@@ -134,60 +136,63 @@ class Simplifier {
       if (corner == restart_index(list.data))
         return "has an index that is reserved for primitive restart";
     }
+    localize(job, static_cast<std::size_t>(vertices.count));
     const graph::Tree& tree = data_.graph.tree();
+    job.primitive = primitive.node;
     job.mesh = tree.position(tree.parent(tree.parent(primitive.node)));
-    for (const model::Attribute& attribute : primitive.attributes)
-      read_values(vertices, attribute, job);
-    return read_points(vertices, positions, job);
-  }
-
-  void read_values(const OpenedVertices& vertices, const model::Attribute& attribute,
-                   SimplifyJob& job) {
-    const bool is_normal = attribute.semantic.kind == model::SemanticKind::normal;
-    if (!is_normal && attribute.semantic.kind != model::SemanticKind::texcoord) return;
-    std::shared_ptr<const SimplifyValues>& known = values_[*attribute.accessor];
-    if (!known) {
-      const model::AccessorData& data = column_of(vertices, *attribute.accessor);
-      if (data.components() != (is_normal ? 3U : 2U)) return;
-      SimplifyValues values{is_normal, {}};
-      values.values.resize(static_cast<std::size_t>(vertices.count));
-      model::read_elements(data, values.values);
-      known = std::make_shared<const SimplifyValues>(std::move(values));
+    for (const model::Attribute& attribute : primitive.attributes) {
+      const bool is_normal = attribute.semantic.kind == model::SemanticKind::normal;
+      if (!is_normal && attribute.semantic.kind != model::SemanticKind::texcoord) continue;
+      job.values.push_back({is_normal, column_of(vertices, *attribute.accessor, job)});
     }
-    job.values.push_back(known);
+    return read_points(vertices, positions_of(primitive), job);
   }
 
-  static const model::AccessorData& column_of(const OpenedVertices& vertices,
-                                              std::uint32_t accessor) {
-    return std::find_if(vertices.columns.begin(), vertices.columns.end(),
-                        [&](const VertexColumn& each) { return each.accessor == accessor; })
-        ->data;
+  // Numbers vertices by first use, so that time and memory depend only on the length of the list.
+  void localize(SimplifyJob& job, std::size_t vertices) {
+    if (local_.size() < vertices) local_.resize(vertices, kUnused);
+    for (std::uint32_t& corner : job.corners) {
+      std::uint32_t& number = local_[corner];
+      if (number == kUnused) {
+        number = static_cast<std::uint32_t>(job.vertices.size());
+        job.vertices.push_back(corner);
+      }
+      corner = number;
+    }
+    for (const std::uint32_t vertex : job.vertices) local_[vertex] = kUnused;
+  }
+
+  // The elements of the vertices of a job, in at most three components.
+  model::Vectors<3> column_of(const OpenedVertices& vertices, std::uint32_t accessor,
+                              const SimplifyJob& job) {
+    model::Vectors<3>& all = columns_[accessor];
+    if (all.empty()) {
+      const auto column = std::lower_bound(
+          vertices.columns.begin(), vertices.columns.end(), accessor,
+          [](const VertexColumn& each, std::uint32_t wanted) { return each.accessor < wanted; });
+      all.resize(static_cast<std::size_t>(vertices.count));
+      if (column->data.components() <= 3) model::read_elements(column->data, all);
+    }
+    model::Vectors<3> own;
+    own.reserve(job.vertices.size());
+    for (const std::uint32_t vertex : job.vertices) own.push_back(all[vertex]);
+    return own;
   }
 
   std::string read_points(const OpenedVertices& vertices, std::uint32_t accessor,
                           SimplifyJob& job) {
-    std::shared_ptr<const SimplifyPoints>& known = points_[accessor];
-    if (!known) {
-      const model::AccessorData& data = column_of(vertices, accessor);
-      if (data.components() != 3) return "has positions that are not vectors";
-      SimplifyPoints points;
-      points.positions.resize(static_cast<std::size_t>(vertices.count));
-      model::read_elements(data, points.positions);
-      std::string records(points.positions.size() * sizeof(points.positions.front()), '\0');
-      for (std::size_t i = 0; i < points.positions.size(); ++i) {
-        for (float& each : points.positions[i]) {
-          if (!std::isfinite(each)) return "has positions that are not finite";
-          if (each == 0) each = 0;  // not -0, which is the same place
-        }
+    job.positions = column_of(vertices, accessor, job);
+    for (std::array<float, 3>& position : job.positions) {
+      for (float& each : position) {
+        if (!std::isfinite(each)) return "has positions that are not finite";
+        if (each == 0) each = 0;  // not -0, which is the same place
       }
-      std::memcpy(records.data(), points.positions.data(), records.size());
-      points.same = first_equal_records(records, sizeof(points.positions.front()));
-      known = std::make_shared<const SimplifyPoints>(std::move(points));
     }
-    job.points = known;
-    if (!model::is_affordable(job.surface(), known->same))
-      return "has too many triangles at a vertex";
-    return {};
+    std::string records(job.positions.size() * sizeof(job.positions.front()), '\0');
+    std::memcpy(records.data(), job.positions.data(), records.size());
+    job.same = first_equal_records(records, sizeof(job.positions.front()));
+    return model::is_affordable(job.surface(), job.same) ? std::string()
+                                                         : "has too many triangles at a vertex";
   }
 
   void simplify(const SimplifyPlaces& places) {
@@ -217,7 +222,7 @@ class Simplifier {
       old_triangles += jobs_[i].corners.size() / 3;
       triangles += jobs_[i].result.size() / 3;
       if (!jobs_[i].why.empty())
-        outcome_.row.left.push_back({place_of(data_, *each.set), jobs_[i].why});
+        outcome_.row.left.push_back({data_.pointer(jobs_[i].primitive), jobs_[i].why});
     }
     if (changes) {
       if (std::string why = numbers_.find(*each.set); !why.empty()) {
@@ -235,13 +240,16 @@ class Simplifier {
 
   // Without the vertices that no triangle uses any more.
   void store_used(const SimplifySet& each) {
-    constexpr std::uint32_t kUnused = UINT32_MAX;
     const std::size_t lists = each.vertices.indices.size();
     std::vector<std::uint32_t> numbers(static_cast<std::size_t>(each.vertices.count), kUnused);
     std::vector<std::vector<std::uint32_t>> indices;
     for (std::size_t i = 0; i < lists; ++i) {
-      indices.push_back(jobs_[each.first_job + i].result);
-      for (const std::uint32_t index : indices.back()) numbers[index] = 0;
+      const SimplifyJob& job = jobs_[each.first_job + i];
+      indices.push_back(job.result);
+      for (std::uint32_t& index : indices.back()) {
+        index = job.vertices[index];
+        numbers[index] = 0;
+      }
     }
     std::vector<std::uint32_t> kept;
     for (std::uint32_t i = 0; i < numbers.size(); ++i) {
@@ -267,7 +275,7 @@ class Simplifier {
       surface = std::max(surface, 100 * job.measured / places.diagonals[i]);
       slide = std::max(slide, 100 * job.drift.slide / places.diagonals[i]);
       angle = std::max(angle, job.drift.angle);
-      for (const auto& values : job.values) (values->directions ? normals : textures) = true;
+      for (const auto& values : job.values) (values.directions ? normals : textures) = true;
     }
     // With a number of triangles, what it takes is the bound.
     const bool within = wanted_.triangles == 0;
@@ -290,8 +298,8 @@ class Simplifier {
   const std::vector<VertexSet> sets_;
   std::vector<SimplifySet> opened_;
   std::vector<SimplifyJob> jobs_;
-  std::map<std::uint32_t, std::shared_ptr<const SimplifyPoints>> points_;  ///< by accessor
-  std::map<std::uint32_t, std::shared_ptr<const SimplifyValues>> values_;  ///< likewise
+  std::map<std::uint32_t, model::Vectors<3>> columns_;  ///< by accessor, of all vertices
+  std::vector<std::uint32_t> local_;                    ///< by vertex; kUnused between calls
   StepOutcome outcome_;
   SimplifyCounts counts_;
 };

@@ -62,6 +62,8 @@ class DriftMeter {
       per_value = std::sqrt(area(a, b, c) / flat) * job_.scale;
     }
     double best = std::numeric_limits<double>::infinity();
+    constexpr int kMostTriangles = 512;  // many may be at one place
+    int looked_at = 0;
     const auto look_at = [&](std::uint32_t near) {
       const model::Surface& surface = after_.surface();
       const std::size_t first = std::size_t{3} * near;
@@ -70,6 +72,7 @@ class DriftMeter {
       const Vector3 found = value_at(values, surface.corners.subspan(first, 3), weights);
       best = std::min(best, values.directions ? angle_between(wanted, found)
                                               : per_value * length(minus(wanted, found)));
+      return ++looked_at < kMostTriangles;
     };
     after_.each_near(center, radius_, look_at);
     if (!std::isfinite(best)) look_at(after_.nearest(center, 0, 0).triangle);
@@ -97,10 +100,10 @@ SimplifyDrift measure_drift(const SimplifyJob& job, const model::SurfaceTree& af
                      [&](std::size_t chunk) {
                        const std::size_t last = std::min((chunk + 1) * kChunk, triangles);
                        for (std::size_t i = chunk * kChunk; i < last; ++i)
-                         all[i] = meter.at(i, *values);
+                         all[i] = meter.at(i, values);
                      },
                      [](std::size_t) {});
-    double& greatest = values->directions ? drift.angle : drift.slide;
+    double& greatest = values.directions ? drift.angle : drift.slide;
     const auto most = all.begin() + static_cast<std::ptrdiff_t>((triangles - 1) * 99 / 100);
     std::nth_element(all.begin(), most, all.end());
     greatest = std::max(greatest, *most);

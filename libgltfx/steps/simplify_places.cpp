@@ -149,7 +149,7 @@ class PlaceFinder {
     std::vector<std::vector<std::uint32_t>> borders;
     for (const SimplifyJob& job : jobs_) {
       std::vector<std::uint32_t>& border = borders.emplace_back();
-      for (const auto& edge : model::open_edges(job.corners, job.points->same))
+      for (const auto& edge : model::open_edges(job.corners, job.same))
         border.insert(border.end(), edge.begin(), edge.end());
       std::sort(border.begin(), border.end());
       border.erase(std::unique(border.begin(), border.end()), border.end());
@@ -162,7 +162,7 @@ class PlaceFinder {
       for (std::size_t i = 0; i < transforms.size(); ++i) {
         const std::uint64_t owner = (std::uint64_t{at} << 32U) + i;
         for (const std::uint32_t point : borders[at]) {
-          const auto& p = jobs_[at].points->positions[point];
+          const auto& p = jobs_[at].positions[point];
           if (!use(transforms[i].point({double{p[0]}, double{p[1]}, double{p[2]}}), owner)) return;
         }
       }

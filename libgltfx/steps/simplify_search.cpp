@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr const char* kTears = "would get open edges";
+constexpr const char* kTangled = "is too tangled to measure";
 constexpr const char* kNone = "has no triangle that may go within the bound";
 
 using Corners = std::vector<std::uint32_t>;
@@ -23,7 +24,7 @@ using Corners = std::vector<std::uint32_t>;
 class Reference {
  public:
   explicit Reference(const SimplifyJob& job)
-      : job_(job), tree_(job.surface()), open_(model::open_edges(job.corners, job.points->same)) {}
+      : job_(job), tree_(job.surface()), open_(model::open_edges(job.corners, job.same)) {}
 
   bool is_open() const { return !open_.empty(); }
 
@@ -33,13 +34,13 @@ class Reference {
 
   // No new holes; a closed surface stays closed, and locked borders stay as they are.
   bool is_whole(const Corners& corners, bool locked) const {
-    const auto open = model::open_edges(corners, job_.points->same);
+    const auto open = model::open_edges(corners, job_.same);
     return locked ? open == open_ : open.size() <= open_.size();
   }
 
   // Measures a result. The distance, in the unit of the error, is any greater one above `most`.
   double measure(const Corners& corners, double most, unsigned jobs, SimplifyDrift& drift) const {
-    const model::SurfaceTree tree({job_.points->positions, corners});
+    const model::SurfaceTree tree({job_.positions, corners});
     const double distance = model::surface_distance(tree_, tree, most / job_.scale, jobs).distance;
     // Rounding: the nearest point may be a little farther away than the distance of samples.
     if (job_.scale * distance <= most) drift = measure_drift(job_, tree, distance * 1.001, jobs);
@@ -60,25 +61,28 @@ class Search {
       : job_(job), before_(before), bound_(bound), locked_(locked), jobs_(jobs) {}
 
   // Keeps the best result in the job; `why`: what the last attempt lacks.
-  void run(const char*& why) {
+  // False: it cannot be measured.
+  bool run(const char*& why) {
     constexpr int kMostTries = 10;
     constexpr double kNearEnough = 0.9;
     double error = bound_ / 2, least = 0, greatest = 0;  // within the bound, and beyond it
     for (int i = 0; i < kMostTries; ++i) {
       const double part = attempt(error, why);
+      if (is_tangled_) return false;
       if (part <= 1) {
-        if (part >= kNearEnough || is_still_) return;
+        if (part >= kNearEnough || is_still_) return true;
         least = error;
       } else {
         greatest = error;
       }
       if (least > 0 && greatest > 0) {
-        if (least > kNearEnough * greatest) return;
+        if (least > kNearEnough * greatest) return true;
         error = std::sqrt(least * greatest);
       } else {
         error *= std::clamp(0.95 / part, 0.2, part > 1 ? 0.7 : 4.0);
       }
     }
+    return true;
   }
 
  private:
@@ -86,6 +90,7 @@ class Search {
   double attempt(double error, const char*& why) {
     Corners corners = before_.simplified(error, locked_);
     is_still_ = std::exchange(last_, corners.size()) == corners.size();
+    if (corners.size() == job_.corners.size()) return 0;  // nothing is gone, nothing is lost
     if (corners.empty() || !before_.is_whole(corners, locked_)) {
       why = kTears;
       return kUnlimited;
@@ -95,7 +100,10 @@ class Search {
     const double part =
         std::max({distance / bound_, drift.slide / bound_, drift.angle / kMostAngle});
     if (part > 1) {
-      why = distance > bound_ ? kNone : "has normals or textures that would move too far";
+      is_tangled_ = std::isinf(distance);
+      why = is_tangled_         ? kTangled
+            : distance > bound_ ? kNone
+                                : "has normals or textures that would move too far";
       return part;
     }
     if (job_.result.empty() || corners.size() < job_.result.size()) {
@@ -111,8 +119,9 @@ class Search {
   const double bound_;
   const bool locked_;
   const unsigned jobs_;
-  std::size_t last_ = 0;   ///< corners of the last result
-  bool is_still_ = false;  ///< the result before had as many
+  std::size_t last_ = 0;     ///< corners of the last result
+  bool is_still_ = false;    ///< the result before had as many
+  bool is_tangled_ = false;  ///< it takes too long to measure
 };
 
 std::uint64_t triangles_of(const std::vector<Corners>& all) {
@@ -137,7 +146,7 @@ void simplify_within(SimplifyJob& job, double bound, unsigned jobs) {
   for (const bool locked : {true, false}) {
     if (locked && !job.lock_borders && !before.is_open()) continue;
     if (!locked && job.lock_borders) continue;
-    Search(job, before, bound, locked, jobs).run(why);
+    if (!Search(job, before, bound, locked, jobs).run(why)) break;
   }
   if (job.result.empty() || job.result.size() == job.corners.size()) {
     job.result = job.corners;
@@ -195,6 +204,11 @@ void simplify_to(std::vector<SimplifyJob>& all, std::uint64_t triangles, unsigne
       job.why = kTears;
     } else {
       job.measured = before.measure(job.result, kUnlimited, inner, job.drift);
+      if (std::isfinite(job.measured)) return;
+      job.result = job.corners;
+      job.measured = 0;
+      job.drift = {};
+      job.why = kTangled;
     }
   });
 }

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,12 +11,6 @@
 #include "model/surface_distance.hpp"
 
 namespace gltfx::steps {
-
-/// Positions of vertices; primitives may share them.
-struct SimplifyPoints {
-  std::vector<std::array<float, 3>> positions;
-  std::vector<std::uint32_t> same;  ///< for each vertex, the first one with the same position
-};
 
 /// Values of vertices that triangles interpolate.
 struct SimplifyValues {
@@ -33,19 +26,22 @@ struct SimplifyDrift {
 
 /// A list of triangles to simplify, and the result.
 struct SimplifyJob {
-  std::shared_ptr<const SimplifyPoints> points;
-  std::vector<std::shared_ptr<const SimplifyValues>> values;
-  std::vector<std::uint32_t> corners;  ///< before
-  std::uint32_t mesh = 0;
-  double scale = 1;           ///< from the unit of positions to that of the error
-  bool lock_borders = false;  ///< other triangles touch its borders
+  std::vector<std::uint32_t> vertices;          ///< of the set, by the numbers of this list
+  std::vector<std::array<float, 3>> positions;  ///< of these vertices
+  std::vector<std::uint32_t> same;              ///< the first one with the same position
+  std::vector<SimplifyValues> values;
+  std::vector<std::uint32_t> corners;      ///< before
+  json::NodeId primitive = json::kNoNode;  ///< the first one with the list
+  std::uint32_t mesh = 0;                  ///< of it
+  double scale = 1;                        ///< from the unit of positions to that of the error
+  bool lock_borders = false;               ///< other triangles touch its borders
 
   std::vector<std::uint32_t> result;  ///< as `corners`; the same: it is left
   double measured = 0;                ///< distance of the surfaces, in the unit of the error
   SimplifyDrift drift;                ///< of values
   std::string why;                    ///< why it is left; empty: it is not
 
-  model::Surface surface() const { return {points->positions, corners}; }
+  model::Surface surface() const { return {positions, corners}; }
   bool changes() const { return result.size() < corners.size(); }
 };
 

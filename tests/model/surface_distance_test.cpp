@@ -102,7 +102,10 @@ TEST(SurfaceTree, VisitsAllTrianglesThatAreNear) {
   const Soup soup = random_soup(3, 300);
   const SurfaceTree tree(soup.surface());
   std::vector<bool> visited(300);
-  tree.each_near({0, 0, 0}, 5, [&](std::uint32_t triangle) { visited[triangle] = true; });
+  tree.each_near({0, 0, 0}, 5, [&](std::uint32_t triangle) {
+    visited[triangle] = true;
+    return true;
+  });
   for (std::size_t k = 0; k < visited.size(); ++k) {
     if (visited[k]) continue;
     for (std::size_t i = 0; i < 3; ++i) {
