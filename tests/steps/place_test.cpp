@@ -199,6 +199,21 @@ TEST_F(CenterBottom, UsesOnlyDrawnVertices) {
   EXPECT_EQ(result.json()["nodes"][0]["translation"].dump(), "[-4,-4,-6]");
 }
 
+TEST_F(CenterBottom, ReadsVerticesOfManyPrimitivesOnce) {
+  std::vector<float> positions;
+  for (int i = 0; i < 12000; ++i) {
+    for (const int k : {0, 1, 2}) positions.push_back(static_cast<float>(i % (k + 2)));
+  }
+  const std::size_t shared = made_.accessor(positions, "VEC3", true);
+  const std::size_t indices = made_.accessor(std::vector<std::uint16_t>{0, 1, 5}, "SCALAR");
+  made_.json["meshes"][0]["primitives"] = OrderedJson::array();
+  for (int i = 0; i < 2000; ++i) {
+    made_.json["meshes"][0]["primitives"].push_back(
+        {{"attributes", {{"POSITION", shared}}}, {"indices", indices}});
+  }
+  EXPECT_TRUE(row_of(made_.glb()).changes);
+}
+
 TEST_F(CenterBottom, LeavesScenesThatDrawNothing) {
   made_.json["nodes"][0].erase("mesh");
   expect_left(made_, "the default scene draws nothing");

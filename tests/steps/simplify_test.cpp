@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -359,6 +360,22 @@ TEST_F(Simplify, LeavesTexturesThatWouldSlide) {
   EXPECT_EQ(faces_of(after, 0), faces_of(*before_, 0));
   ASSERT_THAT(row_.left, SizeIs(1));
   EXPECT_EQ(row_.left[0].reason, "has normals or textures that would move too far");
+}
+
+TEST_F(Simplify, LeavesTanglesInBoundedTime) {
+  std::mt19937 random(1);
+  Sheet tangle(1, 1, hill);
+  tangle.positions.clear();
+  tangle.indices.clear();
+  for (std::uint32_t i = 0; i < 6000; ++i) {
+    for (int k = 0; k < 3; ++k) tangle.positions.push_back(static_cast<float>(random() % 4096));
+  }
+  for (int i = 0; i < 60000; ++i)
+    tangle.indices.push_back(static_cast<std::uint32_t>(random() % 6000));
+  add({primitive(tangle)});
+  result();
+  ASSERT_THAT(row_.left, SizeIs(1));
+  EXPECT_EQ(row_.left[0].pointer, "/meshes/0/primitives/0");
 }
 
 TEST_F(Simplify, IsRefusedWhereAnUnknownExtensionMayKnowVertices) {
