@@ -46,6 +46,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/mapping.hpp", "container"},
     {"gltfx/bake.hpp", "report"},
     {"gltfx/vec3.hpp", "base"},
+    {"gltfx/loss_bounds.hpp", "base"},
     {"gltfx/material.hpp", "shader"},
     {"gltfx/result_cache.hpp", "pipeline"},
     {"gltfx/inspect.hpp", "report"},
