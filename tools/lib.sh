@@ -10,7 +10,7 @@ export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}
 build_packages=(cmake ninja-build g++ libfmt-dev libsimdjson-dev nlohmann-json3-dev libtbb-dev
   libcli11-dev libtomlplusplus-dev libmeshoptimizer-dev libdraco-dev libpng-dev libjpeg62-turbo-dev libwebp-dev libzstd-dev libopenexr-dev
   libembree-dev libxxhash-dev libsodium-dev libstb-dev fonts-dejavu-core)
-test_packages=(libtinygltf-dev libavif-dev libopenimageio-dev lld clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3
+test_packages=(libtinygltf-dev libavif-dev libopenimageio-dev lld clang clang-format clang-tidy libclang-rt-dev libgtest-dev libgmock-dev git python3 python3-numpy
   nodejs pre-commit curl libxml2-utils shellcheck pkg-config doxygen mandoc
   tumbler bubblewrap dbus python3-dbus libglib2.0-bin shared-mime-info)
 package_packages=(libtinygltf-dev libopenimageio-dev dpkg-dev file gzip)  # for Debian packages

@@ -92,6 +92,10 @@ json::NodeId instancing_of(const Asset& asset, const Node& node) {
 
 }  // namespace
 
+json::NodeId instance_attributes(const Asset& asset, const Node& node) {
+  return object_member(asset.document(), instancing_of(asset, node), "attributes");
+}
+
 std::optional<Instancing> read_instancing(const Asset& asset, const Views& views,
                                           const ResourceData& resources, const Node& node,
                                           MemoryBudget& budget) {

@@ -19,6 +19,10 @@ struct Instancing {
   std::vector<Affine> transforms;
 };
 
+/// The object with the accessors of transforms; json::kNoNode: the node draws its mesh once, or the
+/// object is missing.
+json::NodeId instance_attributes(const Asset& asset, const Node& node);
+
 /// Nothing when the node draws its mesh once.
 std::optional<Instancing> read_instancing(const Asset& asset, const Views& views,
                                           const ResourceData& resources, const Node& node,

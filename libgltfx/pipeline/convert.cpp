@@ -20,6 +20,7 @@
 #include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_check.hpp"
+#include "pipeline/run_within_bounds.hpp"
 #include "prove/findings.hpp"
 #include "prove/meaning.hpp"
 #include "rules/validated_asset.hpp"
@@ -34,6 +35,7 @@ namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
+
 using model::OpenedAsset;
 using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
@@ -56,13 +58,6 @@ std::string with_place(const ConvertNote& note) {
 struct Shared {
   FolderIndex& folders;
   steps::ImageEncodings& encodings;
-};
-
-/// The steps since the last one with its own proof.
-struct SinceProof {
-  std::shared_ptr<const OpenedAsset> proven = {};  ///< what that step made; null: the old asset
-  bool is_next = false;                            ///< what the last change makes becomes that
-  steps::Freedom freedom = {};                     ///< of all steps since then
 };
 
 /// One asset on its way through the steps.
@@ -152,7 +147,11 @@ class ConvertRun {
         first ? steps::stored_size(before_) : report_.steps[report_.steps.size() - 2].bytes_after;
     row.bytes_before = row.bytes_after = bytes;
     std::vector<ConvertNote> unread;
-    auto outcome = step.run(input(unread));
+    if (step.loses_within_bounds) {
+      if (auto why = prove_so_far()) return why;
+    }
+    auto outcome =
+        step.loses_within_bounds ? run_within_bounds(step, input(unread)) : step.run(input(unread));
     if (!outcome) {
       row.refused.push_back({{}, outcome.error().message});
       return outcome.error().message;
@@ -167,14 +166,31 @@ class ConvertRun {
     }
     if (!row.changes) return std::nullopt;
     if (outcome->freedom.own_proof) {
-      if (auto why = find_difference(stages_.asset())) return why;
-      steps::Freedom rest;
-      rest.plain_elements = since_.freedom.plain_elements;
-      since_ = {since_.proven, true, rest};
-    } else {
-      since_.freedom |= outcome->freedom;
+      if (auto why = prove_so_far()) return why;
+      if (auto why = add(std::move(outcome->change))) return why;
+      return set_proven();
     }
-    return add(std::move(outcome->change));
+    freedom_ |= outcome->freedom;
+    if (auto why = add(std::move(outcome->change))) return why;
+    return step.loses_within_bounds ? set_proven() : std::nullopt;
+  }
+
+  // The next steps are compared with what this one made.
+  Reason set_proven() {
+    if (auto why = resolve()) return why;
+    const bool plain_elements = freedom_.plain_elements;
+    freedom_ = {};
+    freedom_.plain_elements = plain_elements;
+    proven_ = stages_.share();
+    return std::nullopt;
+  }
+
+  const OpenedAsset& proven() const { return proven_ ? *proven_ : before_; }
+
+  Reason prove_so_far() {
+    if (stages_.share() == proven_) return std::nullopt;
+    if (auto why = find_difference(proven(), stages_.asset())) return why;
+    return set_proven();
   }
 
   Reason add(change::Change change) {
@@ -183,7 +199,6 @@ class ConvertRun {
   }
   Reason apply() {
     auto trouble = stages_.apply();
-    if (std::exchange(since_.is_next, false)) since_.proven = stages_.share();
     return trouble ? Reason(std::move(trouble->message)) : std::nullopt;
   }
 
@@ -269,13 +284,13 @@ class ConvertRun {
     set_last_size(steps::stored_size(after.asset()));
     prove::NewFindings found = prove::new_findings(
         before_, after, schemas_,
-        since_.freedom.plain_elements ? prove::Louder::is_known : prove::Louder::is_new);
+        freedom_.plain_elements ? prove::Louder::is_known : prove::Louder::is_new);
     report_.new_warnings = std::move(found.warnings);
     if (!found.error.empty()) {
       return fmt::format("the new file would have the new error {}", found.error);
     }
     if (laid_out_ || pictures_ != nullptr) {
-      if (auto why = find_difference(after.asset())) return why;
+      if (auto why = find_difference(proven(), after.asset())) return why;
     }
     if (pictures_ == nullptr) return std::nullopt;
     report_.not_verified = pictures_->obstacle();
@@ -285,18 +300,15 @@ class ConvertRun {
     return report_.verified ? std::nullopt : Reason(difference + " (--verify)");
   }
 
-  // Where an asset means something else than the old one, or than the result of the last step with
-  // its own proof, beyond what the steps since then say.
-  Reason find_difference(const OpenedAsset& after) const {
-    const OpenedAsset& before = since_.proven ? *since_.proven : before_;
-    if (&before == &after) return std::nullopt;
+  // Where an asset means something else than the one before, beyond what the steps say.
+  Reason find_difference(const OpenedAsset& before, const OpenedAsset& after) const {
     prove::MeaningRequest request;
-    if (since_.freedom.vertex_order) request.order = prove::VertexOrder::free;
-    if (since_.freedom.keyframes) request.animations = prove::AnimationComparison::curves;
+    if (freedom_.vertex_order) request.order = prove::VertexOrder::free;
+    if (freedom_.keyframes) request.animations = prove::AnimationComparison::curves;
     request.images =
-        since_.freedom.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
-    request.unused_may_go = since_.freedom.unused;
-    request.image_names_may_go = since_.freedom.image_names;
+        freedom_.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
+    request.unused_may_go = freedom_.unused;
+    request.image_names_may_go = freedom_.image_names;
     request.jobs = options_.jobs;
     request.most = 1;
     const prove::Meaning meaning = prove::compare_meaning(before, after, *schemas_, request);
@@ -314,8 +326,10 @@ class ConvertRun {
   ConvertReport& report_;
   steps::Stages stages_;
   std::optional<steps::UsedBytes> used_before_;
-  SinceProof since_;
-  bool laid_out_ = false;  ///< steps before the last changed something
+  steps::Freedom freedom_;  ///< of all steps since `proven_`
+  bool laid_out_ = false;   ///< steps before the last changed something
+  /// The asset that the next steps are compared with; null: the old one.
+  std::shared_ptr<const OpenedAsset> proven_;
 };
 
 std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, const Shared& shared,

@@ -10,6 +10,7 @@
 #include "prove/node_pairs.hpp"
 #include "prove/object_walk.hpp"
 #include "prove/placed_meshes.hpp"
+#include "prove/regridded.hpp"
 #include "prove/side.hpp"
 
 namespace gltfx::prove {
@@ -48,7 +49,7 @@ void compare_geometry(const Side& before, const Side& after, const PlacedMeshes&
                       Differences& found) {
   Compared compared;
   for (const Pair& pair : primitives) {
-    const bool positions = !placed.has(pair.ours);
+    const bool positions = !placed.has(pair.ours) && !request.regridded;
     if (!compared.add(key_of(before, after, pair, positions))) continue;
     compare_primitives(before, after, pair.ours, pair.theirs, request, positions, found);
   }
@@ -73,6 +74,7 @@ Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAss
     const PlacedMeshes placed(ours, theirs, nodes, request);
     const Payloads payloads = ObjectWalk(ours, theirs, nodes, placed, request, found).run();
     compare_geometry(ours, theirs, placed, payloads.primitives, request, found);
+    if (request.regridded) compare_places(ours, theirs, nodes, request, found);
     Compared curves;
     for (const Pair& pair : payloads.channels) {
       if (!curves.add(curve_key(ours, pair.ours) + "|" + curve_key(theirs, pair.theirs))) continue;

@@ -40,7 +40,9 @@ enum class ImageComparison : std::uint8_t {
 
 /// Distances up to which values count as equal; all 0: exact.
 struct Tolerance {
-  double position = 0;   ///< in the space of the mesh, or of the scene: MeaningRequest::in_world
+  /// In the space of the mesh, or of the scene: MeaningRequest::in_world,
+  /// MeaningRequest::regridded.
+  double position = 0;
   double direction = 0;  ///< in degrees, for NORMAL and TANGENT; the w of TANGENT is exact
   double texcoord = 0;
   double color = 0;
@@ -64,6 +66,12 @@ struct MeaningRequest {
   /// extensions, and only its parent or a scene refers to it. Other meshes are compared in their
   /// own space. Takes time for each node. Not with VertexOrder::free.
   bool in_world = false;
+  /// Meshes may have other coordinates if their places undo that: transforms of nodes that affect
+  /// only a mesh, unnamed new children that get the mesh, inverse bind matrices, instances, and
+  /// lengths of materials. All positions are compared in the space of the scene
+  /// (`prove/regridded.hpp`); Tolerance::position is a part of its diagonal. Not with
+  /// VertexOrder::free or `in_world`.
+  bool regridded = false;
   Tolerance tolerance = {};
   unsigned jobs = 1;       ///< threads for decoding
   std::size_t most = 100;  ///< greatest number of listed differences

@@ -17,6 +17,8 @@ class NodePairs {
   NodePairs(const Side& before, const Side& after);
 
   const std::vector<Pair>& all() const { return pairs_; }
+  /// Whether a node of `after` corresponds to one of `before`.
+  bool has_theirs(json::NodeId theirs) const { return ours_.contains(theirs); }
   bool matches(json::NodeId ours, json::NodeId theirs) const {
     const auto found = theirs_.find(ours);
     return found != theirs_.end() && found->second == theirs;

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "json/equal.hpp"
+#include "model/instancing.hpp"
+#include "prove/regridded.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -84,7 +86,9 @@ Payloads ObjectWalk::run() {
   compare_declared("extensionsRequired");
   const std::size_t here = before_.asset().count(model::RootArray::nodes);
   const std::size_t there = after_.asset().count(model::RootArray::nodes);
-  if (here != there) found_.add("/nodes", fmt::format("has {} nodes in place of {}", there, here));
+  const bool more = request_.regridded && there > here;  // compare_objects() compares new ones
+  if (here != there && !more)
+    found_.add("/nodes", fmt::format("has {} nodes in place of {}", there, here));
   open_.insert(open_.end(), nodes_.all().begin(), nodes_.all().end());
   drain();
   if (!request_.unused_may_go) compare_unused();
@@ -171,9 +175,20 @@ ObjectWalk::Members ObjectWalk::members(const Side& side, json::NodeId object) c
   return members;
 }
 
+// Whether an object has the accessors of transforms of copies, which compare_places() compares.
+bool ObjectWalk::is_of_copies(const Side& side, json::NodeId object) const {
+  const json::NodeId node = side.tree().root_element(object);
+  if (node == json::kNoNode || side.type(node) != types_.node) return false;
+  const model::Node& drawn = side.views().nodes[side.index(node)];
+  return model::instance_attributes(side.asset(), drawn) == object;
+}
+
 // Whether a member is compared as text, because no comparison of its data covers it.
 bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_view name,
                              json::NodeId value) const {
+  if (request_.regridded && (name == "TRANSLATION" || name == "SCALE") &&
+      is_of_copies(side, object))
+    return false;
   const schema::TypeId type = side.type(object);
   if (type == schema::kNone) {
     const graph::Tree& tree = side.tree();
@@ -182,6 +197,8 @@ bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_
     return !list || !storage_.contains(name);
   }
   if (is_mere_storage(side, name, value)) return false;
+  if (request_.regridded && type == types_.skin && name == "inverseBindMatrices") return false;
+  if (request_.regridded && name == "thicknessFactor") return false;
   if (request_.image_names_may_go && type == types_.image && name == "name") return false;
   if (is_said_of_all(name)) return true;
   const auto is_one_of = [&](std::initializer_list<std::string_view> names) {
@@ -217,7 +234,9 @@ void ObjectWalk::compare_objects(const Pair& pair) {
   if (type == types_.node && placed_.may_move(pair.ours)) {
     std::erase_if(theirs, [](const auto& member) { return is_transform(member.first); });
   }
-  compare_members(pair, members(before_, pair.ours), theirs);
+  Members ours = members(before_, pair.ours);
+  if (type == types_.node && request_.regridded) take_mesh_child(pair, ours, theirs);
+  compare_members(pair, ours, theirs);
   if (!request_.unused_may_go) note_local_tables(pair);
   if (type == types_.texture) compare_textures(pair);
   if (type == types_.primitive) {
@@ -227,6 +246,36 @@ void ObjectWalk::compare_objects(const Pair& pair) {
   if (type == types_.channel && request_.animations == AnimationComparison::curves) {
     payloads_.channels.push_back(pair);
   }
+}
+
+// Gives a node the mesh of its new child, which is left out.
+void ObjectWalk::take_mesh_child(const Pair& pair, Members& ours, Members& theirs) {
+  const json::Document& here = before_.document();
+  const json::Document& there = after_.document();
+  if (!here.holds(pair.ours, "mesh") || there.holds(pair.theirs, "mesh")) return;
+  const auto child = find_mesh_child(after_, nodes_, pair.theirs);
+  if (!child) return;
+  const model::Node& drawn = after_.views().nodes[*child];
+  theirs.emplace_back("mesh", drawn.mesh_value);
+  if (drawn.weights != json::kNoNode) theirs.emplace_back("weights", drawn.weights);
+  const auto list = [](const Side& side, json::NodeId node) {
+    std::vector<json::NodeId> children;
+    const auto& all = side.asset().elements(model::RootArray::nodes);
+    model::for_each_index(side.asset(), side.document().find(node, "children"),
+                          model::RootArray::nodes, [&](std::uint64_t, const auto& index, Span) {
+                            children.push_back(index ? all[*index] : json::kNoNode);
+                          });
+    return children;
+  };
+  const auto children = list(before_, pair.ours);
+  const auto now = list(after_, pair.theirs);
+  bool same = now.size() == children.size() + 1;
+  for (std::size_t i = 0; same && i < children.size(); ++i)
+    same = nodes_.matches(children[i], now[i]);
+  if (!same) differ({pair.ours}, "has other children");
+  for (Members* const list_of : {&ours, &theirs})
+    std::erase_if(*list_of, [](const auto& member) { return member.first == "children"; });
+  std::sort(theirs.begin(), theirs.end());
 }
 
 void ObjectWalk::compare_members(const Pair& pair, const Members& ours, const Members& theirs) {

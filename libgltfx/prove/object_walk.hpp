@@ -64,10 +64,12 @@ class ObjectWalk {
   void compare_arrays(const Pair& pair);
   void compare_numbers(const Pair& pair);
   void compare_objects(const Pair& pair);
+  void take_mesh_child(const Pair& pair, Members& ours, Members& theirs);
   void compare_members(const Pair& pair, const Members& ours, const Members& theirs);
   Members members(const Side& side, json::NodeId object) const;
   bool is_compared(const Side& side, json::NodeId object, std::string_view name,
                    json::NodeId value) const;
+  bool is_of_copies(const Side& side, json::NodeId object) const;
   bool is_mere_storage(const Side& side, std::string_view name, json::NodeId value) const;
 
   /// Precondition: `ours` has a target.

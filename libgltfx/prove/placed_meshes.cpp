@@ -69,20 +69,45 @@ std::optional<std::unordered_set<json::NodeId>> pointed(const Side& side) {
   return values;
 }
 
-bool moves_only_its_mesh(const Side& side, json::NodeId node) {
+// Targets of channels that change weights of morph targets, not transforms.
+std::unordered_set<json::NodeId> weight_targets(const Side& side) {
+  std::unordered_set<json::NodeId> targets;
+  for (const model::Animation& animation : side.views().animations) {
+    for (const model::AnimationChannel& channel : animation.channels) {
+      if (channel.path == model::AnimationPath::weights) targets.insert(channel.target);
+    }
+  }
+  return targets;
+}
+
+bool moves_only_its_mesh(const Side& side, json::NodeId node,
+                         const std::unordered_set<json::NodeId>& weights) {
   const json::Document& document = side.document();
   for (const char* member : {"camera", "children", "extensions"}) {
     if (document.holds(node, member)) return false;
   }
   const auto users = side.graph().users(node);
-  return std::all_of(users.begin(), users.end(),
-                     [&](const graph::Use& use) { return is_of_hierarchy(side.tree(), use); });
+  return std::all_of(users.begin(), users.end(), [&](const graph::Use& use) {
+    return is_of_hierarchy(side.tree(), use) || weights.contains(side.tree().parent(use.at.node));
+  });
 }
 
 }  // namespace
 
+void PlacedMeshes::find_movable(const Side& before, const NodePairs& nodes) {
+  const auto unmoved = pointed(before);
+  const auto weights = weight_targets(before);
+  for (const Pair& pair : nodes.all()) {
+    const model::Node& node = before.views().nodes[before.index(pair.ours)];
+    const bool is_free = unmoved && !unmoved->contains(pair.ours);
+    if (node.mesh && !node.skin && is_free && moves_only_its_mesh(before, pair.ours, weights))
+      movable_.insert(pair.ours);
+  }
+}
+
 PlacedMeshes::PlacedMeshes(const Side& before, const Side& after, const NodePairs& nodes,
                            const MeaningRequest& request) {
+  if (request.regridded) find_movable(before, nodes);
   if (!request.in_world || request.order != VertexOrder::kept) return;
   const auto scales_here = changing_scales(before);
   const auto scales_there = changing_scales(after);
@@ -107,13 +132,14 @@ PlacedMeshes::PlacedMeshes(const Side& before, const Side& after, const NodePair
            users[static_cast<std::size_t>(mesh.ours - first)];
   });
   const auto unmoved = pointed(before);
+  const auto weights = weight_targets(before);
   for (const PlacedMesh& mesh : all_) {
     for (const model::Primitive& primitive : mesh.ours->primitives) {
       primitives_.insert(primitive.node);
     }
     const json::NodeId node = mesh.node.ours;
     const bool is_free = unmoved && !unmoved->contains(node);
-    if (is_free && moves_only_its_mesh(before, node)) movable_.insert(node);
+    if (is_free && moves_only_its_mesh(before, node, weights)) movable_.insert(node);
   }
 }
 

@@ -37,6 +37,8 @@ class PlacedMeshes {
   bool may_move(json::NodeId node) const { return movable_.contains(node); }
 
  private:
+  void find_movable(const Side& before, const NodePairs& nodes);
+
   std::vector<PlacedMesh> all_;
   std::unordered_set<json::NodeId> primitives_, movable_;
 };

@@ -44,6 +44,7 @@ Types::Types(const schema::Set& set)
       primitive(set.find_type("mesh.primitive")),
       root(set.find_type("glTF")),
       sampler(set.find_type("animation.sampler")),
+      skin(set.find_type("skin")),
       texture(set.find_type("texture")) {}
 
 std::set<std::string, std::less<>> storage_extensions(const schema::Set& set, const Types& types) {

@@ -14,7 +14,7 @@ namespace gltfx::prove {
 struct Types {
   explicit Types(const schema::Set& set);
   schema::TypeId accessor, buffer, buffer_view, channel, image, node, primitive, root, sampler,
-      texture;
+      skin, texture;
 };
 
 /// Extensions that store geometry or images differently, or in more formats: they refer to a buffer

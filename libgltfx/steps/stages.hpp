@@ -18,7 +18,7 @@ class Stages {
 
   /// The asset after all changes that were applied.
   const model::OpenedAsset& asset() const { return now_ ? *now_ : before_; }
-  /// The same after the first change, which stays as it is; before, null.
+  /// Keeps that asset for as long as the pointer; null: it is the original one.
   std::shared_ptr<const model::OpenedAsset> share() const { return now_; }
   /// Adds a change of asset(), which is the same until apply(). Returns an Error (half a sentence)
   /// if there is no room for it. Precondition: all changes before are applied.

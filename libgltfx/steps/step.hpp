@@ -5,6 +5,7 @@
 
 #include <gltfx/convert.hpp>
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,8 @@ struct Freedom {
   bool plain_elements = false;
   /// Any, because the step itself measures them: what it makes is what later steps must keep.
   bool own_proof = false;
+  /// Numbers of vertices and what places them, within these bounds. No order may change with it.
+  std::optional<LossBounds> loss = std::nullopt;
 
   Freedom& operator|=(const Freedom& other) {
     vertex_order |= other.vertex_order;
@@ -51,6 +54,7 @@ struct Freedom {
     image_names |= other.image_names;
     plain_elements |= other.plain_elements;
     own_proof |= other.own_proof;
+    if (other.loss) loss = other.loss;
     return *this;
   }
 };
@@ -76,6 +80,8 @@ struct StepDescription {
   /// An Error, half a sentence, if the whole step is refused. Single objects that it skips are
   /// listed in the row.
   Result<StepOutcome> (*run)(const StepInput& input);
+  /// Its Freedom::loss is not empty: the caller measures what it loses.
+  bool loses_within_bounds = false;
 };
 
 /// Steps in the order in which they run. The last one decides where bytes are stored; those of all

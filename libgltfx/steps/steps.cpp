@@ -13,6 +13,7 @@ StepDescription images_step();
 StepDescription weld_step();
 StepDescription simplify_step();
 StepDescription resample_step();
+StepDescription quantize_step();
 StepDescription reorder_step();
 StepDescription meshopt_step();
 StepDescription draco_step();
@@ -21,9 +22,9 @@ StepDescription container_step();
 // Steps that remove elements run before equal objects are merged: vertices and keyframes that
 // several objects share can only be removed if none of these needs them.
 std::vector<StepDescription> steps() {
-  return {decode_step(),  scale_step(),    rebase_step(),   center_step(),   prune_step(),
-          weld_step(),    simplify_step(), resample_step(), dedup_step(),    images_step(),
-          reorder_step(), meshopt_step(),  draco_step(),    container_step()};
+  return {decode_step(),   scale_step(),    rebase_step(),   center_step(), prune_step(),
+          weld_step(),     simplify_step(), resample_step(), dedup_step(),  images_step(),
+          quantize_step(), reorder_step(),  meshopt_step(),  draco_step(),  container_step()};
 }
 
 }  // namespace gltfx::steps

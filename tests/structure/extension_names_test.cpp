@@ -39,6 +39,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "names that have no schema, so that none is taken for a misspelt one"},
     {"libgltfx/steps/scale.cpp",
      "lengths that scales of nodes do not reach: a unit does not say in which space it is"},
+    {"libgltfx/steps/quantize.cpp", "writes the extension that allows the formats"},
+    {"libgltfx/steps/volume_materials.cpp", "changes a length in the units of the mesh"},
     {"libgltfx/steps/vertex_numbers.cpp",
      "ids of features are numbers of vertices where members that name other ids are absent"},
     {"libgltfx/steps/upgrade/convert_scattering.cpp",

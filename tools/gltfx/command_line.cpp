@@ -19,6 +19,7 @@
 #include "base/text.hpp"
 #include "command_table.hpp"
 #include "configuration.hpp"
+#include "folder_walk.hpp"
 #include "help_text.hpp"
 #include "input_walk.hpp"
 #include "option_check.hpp"
@@ -124,6 +125,7 @@ class Declaration {
   bool is_wanted(std::string_view verb) const {
     return words_.empty() || std::find(words_.begin(), words_.end(), verb) != words_.end();
   }
+  std::vector<std::string> with_values(const std::vector<std::string>& words) const;
   std::string help() const;
   std::string take_positionals();
   Verb* find_verb(std::string_view name);
@@ -294,6 +296,30 @@ std::string Declaration::verb_among(const std::vector<std::string>& words) const
   return {};
 }
 
+// The words with the values of options that may do without one, each in the word of its option.
+std::vector<std::string> Declaration::with_values(const std::vector<std::string>& words) const {
+  const auto is_optional = [this](const std::string& word) {
+    return std::any_of(verbs_.begin(), verbs_.end(), [&](const Verb& verb) {
+      const auto& rows = verb.options.rows();
+      return std::any_of(rows.begin(), rows.end(), [&](const Option& row) {
+        return row.name == word && row.is_value_optional();
+      });
+    });
+  };
+  const auto is_value = [](const std::string& word) {
+    return word.find('=') != std::string::npos && word.front() != '-' &&
+           word.find('/') > word.find('=') && !is_asset_name(word);
+  };
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    all.push_back(words[i]);
+    if (!is_optional(words[i])) continue;
+    const bool follows = i + 1 < words.size() && is_value(words[i + 1]);
+    all.back().append("=").append(follows ? words[++i] : kNoValue);
+  }
+  return all;
+}
+
 CommandLine Declaration::read(int argc, const char* const* argv) {
   if (argc > 1 && argv[1] == std::string_view("help")) {
     const std::vector<const char*> words{argv[0], argc > 2 ? argv[2] : "--help", "--help"};
@@ -313,8 +339,11 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
   if (const std::string problem = option_mistake(table(), words); !problem.empty()) {
     return usage_error(verb_among(words), problem);
   }
+  const std::vector<std::string> complete = with_values(words);
+  std::vector<const char*> parsed{argc > 0 ? argv[0] : "gltfx"};
+  for (const std::string& word : complete) parsed.push_back(word.c_str());
   try {
-    app_.parse(argc, argv);
+    app_.parse(static_cast<int>(parsed.size()), parsed.data());
   } catch (const CLI::CallForHelp&) {
     return Answer{help(), {}, ExitCode::ok};
   } catch (const CLI::ParseError&) {

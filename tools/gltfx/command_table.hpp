@@ -66,6 +66,9 @@ struct OptionEntry {
   ConfigKey key;
 
   bool takes_value() const { return !type.empty(); }
+  /// Whether the value may be left out: "[BOUNDS]". Then only a word with '=' that is no path
+  /// follows as the value.
+  bool is_value_optional() const { return type.starts_with('['); }
   Values offered() const { return values ? values() : Values(); }
 };
 

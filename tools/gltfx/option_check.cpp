@@ -82,7 +82,7 @@ class OptionCheck {
 
   // The value is the next word.
   void check_next(const OptionEntry& option) {
-    if (!option.takes_value()) return;
+    if (!option.takes_value() || option.is_value_optional()) return;
     if (++at_ == words_.size()) {
       mistake_ = fmt::format("{} needs a value: {}.", option.name, option.type);
       return;

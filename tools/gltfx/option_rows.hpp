@@ -34,6 +34,9 @@ struct Binding {
   bool repeatable = false;
 };
 
+/// The word of an option whose value was left out.
+inline constexpr std::string_view kNoValue = "-";
+
 /// An option and its words.
 struct Option : OptionEntry {
   decltype(Binding::read) read;

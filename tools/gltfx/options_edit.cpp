@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/loss_bounds.hpp"
 #include "base/text.hpp"
 #include "configuration.hpp"
 #include "option_parts.hpp"
@@ -136,6 +137,17 @@ Result<Simplification> parse_simplification(std::string_view option, std::string
                            gltfx::quoted(word))};
 }
 
+// Without a list, all bounds have their defaults.
+Result<LossBounds> parse_bounds(std::string_view option, std::string_view word) {
+  if (word == kNoValue) return LossBounds();
+  auto bounds = parse_loss_bounds(word);
+  if (!bounds) {
+    const std::string& why = bounds.error().message;
+    return Error{fmt::format("{}: {}{}", option, why, why.ends_with('?') ? "" : ".")};
+  }
+  return *std::move(bounds);
+}
+
 }  // namespace
 
 void declare_upgrade(Options& options, UpgradeRequest& request) {
@@ -207,6 +219,8 @@ void declare_convert(Options& options, ConvertRequest& request) {
               one_of(convert.compress, {{"none", Compression::none},
                                         {"meshopt", Compression::meshopt},
                                         {"draco", Compression::draco}}));
+  options.add("--quantize", "[BOUNDS]", "Store vertices as integers: position=0.01%,normal=0.5deg",
+              parsed(convert.quantize, parse_bounds));
   options.add("--images", "FORMAT", "webp, png, jpeg, legal; of one use: webp:color",
               parsed_list(convert.images, parse_images, [] {
                 return values::choice({"webp", "png", "jpeg", "legal"});

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <gltfx/edited_file.hpp>
+#include <gltfx/loss_bounds.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -72,6 +73,8 @@ struct ConvertOptions : EditOptions {
   /// 1 to 100, of lossy images. Nothing: WebP and PNG are exact, JPEG has 90.
   std::optional<std::uint32_t> quality;
   std::optional<std::uint32_t> texture_size;  ///< texels that no side exceeds; nothing is enlarged
+  /// Vertices become integers within these bounds. Nothing: they stay exact.
+  std::optional<LossBounds> quantize;
   bool dedup = false;     ///< equal accessors, views, images, samplers, textures, materials once
   bool prune = false;     ///< unused objects and vertices go
   bool weld = false;      ///< equal vertices of a primitive once
