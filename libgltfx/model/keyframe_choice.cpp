@@ -156,12 +156,15 @@ class Choice {
     }
     return misfit;
   }
+  // At keyframes; arcs of rotations differ by a little more between them.
+  static double share_of(const KeyedCurve& curve) { return 0.95 * curve.tolerance; }
+
   static void add_rotation(const KeyedCurve& curve, const Arc& arc, std::size_t key, double t,
                            Misfit& misfit) {
     const Quaternion value = slerp(quaternion_at(curve, arc.from), quaternion_at(curve, arc.to), t);
     const Quaternion here = unit(quaternion_at(curve, key));
     for (std::size_t i = 0; i < here.size(); ++i)
-      misfit.note(std::fabs(value[i] - here[i]), kRotationBound);
+      misfit.note(std::fabs(value[i] - here[i]), std::max(kRotationBound, share_of(curve)));
   }
   static void add_numbers(const KeyedCurve& curve, const Arc& arc, std::size_t key, double t,
                           Misfit& misfit) {
@@ -170,7 +173,7 @@ class Choice {
       const double from = static_cast<double>(curve.values[arc.from * curve.width + i]);
       const double to = static_cast<double>(curve.values[arc.to * curve.width + i]);
       const double away = std::fabs(from * (1 - t) + to * t - static_cast<double>(here));
-      if (away > 0) misfit.note(away, last_place(here));
+      if (away > 0) misfit.note(away, std::max(last_place(here), share_of(curve)));
     }
   }
 
@@ -195,7 +198,7 @@ class Choice {
       const double size = std::max(size_of(curve, key), size_of(curve, key + 1));
       for (int part = 0; part < kParts; ++part) {
         const double moment = time(key) + (time(key + 1) - time(key)) * part / kParts;
-        if (distance(curve, old, arc, moment) > kCurveBound * size) return false;
+        if (distance(curve, old, arc, moment) > kCurveBound * size + curve.tolerance) return false;
       }
       return true;
     });

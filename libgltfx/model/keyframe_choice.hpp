@@ -21,6 +21,8 @@ struct KeyedCurve {
   CurveKind kind = CurveKind::linear;
   std::size_t width = 1;      ///< numbers per keyframe; rotation: 4
   std::vector<float> values;  ///< `width` numbers for each time
+  /// By how much more components may differ at removed keyframes and between them.
+  double tolerance = 0;
 };
 
 /// Indices of the keyframes to keep, in order, including the first and the last; the same for all

@@ -147,11 +147,11 @@ class ConvertRun {
         first ? steps::stored_size(before_) : report_.steps[report_.steps.size() - 2].bytes_after;
     row.bytes_before = row.bytes_after = bytes;
     std::vector<ConvertNote> unread;
-    if (step.loses_within_bounds) {
+    const bool is_bounded = step.is_bounded != nullptr && step.is_bounded(options_);
+    if (is_bounded) {
       if (auto why = prove_so_far()) return why;
     }
-    auto outcome =
-        step.loses_within_bounds ? run_within_bounds(step, input(unread)) : step.run(input(unread));
+    auto outcome = is_bounded ? run_within_bounds(step, input(unread)) : step.run(input(unread));
     if (!outcome) {
       row.refused.push_back({{}, outcome.error().message});
       return outcome.error().message;
@@ -172,7 +172,7 @@ class ConvertRun {
     }
     freedom_ |= outcome->freedom;
     if (auto why = add(std::move(outcome->change))) return why;
-    return step.loses_within_bounds ? set_proven() : std::nullopt;
+    return is_bounded ? set_proven() : std::nullopt;
   }
 
   // The next steps are compared with what this one made.

@@ -91,6 +91,16 @@ double size_of(const std::vector<float>& values) {
   return greatest;
 }
 
+double size_of_all(const AccessorData& values) {
+  double greatest = 0;
+  model::for_each_component(values, static_cast<std::size_t>(values.count()),
+                            [&](std::size_t, unsigned, float value) {
+                              const double size = std::fabs(static_cast<double>(value));
+                              if (std::isfinite(size)) greatest = std::max(greatest, size);
+                            });
+  return greatest;
+}
+
 struct Worst {
   double distance = 0;  ///< beyond rounding
   double time = 0;
@@ -132,8 +142,8 @@ std::string curve_key(const Side& side, json::NodeId channel) {
                      number(sampler.output));
 }
 
-void compare_curves(const Side& before, const Side& after, const Pair& pair, double tolerance,
-                    Differences& found) {
+void compare_curves(const Side& before, const Side& after, const Pair& pair,
+                    const Tolerance& tolerance, Differences& found) {
   const std::string place = before.pointer(pair.ours);
   const auto ours = open_motion(before, pair.ours);
   if (!ours) return found.leave_out(place, "has keyframes that cannot be read");
@@ -151,7 +161,10 @@ void compare_curves(const Side& before, const Side& after, const Pair& pair, dou
   const Worst worst = farthest_apart(*ours, *theirs);
   const std::string_view name = model::animation_path_name(ours->path);
   found.measure(name.empty() ? "animation" : name, worst.distance, place);
-  if (worst.distance <= tolerance) return;
+  const double size = ours->path == AnimationPath::rotation ? 1 : size_of_all(ours->curve.values);
+  const double part = worst.distance > 0 ? worst.distance / size : 0;
+  if (tolerance.animation_part > 0) found.measure("animation", part, place);
+  if (worst.distance <= tolerance.animation || part <= tolerance.animation_part) return;
   found.add(place, fmt::format("is {:.6g} away at {:.6g} s", worst.distance, worst.time),
             worst.distance);
 }

@@ -13,7 +13,7 @@ namespace gltfx::prove {
 std::string curve_key(const Side& side, json::NodeId channel);
 
 /// `pair`: objects of channels. See AnimationComparison::curves.
-void compare_curves(const Side& before, const Side& after, const Pair& pair, double tolerance,
-                    Differences& found);
+void compare_curves(const Side& before, const Side& after, const Pair& pair,
+                    const Tolerance& tolerance, Differences& found);
 
 }  // namespace gltfx::prove

@@ -24,12 +24,13 @@ struct QuantityRow {
   std::array<std::string_view, 2> measured;
 };
 
-constexpr std::array<QuantityRow, 5> kQuantities{{
+constexpr std::array<QuantityRow, 6> kQuantities{{
     {&LossBounds::position, "positions", "%", 100, {"POSITION", ""}},
     {&LossBounds::normal, "normals", " deg", 1, {"NORMAL", "TANGENT"}},
     {&LossBounds::texcoord, "texture coordinates", " texel", 1, {"TEXCOORD", ""}},
     {&LossBounds::color, "colors", "", 1, {"COLOR", ""}},
     {&LossBounds::weight, "weights", "%", 100, {"WEIGHTS", ""}},
+    {&LossBounds::animation, "animations", "%", 100, {"animation", ""}},
 }};
 
 double image_side(const model::OpenedAsset& opened, unsigned jobs) {
@@ -47,7 +48,8 @@ LossProof measure_loss(const model::OpenedAsset& before, const model::OpenedAsse
   MeaningRequest request;
   request.images = ImageComparison::bytes;
   request.regridded = true;
-  request.tolerance = {kAny, kAny, kAny, kAny, kAny, 0};
+  request.animations = AnimationComparison::curves;
+  request.tolerance = {kAny, kAny, kAny, kAny, kAny, kAny, kAny};
   request.jobs = jobs;
   request.most = 1;
   const Meaning meaning = compare_meaning(before, after, schemas, request);

@@ -22,11 +22,11 @@ struct LossProof {
   /// The first difference that is no loss within LossBounds, half a sentence with a pointer; empty:
   /// none.
   std::string difference;
-  std::vector<MeasuredLoss> losses;  ///< of all quantities except animations
+  std::vector<MeasuredLoss> losses;  ///< of all quantities
 };
 
-/// Measures the loss between two assets that differ only in the numbers of vertices and in what
-/// places them (MeaningRequest::regridded), at all corners of all meshes.
+/// Measures the loss between two assets that differ only in the numbers of vertices, in what places
+/// them (MeaningRequest::regridded), and in keyframes, at all corners of all meshes.
 LossProof measure_loss(const model::OpenedAsset& before, const model::OpenedAsset& after,
                        const schema::Set& schemas, unsigned jobs);
 

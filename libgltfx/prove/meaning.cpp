@@ -78,7 +78,7 @@ Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAss
     Compared curves;
     for (const Pair& pair : payloads.channels) {
       if (!curves.add(curve_key(ours, pair.ours) + "|" + curve_key(theirs, pair.theirs))) continue;
-      compare_curves(ours, theirs, pair, request.tolerance.animation, found);
+      compare_curves(ours, theirs, pair, request.tolerance, found);
     }
     if (!images) return;
     for (const Pair& pair : payloads.images) {

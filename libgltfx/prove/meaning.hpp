@@ -48,6 +48,8 @@ struct Tolerance {
   double color = 0;
   double weight = 0;     ///< for WEIGHTS_n
   double animation = 0;  ///< AnimationComparison::curves: for each component
+  /// The same, as a part of the greatest absolute component of the curve; of rotations 1.
+  double animation_part = 0;
 };
 
 struct MeaningRequest {

@@ -242,9 +242,9 @@ class Quantizer {
       case SemanticKind::texcoord:
         if (exact.width != 2) return std::nullopt;
         if (!side_) side_ = image_side();
-        return quantize_texcoords(exact, bound / *side_);
+        return quantize_texcoords(exact, bound / *side_, is_coarse());
       case SemanticKind::color:
-        return exact.width < 3 ? std::nullopt : quantize_colors(exact, bound);
+        return exact.width < 3 ? std::nullopt : quantize_colors(exact, bound, is_coarse());
       default:
         break;
     }
@@ -252,6 +252,8 @@ class Quantizer {
     const unsigned width = role.kind == SemanticKind::tangent ? 4 : 3;
     return exact.width == width ? quantize_directions(exact, bound) : std::nullopt;
   }
+
+  bool is_coarse() const { return data_.input.options.compress == Compression::draco; }
 
   double image_side() const {
     container::OpenedFiles files(data_.input.asset.resolver());
@@ -354,7 +356,7 @@ StepDescription quantize_step() {
           "each quantity up to its bound; what cannot keep it stays as it is",
           [](const ConvertOptions& options) { return options.quantize.has_value(); },
           [](const StepInput& input) { return Quantizer(input).run(); },
-          true};
+          [](const ConvertOptions&) { return true; }};
 }
 
 }  // namespace gltfx::steps

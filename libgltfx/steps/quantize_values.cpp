@@ -47,15 +47,22 @@ struct Rounded {
   std::vector<std::int64_t> integers;
   double error = 0;  ///< greatest
 
-  Rounded(const std::vector<float>& values, double most) {
+  Rounded(const std::vector<float>& values, double most, double unit = 1) {
     integers.reserve(values.size());
     for (const float value : values) {
       const double scaled = static_cast<double>(value) * most;
-      integers.push_back(std::llround(scaled));
+      integers.push_back(std::llround(std::min(std::round(scaled / unit) * unit, most)));
       error = std::max(error, std::abs(static_cast<double>(integers.back()) - scaled) / most);
     }
   }
 };
+
+// The greatest power of two whose multiples, in 65535ths, keep a bound.
+double coarsest_unit(double bound) {
+  double unit = 1;
+  while (unit < 256 && unit <= bound * UINT16_MAX) unit *= 2;
+  return unit;
+}
 
 double angle_between(const model::Vector3& a, const model::Vector3& b) {
   const model::Vector3 across = model::cross(a, b);
@@ -134,21 +141,23 @@ std::optional<IntegerElements> quantize_turns(const FloatElements& from, double 
   return stored(ComponentType::int16, true, from.width, rounded.integers);
 }
 
-std::optional<IntegerElements> quantize_texcoords(const FloatElements& from, double bound) {
+std::optional<IntegerElements> quantize_texcoords(const FloatElements& from, double bound,
+                                                  bool coarse) {
   if (!are_within(from.values, 0, 1)) return std::nullopt;
-  const Rounded rounded(from.values, model::value_range(ComponentType::uint16).most);
+  const Rounded rounded(from.values, UINT16_MAX, coarse ? coarsest_unit(bound) : 1);
   if (rounded.error > bound) return std::nullopt;
   return stored(ComponentType::uint16, true, from.width, rounded.integers);
 }
 
-std::optional<IntegerElements> quantize_colors(const FloatElements& from, double bound) {
+std::optional<IntegerElements> quantize_colors(const FloatElements& from, double bound,
+                                               bool coarse) {
   constexpr double kSame = 1e-6;
   if (!are_within(from.values, 0, 1)) return std::nullopt;
   const Rounded bytes(from.values, model::value_range(ComponentType::uint8).most);
   if (bytes.error <= std::min(kSame, bound)) {
     return stored(ComponentType::uint8, true, from.width, bytes.integers);
   }
-  const Rounded rounded(from.values, model::value_range(ComponentType::uint16).most);
+  const Rounded rounded(from.values, UINT16_MAX, coarse ? coarsest_unit(bound) : 1);
   if (rounded.error > bound) return std::nullopt;
   return stored(ComponentType::uint16, true, from.width, rounded.integers);
 }

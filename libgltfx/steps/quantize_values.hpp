@@ -33,10 +33,13 @@ std::optional<IntegerElements> quantize_directions(const FloatElements& from, do
 /// Differences of normals or tangents by a morph target. `bound`: degrees that a difference of this
 /// length turns a unit vector.
 std::optional<IntegerElements> quantize_turns(const FloatElements& from, double bound);
-/// Texture coordinates from 0 to 1. `bound`: of a component.
-std::optional<IntegerElements> quantize_texcoords(const FloatElements& from, double bound);
-/// Colors from 0 to 1; bytes only if the values are those of bytes. `bound`: of a component.
-std::optional<IntegerElements> quantize_colors(const FloatElements& from, double bound);
+/// Texture coordinates from 0 to 1. `bound`: of a component. `coarse`: only multiples of the
+/// greatest power of two that keeps the bound, and the greatest integer, for entropy coders.
+std::optional<IntegerElements> quantize_texcoords(const FloatElements& from, double bound,
+                                                  bool coarse);
+/// Colors from 0 to 1; bytes only if the values are those of bytes. Otherwise the same.
+std::optional<IntegerElements> quantize_colors(const FloatElements& from, double bound,
+                                               bool coarse);
 /// Weights of all sets of a primitive. The integers of a vertex add up to 65535 unless all are 0.
 std::optional<std::vector<IntegerElements>> quantize_weights(const std::vector<FloatElements>& sets,
                                                              double bound);

@@ -57,10 +57,17 @@ struct Output {
   std::string bytes;         ///< packed
 };
 
+double tolerance_of(const ConvertOptions& options) {
+  return options.quantize ? options.quantize->animation.value_or(0) : 0;
+}
+
 class Resampler {
  public:
   explicit Resampler(const StepInput& input)
-      : data_(input), changes_(data_), uses_(data_.views.accessors.size()) {}
+      : data_(input),
+        changes_(data_),
+        tolerance_(tolerance_of(input.options)),
+        uses_(data_.views.accessors.size()) {}
 
   Result<StepOutcome> run() {
     find_clips();
@@ -79,6 +86,7 @@ class Resampler {
     if (!change) return change.error();
     outcome_.change = *std::move(change);
     outcome_.freedom.keyframes = true;
+    if (tolerance_ > 0) outcome_.freedom.loss = data_.input.options.quantize;
     outcome_.row.what = fmt::format("{} of {} keyframes removed", removed_, keyframes_);
     return std::move(outcome_);
   }
@@ -200,6 +208,7 @@ class Resampler {
     curve.width = curve.values.size() / keys;
     curve.kind = used.rotations ? model::CurveKind::rotation : model::CurveKind::linear;
     if (used.sampler->interpolation == Interpolation::step) curve.kind = model::CurveKind::step;
+    curve.tolerance = tolerance_ * (used.rotations ? 1 : greatest_of(curve.values));
     const bool finite = std::all_of(curve.values.begin(), curve.values.end(),
                                     [](float value) { return std::isfinite(value); });
     if (!finite) return "has values that are not finite";
@@ -207,6 +216,13 @@ class Resampler {
     std::string bytes = packed_bytes(*data);
     outputs.push_back({*used.sampler->output, bytes.size() / keys, std::move(bytes)});
     return {};
+  }
+
+  static double greatest_of(const std::vector<float>& values) {
+    double greatest = 0;
+    for (const float value : values)
+      greatest = std::max(greatest, std::abs(static_cast<double>(value)));
+    return greatest;
   }
 
   void store(const Output& output, const std::vector<std::uint32_t>& kept, bool other_values) {
@@ -221,6 +237,7 @@ class Resampler {
 
   const StepData data_;
   StepChanges changes_;
+  const double tolerance_;       ///< as a part of the greatest absolute component of a curve
   std::vector<ValueUses> uses_;  ///< by accessor
   std::vector<Clip> clips_;
   StepOutcome outcome_;
@@ -235,9 +252,12 @@ StepDescription resample_step() {
   return {"resample",
           "removes keyframes that interpolation of the others reproduces",
           "the curves, the first and the last keyframe, and the length of clips",
-          "nothing beyond rounding: one unit in the last place",
-          [](const ConvertOptions& options) { return options.resample || options.shrink; },
-          [](const StepInput& input) { return Resampler(input).run(); }};
+          "nothing beyond rounding, one unit in the last place, or the bound of animations",
+          [](const ConvertOptions& options) {
+            return options.resample || options.shrink || tolerance_of(options) > 0;
+          },
+          [](const StepInput& input) { return Resampler(input).run(); },
+          [](const ConvertOptions& options) { return tolerance_of(options) > 0; }};
 }
 
 }  // namespace gltfx::steps

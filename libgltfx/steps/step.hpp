@@ -43,7 +43,8 @@ struct Freedom {
   bool plain_elements = false;
   /// Any, because the step itself measures them: what it makes is what later steps must keep.
   bool own_proof = false;
-  /// Numbers of vertices and what places them, within these bounds. No order may change with it.
+  /// Numbers of vertices, what places them, and keyframes, within these bounds. No order may change
+  /// with it.
   std::optional<LossBounds> loss = std::nullopt;
 
   Freedom& operator|=(const Freedom& other) {
@@ -80,8 +81,9 @@ struct StepDescription {
   /// An Error, half a sentence, if the whole step is refused. Single objects that it skips are
   /// listed in the row.
   Result<StepOutcome> (*run)(const StepInput& input);
-  /// Its Freedom::loss is not empty: the caller measures what it loses.
-  bool loses_within_bounds = false;
+  /// Whether it loses something within ConvertOptions::quantize: then the caller measures what it
+  /// loses. Null: it does not.
+  bool (*is_bounded)(const ConvertOptions& options) = nullptr;
 };
 
 /// Steps in the order in which they run. The last one decides where bytes are stored; those of all

@@ -149,14 +149,20 @@ TEST(QuantizeValues, TakesMoreBitsForASmallerAngle) {
 }
 
 TEST(QuantizeValues, KeepsWrappedTextureCoordinates) {
-  EXPECT_FALSE(steps::quantize_texcoords({{0, 1.5F}, 2}, 0.1));
-  EXPECT_FALSE(steps::quantize_texcoords({{0, 0.3F}, 2}, 1e-7));
-  EXPECT_TRUE(steps::quantize_texcoords({{0, 1}, 2}, 1e-7));
+  EXPECT_FALSE(steps::quantize_texcoords({{0, 1.5F}, 2}, 0.1, false));
+  EXPECT_FALSE(steps::quantize_texcoords({{0, 0.3F}, 2}, 1e-7, false));
+  EXPECT_TRUE(steps::quantize_texcoords({{0, 1}, 2}, 1e-7, false));
+}
+
+TEST(QuantizeValues, LeavesOutBitsForEntropyCoders) {
+  const auto coarse = steps::quantize_texcoords({{0.3F, 1}, 2}, 0.001, true);
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(coarse->bytes, std::string("\x00\x4d\xff\xff", 4));  // 154 * 128, 65535
 }
 
 TEST(QuantizeValues, StoresBytesOnlyWhereColorsWereBytes) {
-  EXPECT_THAT(steps::quantize_colors({{0, 1, 51.0F / 255}, 3}, 1e-3)->bytes, SizeIs(3));
-  EXPECT_THAT(steps::quantize_colors({{0, 1, 0.3F}, 3}, 1e-3)->bytes, SizeIs(6));
+  EXPECT_THAT(steps::quantize_colors({{0, 1, 51.0F / 255}, 3}, 1e-3, false)->bytes, SizeIs(3));
+  EXPECT_THAT(steps::quantize_colors({{0, 1, 0.3F}, 3}, 1e-3, false)->bytes, SizeIs(6));
 }
 
 }  // namespace

@@ -112,6 +112,23 @@ TEST_F(Resample, KeepsCorners) {
   EXPECT_THAT(numbers_of(now, output), ElementsAre(0, 0, 0, 20, 0, 0, 20, 0, 0));
 }
 
+TEST_F(Resample, RemovesKeyframesWithinABound) {
+  options_.resample = false;
+  options_.quantize.emplace();
+  options_.quantize->animation = 0.01;
+  Clip clip(41);
+  std::vector<float> values;
+  for (std::size_t i = 0; i < 41; ++i)
+    values.insert(values.end(), {static_cast<float>(i), i % 2 == 0 ? 0.3F : 0, 7});
+  clip.add("translation", values, "VEC3");
+  const StoredAsset now = converted_twice(clip.made.glb());
+  EXPECT_THAT(numbers_of(now, clip.input), ElementsAre(0, 40.0 / 64));
+  ASSERT_THAT(row_.losses, SizeIs(1));
+  EXPECT_EQ(row_.losses[0].quantity, "animations");
+  EXPECT_NEAR(row_.losses[0].measured, 0.75, 1e-4);
+  EXPECT_EQ(row_.losses[0].bound, 1);
+}
+
 TEST_F(Resample, KeepsEachChangeOfASteppedCurve) {
   Clip clip(8);
   const std::vector<float> values{1, 1, 1, 5, 5, 1, 1, 1};

@@ -20,8 +20,8 @@ struct LossBounds {
   std::optional<double> color = 0.5 / 255;
   /// Difference of a weight of a joint, from 0 to 1.
   std::optional<double> weight = 5e-4;
-  /// Difference of a component of animated values between keyframes, as a part of the greatest
-  /// absolute component of the curve.
+  /// Difference of a component of animated values, as a part of the greatest absolute component of
+  /// the curve; of rotations 1.
   std::optional<double> animation;
 };
 
