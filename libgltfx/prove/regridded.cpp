@@ -173,14 +173,16 @@ class PlaceComparison {
                        const std::pair<std::uint32_t, std::uint32_t>& skins, json::NodeId node,
                        double unit_length) {
     const std::size_t size = corners.rest.here.size() + corners.moved.here.size();
-    for (const PosePair& pose : poses_) {
-      const bool is_rest = &pose == &poses_.front();
+    std::vector<JointPair>& joints = joints_[skins];
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      const bool is_rest = i == 0;
+      if (i == joints.size()) joints.push_back(read_joints(before_, after_, skins, poses_[i]));
       if (size > (is_rest ? read_left_ : corners_left_)) {
         if (is_rest) found_.add(before_.pointer(node), kTooMany);
         return;
       }
       (is_rest ? read_left_ : corners_left_) -= size;
-      note(farthest_skinned(before_, after_, corners, skins, pose) / unit_length, node);
+      note(farthest_skinned(corners, joints[i]) / unit_length, node);
     }
   }
 
@@ -249,7 +251,9 @@ class PlaceComparison {
   const NodePairs& nodes_;
   const MeaningRequest& request_;
   Differences& found_;
-  std::vector<PosePair> poses_;                                     ///< the first is that at rest
+  std::vector<PosePair> poses_;  ///< the first is that at rest
+  /// By skins and poses.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<JointPair>> joints_;
   double scene_ = 0;                                                ///< diagonal
   std::map<std::pair<std::uint32_t, std::uint32_t>, Shown> shown_;  ///< by meshes
   std::uint64_t corners_left_ = kMostCorners;  ///< for exact comparison, and for poses

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "model/keyframes.hpp"
+#include "model/skin.hpp"
 #include "prove/primitive_pair.hpp"
 
 namespace gltfx::prove {
@@ -132,12 +133,17 @@ std::vector<PosePair> read_poses(const Side& before, const Side& after) {
   };
   add({});
   if (before.asset().count(model::RootArray::skins) == 0) return poses;
+  std::size_t size = before.views().nodes.size();
+  for (const json::NodeId skin : before.asset().elements(model::RootArray::skins)) {
+    if (skin != json::kNoNode)
+      size += static_cast<std::size_t>(model::read_skin(before.asset(), skin).joint_count);
+  }
   const auto& animations = before.views().animations;
   for (std::uint32_t i = 0; i < std::min(animations.size(), kMostAnimations); ++i) {
     if (animations[i].object == json::kNoNode) continue;
     const double length = model::duration_of(before.asset(), before.views(), animations[i]);
     for (int k = 0; k < kMoments; ++k) {
-      if ((poses.size() + 1) * before.views().nodes.size() > kMostPosedNodes) return poses;
+      if ((poses.size() + 1) * size > kMostPosedNodes) return poses;
       add(model::sample_animation(before.asset(), before.views(), before.resources(),
                                   before.graph().set(), i, length * k / (kMoments - 1))
               .values);
@@ -146,13 +152,16 @@ std::vector<PosePair> read_poses(const Side& before, const Side& after) {
   return poses;
 }
 
-double farthest_skinned(const Side& before, const Side& after, const ComparedCorners& corners,
-                        const std::pair<std::uint32_t, std::uint32_t>& skins,
-                        const PosePair& pose) {
-  const auto here = model::joint_matrices(before.asset(), before.views(), before.resources(),
-                                          skins.first, pose.here);
-  const auto there = model::joint_matrices(after.asset(), after.views(), after.resources(),
-                                           skins.second, pose.there);
+JointPair read_joints(const Side& before, const Side& after,
+                      const std::pair<std::uint32_t, std::uint32_t>& skins, const PosePair& pose) {
+  return {model::joint_matrices(before.asset(), before.views(), before.resources(), skins.first,
+                                pose.here),
+          model::joint_matrices(after.asset(), after.views(), after.resources(), skins.second,
+                                pose.there)};
+}
+
+double farthest_skinned(const ComparedCorners& corners, const JointPair& joints) {
+  const auto& [here, there] = joints;
   if (here.empty() && there.empty()) return 0;
   if (here.size() != there.size()) return std::numeric_limits<double>::infinity();
   const std::size_t width = 4 * corners.sets;

@@ -42,8 +42,14 @@ struct PosePair {
 /// At rest, and at moments of the first animations, if the asset has skins.
 std::vector<PosePair> read_poses(const Side& before, const Side& after);
 
+/// Matrices of the joints of a skin at one moment, before and after.
+struct JointPair {
+  std::vector<model::Affine> here, there;
+};
+JointPair read_joints(const Side& before, const Side& after,
+                      const std::pair<std::uint32_t, std::uint32_t>& skins, const PosePair& pose);
+
 /// The greatest distance of two corners in the space of the scene.
-double farthest_skinned(const Side& before, const Side& after, const ComparedCorners& corners,
-                        const std::pair<std::uint32_t, std::uint32_t>& skins, const PosePair& pose);
+double farthest_skinned(const ComparedCorners& corners, const JointPair& joints);
 
 }  // namespace gltfx::prove

@@ -8,7 +8,6 @@
 
 #include "model/draco.hpp"
 #include "model/elements.hpp"
-#include "model/longest_axis.hpp"
 #include "model/scene_box.hpp"
 
 namespace gltfx::steps {
@@ -153,9 +152,7 @@ void GridPlan::measure(std::uint32_t index, double bound, double scene) {
   MeshGrid& mesh = meshes_[index];
   if (!mesh.obstacle.empty() || mesh.positions.empty() || mesh.has_integers) return;
   const MeshPlace& place = places_.of(index);
-  for (const model::Affine& each : place.transforms) {
-    mesh.scale = std::max(mesh.scale, model::longest_axis(each));
-  }
+  mesh.scale = place.scale;
   model::Box box;
   for (const PositionLists& lists : mesh.positions) {
     const std::vector<float>& values = elements_.at(lists.own).values;
@@ -226,7 +223,6 @@ std::vector<std::vector<GridPlan::Unit>> GridPlan::group_units(std::vector<Unit>
   std::map<std::array<Vector3, 4>, std::uint32_t> by_transform;
   for (std::uint32_t u = 0; u < units.size(); ++u) {
     for (const std::uint32_t mesh : units[u]) {
-      if (!places_.of(mesh).skins.empty()) continue;
       for (const model::Affine& each : places_.of(mesh).transforms)
         join_by(by_transform, each.columns, u, groups);
     }

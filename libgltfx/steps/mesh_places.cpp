@@ -14,6 +14,7 @@
 #include "base/number.hpp"
 #include "model/elements.hpp"
 #include "model/instancing.hpp"
+#include "model/longest_axis.hpp"
 #include "model/skin.hpp"
 
 namespace gltfx::steps {
@@ -37,6 +38,8 @@ std::array<double, N> wide(const std::array<float, N>& from) {
   for (std::size_t i = 0; i < N; ++i) to[i] = static_cast<double>(from[i]);
   return to;
 }
+
+constexpr const char* kTooManyJoints = "shares its skin with too many others";
 
 // From steps of a grid to coordinates.
 Affine transform_of(const Grid& grid) {
@@ -158,19 +161,20 @@ void MeshPlaces::read_users() {
   for (const model::Animation& animation : data_.views.animations) {
     for (const model::AnimationChannel& channel : animation.channels) {
       if (!channel.node) continue;
-      (channel.path == AnimationPath::weights ? weighted_ : moved_).insert(*channel.node);
+      (channel.path == AnimationPath::weights ? users_.weighted : users_.moved)
+          .insert(*channel.node);
     }
   }
   const auto& nodes = data_.asset.elements(model::RootArray::nodes);
   const graph::Tree& tree = data_.graph.tree();
   for (const graph::PointerText& pointer : data_.graph.pointers()) {
     if (pointer.steps.empty() || pointer.steps[0] != "nodes") continue;
-    any_node_may_be_pointed_ |= pointer.varying != json::kNoNode;
+    users_.any_may_be_pointed |= pointer.varying != json::kNoNode;
     if (pointer.way.size() < 2) continue;
     const NodeIndex index = tree.position(pointer.way[1]);
     const std::string member = pointer.steps.size() > 2 ? pointer.steps[2] : std::string();
     const bool of_mesh = member == "weights" || member == "mesh" || member == "skin";
-    (of_mesh ? weighted_ : moved_).insert(index);
+    (of_mesh ? users_.weighted : users_.moved).insert(index);
   }
   for (NodeIndex i = 0; i < nodes.size(); ++i) {
     if (nodes[i] == json::kNoNode) continue;
@@ -184,9 +188,9 @@ void MeshPlaces::read_users() {
       const bool is_own = tree.parent(list) == owner;
       if (is_own && (name == "children" || name == "nodes")) continue;
       if (of == "skins") {
-        joints_.insert(i);
+        users_.joints.insert(i);
       } else if (of != "animations") {
-        referred_.insert(i);
+        users_.referred.insert(i);
       }
     }
   }
@@ -196,7 +200,8 @@ bool MeshPlaces::moves_only_its_mesh(NodeIndex index) const {
   for (const char* member : {"camera", "children", "extensions"}) {
     if (data_.document.holds(node(index).object, member)) return false;
   }
-  return !moved_.contains(index) && !referred_.contains(index) && !joints_.contains(index);
+  return !users_.moved.contains(index) && !users_.referred.contains(index) &&
+         !users_.joints.contains(index);
 }
 
 bool MeshPlaces::has_copies(NodeIndex index) const {
@@ -207,12 +212,12 @@ bool MeshPlaces::has_copies(NodeIndex index) const {
 
 std::string MeshPlaces::find_obstacle(NodeIndex index, const MeshNode& place) const {
   if (place.carrier == Carrier::skin) return {};
-  if (any_node_may_be_pointed_) return "a JSON pointer may lead to its node at run time";
+  if (users_.any_may_be_pointed) return "a JSON pointer may lead to its node at run time";
   if (hierarchy_.on_loop(index)) return "its node is below itself";
   if (place.carrier != Carrier::child) return {};
-  if (weighted_.contains(index))
+  if (users_.weighted.contains(index))
     return "needs a node of its own, but an animation changes its weights";
-  if (referred_.contains(index))
+  if (users_.referred.contains(index))
     return "needs a node of its own, but an extension refers to its node";
   return {};
 }
@@ -227,6 +232,7 @@ void MeshPlaces::add_node(NodeIndex index) {
   place.nodes.push_back(added);
   place.in_scene |= pose_.in_scene[index] != 0;
   if (place.obstacle.empty()) place.obstacle = find_obstacle(index, added);
+  const std::size_t first = place.transforms.size();
   if (is_copied) {
     InstancePlaces& copies = instances_[index];
     std::string why = read_instances(data_, roles_, drawn, copy_bytes_, copies);
@@ -236,11 +242,25 @@ void MeshPlaces::add_node(NodeIndex index) {
   } else if (!drawn.skin) {
     place.transforms.push_back(pose_.world[index]);
   } else if (place.skins.insert(*drawn.skin).second) {
-    const auto joints =
-        model::joint_matrices(data_.asset, data_.views, data_.resources, *drawn.skin, pose_);
-    place.transforms.insert(place.transforms.end(), joints.begin(), joints.end());
-    if (joints.empty() && place.obstacle.empty()) place.obstacle = "has a skin that is broken";
+    add_skin(*drawn.skin, place);
   }
+  for (std::size_t i = first; i < place.transforms.size(); ++i)
+    place.scale = std::max(place.scale, model::longest_axis(place.transforms[i]));
+}
+
+void MeshPlaces::add_skin(std::uint32_t skin, MeshPlace& place) {
+  const auto [known, is_new] = joint_matrices_.try_emplace(skin);
+  if (is_new) {
+    known->second = model::joint_matrices(data_.asset, data_.views, data_.resources, skin, pose_);
+  }
+  if (known->second.empty() && place.obstacle.empty()) place.obstacle = "has a skin that is broken";
+  if (joints_left_ < known->second.size()) {
+    place.obstacle = kTooManyJoints;
+    return;
+  }
+  joints_left_ -= known->second.size();
+  for (const Affine& each : known->second)
+    place.scale = std::max(place.scale, model::longest_axis(each));
 }
 
 std::optional<std::string> MeshPlaces::gridded_matrices(std::uint32_t index,
@@ -290,19 +310,26 @@ double MeshPlaces::rounding(std::uint32_t mesh, const Grid& grid, double size) c
     const Affine now = above * with_grid(data_.asset, node(each.node), grid).affine;
     farthest = std::max(farthest, farthest_corner(pose_.world[each.node] * of_grid, now, size));
   }
-  for (const std::uint32_t index : places_[mesh].skins) {
-    const auto bytes = gridded_matrices(index, grid);
-    if (!bytes) return std::numeric_limits<double>::infinity();
-    const model::Skin skin =
-        model::read_skin(data_.asset, data_.asset.elements(model::RootArray::skins)[index]);
-    const auto exact =
-        model::joint_matrices(data_.asset, data_.views, data_.resources, index, pose_);
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-      std::array<float, 16> matrix{};
-      std::memcpy(matrix.data(), bytes->data() + i * sizeof(matrix), sizeof(matrix));
-      const Affine now = pose_.world[skin.joint_nodes[i]] * Affine::from_matrix(matrix);
-      farthest = std::max(farthest, farthest_corner(exact[i] * of_grid, now, size));
-    }
+  for (const std::uint32_t index : places_[mesh].skins)
+    farthest = std::max(farthest, rounding_of_skin(index, grid, size));
+  return farthest;
+}
+
+double MeshPlaces::rounding_of_skin(std::uint32_t index, const Grid& grid, double size) const {
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const std::vector<Affine>& exact = joint_matrices_.at(index);
+  const auto bytes = gridded_matrices(index, grid);
+  if (!bytes || exact.size() > joints_left_) return kUnknown;
+  joints_left_ -= exact.size();
+  const model::Skin skin =
+      model::read_skin(data_.asset, data_.asset.elements(model::RootArray::skins)[index]);
+  const Affine of_grid = transform_of(grid);
+  double farthest = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    std::array<float, 16> matrix{};
+    std::memcpy(matrix.data(), bytes->data() + i * sizeof(matrix), sizeof(matrix));
+    const Affine now = pose_.world[skin.joint_nodes[i]] * Affine::from_matrix(matrix);
+    farthest = std::max(farthest, farthest_corner(exact[i] * of_grid, now, size));
   }
   return farthest;
 }

@@ -36,9 +36,19 @@ struct MeshNode {
 struct MeshPlace {
   std::vector<MeshNode> nodes;
   std::set<std::uint32_t> skins;
-  std::vector<model::Affine> transforms;  ///< to the scene: of nodes without skin, and of joints
+  std::vector<model::Affine> transforms;  ///< to the scene, of nodes without skin
+  double scale = 0;                       ///< greatest length in the scene of a vector of length 1
   bool in_scene = false;                  ///< the default scene draws it
   std::string obstacle;  ///< why its coordinates cannot change, half a sentence; or empty
+};
+
+/// What other objects do with nodes.
+struct NodeUsers {
+  bool any_may_be_pointed = false;      ///< a JSON pointer is completed at run time
+  std::set<model::NodeIndex> moved;     ///< by an animation or pointer
+  std::set<model::NodeIndex> weighted;  ///< with animated weights, mesh or skin
+  std::set<model::NodeIndex> referred;  ///< by objects of extensions
+  std::set<model::NodeIndex> joints;
 };
 
 /// The places of all meshes. All arguments must outlive it.
@@ -62,6 +72,8 @@ class MeshPlaces {
  private:
   void read_users();
   void add_node(model::NodeIndex index);
+  void add_skin(std::uint32_t skin, MeshPlace& place);
+  double rounding_of_skin(std::uint32_t skin, const Grid& grid, double size) const;
   std::string find_obstacle(model::NodeIndex index, const MeshNode& node) const;
   bool has_copies(model::NodeIndex index) const;
   bool moves_only_its_mesh(model::NodeIndex index) const;
@@ -73,14 +85,12 @@ class MeshPlaces {
   const AttributeRoles& roles_;
   const model::Pose pose_;
   const model::SceneGraph hierarchy_;
-  bool any_node_may_be_pointed_ = false;
-  std::set<model::NodeIndex> moved_;     ///< by an animation or pointer
-  std::set<model::NodeIndex> weighted_;  ///< with animated weights, mesh or skin
-  std::set<model::NodeIndex> referred_;  ///< by objects of extensions
-  std::set<model::NodeIndex> joints_;
+  NodeUsers users_;
   std::map<model::NodeIndex, InstancePlaces> instances_;
-  model::MemoryBudget copy_bytes_{std::uint64_t{1} << 28U};  ///< of transforms of copies
-  std::vector<MeshPlace> places_;                            ///< by mesh
+  model::MemoryBudget copy_bytes_{std::uint64_t{1} << 28U};             ///< of transforms of copies
+  std::map<std::uint32_t, std::vector<model::Affine>> joint_matrices_;  ///< by skin, at rest
+  mutable std::uint64_t joints_left_ = std::uint64_t{1} << 22U;         ///< for rounding()
+  std::vector<MeshPlace> places_;                                       ///< by mesh
 };
 
 }  // namespace gltfx::steps

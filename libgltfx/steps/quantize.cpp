@@ -71,6 +71,10 @@ class Quantizer {
     if (bounds_.weight) quantize_weights_of_all();
     for (std::uint32_t i = 0; i < data_.views.accessors.size(); ++i) quantize_attribute(i);
     if (formats_.empty()) return std::move(outcome_);
+    if (formats_.gain(nodes_) <= 0) {
+      leave({}, "integers and the JSON for them would not be smaller");
+      return std::move(outcome_);
+    }
     formats_.store(outcome_);
     if (needs_extension_) {
       if (auto trouble = require_extension(data_.document, changes_.editor, kQuantization))
@@ -115,6 +119,7 @@ class Quantizer {
         continue;
       }
       for (const PositionLists& lists : plan.positions(i)) set_positions(plan, lists, *grid);
+      nodes_ += places.of(i).nodes.size();
       children_ += places.place(i, *grid, changes_, formats_);
       for (const std::uint32_t skin : places.of(i).skins) {
         if (skins.insert(skin).second) set_matrices(places, skin, *grid);
@@ -301,6 +306,8 @@ class Quantizer {
   }
 
   void quantize_sets(const std::vector<std::uint32_t>& sets) {
+    if (std::adjacent_find(sets.begin(), sets.end()) != sets.end())
+      return leave(pointer_of(sets.front()), "has the weights of several sets");
     std::vector<FloatElements> exact;
     for (const std::uint32_t each : sets) {
       auto elements = open(each);
@@ -340,7 +347,8 @@ class Quantizer {
   StepOutcome outcome_;
   std::map<SemanticKind, std::pair<unsigned, unsigned>> bits_;  ///< least and greatest
   std::optional<double> side_;                                  ///< of images, in texels
-  std::size_t children_ = 0;
+  std::size_t nodes_ = 0;                                       ///< with a mesh that got a grid
+  std::size_t children_ = 0;                                    ///< new nodes
   bool needs_extension_ = false;
 };
 

@@ -26,6 +26,22 @@ void FormatChanges::set_plain(std::uint32_t accessor, std::string bytes) {
   set_[accessor] = {std::nullopt, {data_.views.accessors[accessor].format, std::move(bytes)}};
 }
 
+std::int64_t FormatChanges::gain(std::uint64_t nodes) const {
+  constexpr std::uint64_t kAssetText = 60;
+  constexpr std::uint64_t kAccessorText = 20;
+  constexpr std::uint64_t kNodeText = 70;
+  std::uint64_t before = 0;
+  std::uint64_t after = kAssetText + kNodeText * nodes;
+  for (const auto& [index, change] : set_) {
+    if (!change.kind) continue;
+    const Accessor& accessor = data_.views.accessors[index];
+    const std::uint64_t size = model::packed_stride(change.elements.format);
+    before += *accessor.count * model::packed_stride(accessor.format);
+    after += kAccessorText + *accessor.count * aligned(size, kVertexAlignment);
+  }
+  return static_cast<std::int64_t>(before) - static_cast<std::int64_t>(after);
+}
+
 std::uint64_t FormatChanges::add_floats(model::ElementType type, std::string bytes) {
   const std::uint64_t size = model::packed_stride({type, model::ComponentType::float32, false});
   const std::size_t length = bytes.size();

@@ -25,6 +25,9 @@ class FormatChanges {
   bool has(std::uint32_t accessor) const { return set_.contains(accessor); }
   bool empty() const { return set_.empty(); }
 
+  /// Bytes that attributes save, minus an estimate of the text that they and nodes need.
+  std::int64_t gain(std::uint64_t nodes) const;
+
   /// The index of a new accessor of numbers of single precision.
   std::uint64_t add_floats(model::ElementType type, std::string bytes);
 

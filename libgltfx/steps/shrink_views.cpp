@@ -2,6 +2,7 @@
 #include "steps/shrink_views.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,6 +21,15 @@ struct KeptBytes {
   std::uint32_t accessor;
 };
 
+// Readers take whole strides of interleaved elements, also of the last one, if there are as many
+// bytes.
+std::uint64_t end_of_stride(const model::BufferView& view, const model::Accessor& accessor,
+                            std::uint64_t end) {
+  const std::uint64_t whole =
+      accessor.byte_offset.value_or(0) + *accessor.count * view.byte_stride.value_or(0);
+  return std::max(end, std::min(whole, *view.byte_length));
+}
+
 // Sorted by offset. Nothing: the view does not change.
 std::optional<std::vector<KeptBytes>> kept_bytes(const GeometryInput& input, std::uint32_t view,
                                                  const std::set<std::uint32_t>& gone) {
@@ -31,7 +41,8 @@ std::optional<std::vector<KeptBytes>> kept_bytes(const GeometryInput& input, std
     const model::Accessor& accessor = input.views.accessors[each];
     const auto end = input.end_in_view(accessor);
     if (!end) return std::nullopt;
-    kept.push_back({accessor.byte_offset.value_or(0), *end, each});
+    const std::uint64_t begin = accessor.byte_offset.value_or(0);
+    kept.push_back({begin, end_of_stride(input.views.buffer_views[view], accessor, *end), each});
   }
   if (kept.empty()) return std::nullopt;
   std::sort(kept.begin(), kept.end(), [](const KeptBytes& a, const KeptBytes& b) {
@@ -52,8 +63,12 @@ void shrink(const GeometryInput& input, std::uint32_t index, const std::vector<K
   std::vector<std::pair<std::uint32_t, std::uint64_t>> places;
   for (const KeptBytes& each : kept) {
     if (each.begin >= copied) {
-      bytes.resize(aligned_like(each.begin, bytes.size()));
-      distance = each.begin - bytes.size();
+      // Multiples of the stride stay such.
+      const std::uint64_t stride = view.byte_stride.value_or(1);
+      const std::uint64_t unit =
+          each.begin % stride == 0 ? std::lcm(kAlignment, stride) : kAlignment;
+      distance = (each.begin - bytes.size()) / unit * unit;
+      bytes.resize(each.begin - distance);
       copied = each.begin;
     }
     if (each.end > copied) bytes += old->text().substr(copied, each.end - copied);

@@ -54,6 +54,19 @@ TEST_F(ConvertTest, AQualityNeedsImagesThatItIsOf) {
   EXPECT_THAT(outcome.err, HasSubstr("--quality requires --images or --texture-size"));
 }
 
+TEST_F(ConvertTest, BoundsMayFollowQuantize) {
+  EXPECT_EQ(here({"--quantize", "a.gltf", "--check"}).code, 0);
+  EXPECT_EQ(here({"a.gltf", "--check", "--quantize"}).code, 0);
+  EXPECT_EQ(here({"--quantize", "position=1%,color=off", "a.gltf", "--check"}).code, 0);
+  EXPECT_EQ(here({"--quantize=normal=1deg", "a.gltf", "--check"}).code, 0);
+  folder_.write("a=b.gltf", R"({"asset":{"version":"2.0"}})");
+  EXPECT_EQ(here({"--quantize", "a=b.gltf", "--check"}).code, 0);
+  const Outcome outcome = here({"--quantize", "postion=1%", "a.gltf"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err,
+              HasSubstr("'postion' is no bound of a loss; did you mean 'position'?\n"));
+}
+
 TEST_F(ConvertTest, ANameThatBeginsWithTwoDotsIsInTheFolder) {
   folder_.write("dots.gltf",
                 R"({"asset":{"version":"2.0"},"buffers":[{"uri":"...bin","byteLength":4}]})");

@@ -74,6 +74,9 @@ def check(program, source, folder, text):
         if losses[name] > bound * (1 + 1e-6) + ROUNDING[name]:
             return f"{name} lost {losses[name]:.6g}, the bound is {bound:.6g}"
         known = stated.get(name, 0)
+        posed = name == "positions" and old.list("skins") and old.list("animations")
+        if posed and bound * (1 + 1e-9) >= known >= losses[name]:
+            continue  # the report also knows the poses of animations
         if abs(known - losses[name]) > AGREEMENT * max(known, losses[name]) + ROUNDING[name]:
             return f"{name} lost {losses[name]:.6g}, the report states {known:.6g}"
     report, error = convert(program, target, again, text)

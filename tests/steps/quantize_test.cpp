@@ -26,9 +26,10 @@ ConvertOptions quantize_options() {
   return options;
 }
 
+// 64 vertices, so that the file becomes smaller.
 std::vector<float> corners_of_cube(float size) {
   std::vector<float> corners;
-  for (unsigned i = 0; i < 8; ++i) {
+  for (unsigned i = 0; i < 64; ++i) {
     for (unsigned k = 0; k < 3; ++k) corners.push_back((i >> k & 1U) != 0 ? size : 0.1F * size);
   }
   return corners;
@@ -112,6 +113,53 @@ TEST_F(Quantize, LeavesAMeshThatNoNodeDraws) {
   add_cube(made);
   made.json["nodes"][0].erase("mesh");
   expect_left(made, "no node draws it");
+}
+
+TEST_F(Quantize, LeavesWeightsThatAreSeveralSets) {
+  MadeAsset made;
+  const std::vector<float> positions(300, 1.5F);
+  const std::size_t weights = made.accessor(std::vector<float>(400, 0.125F), "VEC4");
+  const std::size_t joints = made.accessor(std::vector<std::uint8_t>(400, 0), "VEC4");
+  made.mesh({{"attributes",
+              {{"POSITION", made.accessor(positions, "VEC3", true)},
+               {"JOINTS_0", joints},
+               {"JOINTS_1", joints},
+               {"WEIGHTS_0", weights},
+               {"WEIGHTS_1", weights}}}});
+  options_.quantize->position.reset();
+  expect_left(made, "has the weights of several sets");
+}
+
+// Some readers take count times stride bytes.
+TEST_F(Quantize, KeepsWholeStridesOfOtherAttributes) {
+  MadeAsset made;
+  std::vector<float> interleaved;
+  for (int i = 0; i < 100; ++i)
+    interleaved.insert(interleaved.end(), {static_cast<float>(i), 0.1F * static_cast<float>(i),
+                                           0.3F, static_cast<float>(i % 7)});
+  const std::size_t custom = made.accessor(interleaved, "VEC4");
+  made.json["bufferViews"][0]["byteStride"] = 16;
+  made.json["accessors"][custom]["type"] = "SCALAR";
+  OrderedJson positions = made.json["accessors"][custom];
+  positions["type"] = "VEC3";
+  positions["byteOffset"] = 4;
+  positions["min"] = {0, 0.3F, 0};
+  positions["max"] = {9.9F, 0.3F, 6};
+  made.json["accessors"].push_back(positions);
+  made.mesh({{"mode", 0}, {"attributes", {{"POSITION", custom + 1}, {"_CUSTOM", custom}}}});
+  const OrderedJson json = converted_twice(made.glb()).json();
+  EXPECT_EQ(json["accessors"][custom + 1]["componentType"], 5123);
+  const OrderedJson& accessor = json["accessors"][custom];
+  const OrderedJson& view = json["bufferViews"][accessor["bufferView"].get<std::size_t>()];
+  EXPECT_GE(view["byteLength"].get<int>(),
+            accessor.value("byteOffset", 0) + 100 * view["byteStride"].get<int>());
+}
+
+TEST_F(Quantize, LeavesWhatWouldNotBeSmaller) {
+  MadeAsset made;
+  const std::vector<float> triangle{0, 0, 0, 1, 0, 0, 0, 1, 0};
+  made.mesh({{"attributes", {{"POSITION", made.accessor(triangle, "VEC3", true)}}}});
+  expect_left(made, "integers and the JSON for them would not be smaller");
 }
 
 TEST_F(Quantize, KeepsExactWhatIsOff) {

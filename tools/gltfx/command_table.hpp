@@ -68,7 +68,7 @@ struct OptionEntry {
   bool takes_value() const { return !type.empty(); }
   /// Whether the value may be left out: "[BOUNDS]". Then only a word with '=' that is no path
   /// follows as the value.
-  bool is_value_optional() const { return type.starts_with('['); }
+  bool is_value_optional() const { return type.starts_with('[') && type.ends_with(']'); }
   Values offered() const { return values ? values() : Values(); }
 };
 
