@@ -53,6 +53,8 @@ Result<steps::StepOutcome> run_within_bounds(const steps::StepDescription& step,
       }
       within = false;
       std::optional<double>& tried = (*options.quantize).*each.quantity;
+      // Weights of joints move vertices, too.
+      if (each.quantity == &LossBounds::position && !tried) options.quantize->weight.reset();
       const bool again =
           tried.has_value() && each.quantity == &LossBounds::position && run < kPositionHalvings;
       tried = again ? std::optional(*tried / 2) : std::nullopt;

@@ -44,7 +44,7 @@ double image_side(const model::OpenedAsset& opened, unsigned jobs) {
 
 LossProof measure_loss(const model::OpenedAsset& before, const model::OpenedAsset& after,
                        const schema::Set& schemas, unsigned jobs) {
-  constexpr double kAny = std::numeric_limits<double>::max();
+  constexpr double kAny = std::numeric_limits<double>::infinity();
   MeaningRequest request;
   request.images = ImageComparison::bytes;
   request.regridded = true;

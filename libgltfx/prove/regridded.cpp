@@ -17,6 +17,7 @@
 #include "model/material.hpp"
 #include "model/pose.hpp"
 #include "model/scene_box.hpp"
+#include "model/scene_diagonal.hpp"
 #include "prove/primitive_pair.hpp"
 #include "prove/skinned_corners.hpp"
 
@@ -78,8 +79,7 @@ class PlaceComparison {
   void run() {
     poses_ = read_poses(before_, after_);
     const auto& rest = poses_.front();
-    const auto box = model::scene_box(before_.source(), rest.here);
-    scene_ = box ? box->diagonal() : 0;
+    scene_ = model::scene_diagonal(before_.source(), rest.here);
     for (const Pair& pair : nodes_.all()) add(pair, rest);
     for (const auto& [meshes, shown] : shown_) compare(meshes.first, meshes.second, shown);
   }

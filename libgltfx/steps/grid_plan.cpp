@@ -9,6 +9,7 @@
 #include "model/draco.hpp"
 #include "model/elements.hpp"
 #include "model/scene_box.hpp"
+#include "model/scene_diagonal.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -57,8 +58,8 @@ GridPlan::GridPlan(const StepData& data, const AttributeRoles& roles, const Mesh
       meshes_(data.views.meshes.size()),
       bonds_(data.views.meshes.size()) {
   const model::DracoMeshes none;
-  const auto box = model::scene_box({data.asset, data.views, data.resources, none}, places.pose());
-  const double scene = box ? box->diagonal() : 0;
+  const double scene =
+      model::scene_diagonal({data.asset, data.views, data.resources, none}, places.pose());
   for (std::uint32_t i = 0; i < meshes_.size(); ++i) {
     read(i);
     measure(i, bound, scene);

@@ -199,5 +199,51 @@ def shared():
     return scene
 
 
-SCENES = {each.__name__: each for each in (plain, wrapped, placed, seams, morphed, skinned, instanced, thick, shared)}
+def pointed():
+    """A JSON pointer moves the node."""
+    scene = Scene()
+    scene.node(mesh=scene.mesh(scene.primitive(*sphere())), translation=[1, 2, 3])
+    times = scene.accessor(np.array([0, 1], "f"), True)
+    values = scene.accessor(np.array([[1, 2, 3], [4, 2, 3]], "f"))
+    pointer = {"KHR_animation_pointer": {"pointer": "/nodes/0/translation"}}
+    scene.add("animations", {"samplers": [{"input": times, "output": values}],
+                             "channels": [{"sampler": 0, "target": {"path": "pointer", "extensions": pointer}}]})
+    scene.use("KHR_animation_pointer")
+    return scene
+
+
+def lit():
+    """Extensions at nodes with a mesh."""
+    scene = Scene()
+    mesh = scene.mesh(scene.primitive(*sphere()))
+    scene.use("KHR_lights_punctual")
+    scene.use("ACME_label")
+    scene.json["extensions"] = {"KHR_lights_punctual": {"lights": [{"type": "point"}]}}
+    scene.node(mesh=mesh, extensions={"KHR_lights_punctual": {"light": 0}}, translation=[1, 0, 0])
+    scene.node(mesh=mesh, extensions={"ACME_label": {"text": "ball"}}, translation=[-1, 0, 0])
+    return scene
+
+
+def elsewhere():
+    """A mesh that only another scene draws, and mirrored and scaled parents."""
+    scene = Scene()
+    mesh = scene.mesh(scene.primitive(*sphere()))
+    scene.node(mesh=mesh, scale=[-1, 2, 0.001], rotation=[0.5, 0.5, 0.5, 0.5])
+    child = scene.node(False, mesh=mesh, scale=[5, 5, 5])
+    scene.node(children=[child], scale=[0.01, 0.01, 0.01], rotation=[0, 0, 0.6, 0.8])
+    large = scene.mesh(scene.primitive(*sphere(radius=50)))
+    scene.json["scenes"].append({"nodes": [scene.node(False, mesh=large, scale=[3, 3, 3])]})
+    return scene
+
+
+def plain_skin():
+    """A skin without inverse bind matrices, and its mesh without the skin."""
+    scene = skinned()
+    del scene.json["skins"][0]["inverseBindMatrices"]
+    scene.node(mesh=0, translation=[-5, 0, 0])
+    return scene
+
+
+SCENES = {each.__name__: each for each in (plain, wrapped, placed, seams, morphed, skinned, instanced, thick, shared, pointed, lit,
+                                         elsewhere, plain_skin)}
 SCENES["instanced-without-scale"] = lambda: instanced(False)
