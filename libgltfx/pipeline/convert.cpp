@@ -14,8 +14,10 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "change/apply.hpp"
 #include "change/chain.hpp"
-#include "change/companions.hpp"
+#include "pipeline/convert_places.hpp"
+#include "pipeline/convert_targets.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
@@ -54,6 +56,9 @@ std::string with_place(const ConvertNote& note) {
   return note.pointer.empty() ? note.reason : fmt::format("{}: {}", note.pointer, note.reason);
 }
 
+// In degrees: a direction whose length becomes 1 is rounded.
+constexpr double kRoundedDirection = 1e-4;
+
 /// Used by all assets of a run.
 struct Shared {
   FolderIndex& folders;
@@ -65,13 +70,14 @@ class ConvertRun {
  public:
   /// `pictures` may be null.
   ConvertRun(const OpenedAsset& before, const FileState& state, const ConvertOptions& options,
-             const SchemaSet& schemas, const PictureCheck* pictures, const Shared& shared,
-             ConvertReport& report)
+             const SchemaSet& schemas, const PictureCheck* pictures, const ConvertTargets& targets,
+             const Shared& shared, ConvertReport& report)
       : before_(before),
         state_(state),
         options_(options),
         schemas_(schemas),
         pictures_(pictures),
+        targets_(targets),
         shared_(shared),
         report_(report),
         stages_(before) {}
@@ -85,7 +91,7 @@ class ConvertRun {
       if (is_last) {
         if (auto why = lay_out()) return refuse(*std::move(why));
       }
-      if (!step.asked(options_)) continue;
+      if (!step.asked(options_) && !targets_.need(step)) continue;
       if (auto why = resolve()) return refuse(*std::move(why));
       if (auto why = take(step)) return refuse(*std::move(why));
     }
@@ -93,12 +99,15 @@ class ConvertRun {
     const change::Change& change = stages_.all();
     report_.changes = !change.empty();
     if (options_.diff) report_.diff = diff_of(before_, change.edits, !change.format);
+    if (auto why = targets_.check(before_, change, report_)) return refuse(*std::move(why));
     if (!report_.changes) {
       copy_unchanged(before_, state_, options_, report_);
       return std::nullopt;
     }
-    if (auto why = find_taken_name()) return refuse(*std::move(why));
-    if (auto why = find_other_reader()) return refuse(*std::move(why));
+    if (auto why = find_taken_name(before_, options_, stages_.all().files))
+      return refuse(*std::move(why));
+    if (auto why = find_other_reader(before_, options_, stages_.all().replaced, shared_.folders))
+      return refuse(*std::move(why));
     for (const change::NewFile& file : change.files) report_.new_files.push_back(file.path);
     auto draft = carry_out(
         {before_, state_, options_, schemas_, shared_.folders, options_.jobs},
@@ -165,14 +174,21 @@ class ConvertRun {
       return fmt::format("{} (--partial writes the rest)", with_place(row.refused.front()));
     }
     if (!row.changes) return std::nullopt;
-    if (outcome->freedom.own_proof) {
-      if (auto why = prove_so_far()) return why;
-      if (auto why = add(std::move(outcome->change))) return why;
-      return set_proven();
-    }
+    if (outcome->freedom.moves_base()) return move_base(std::move(*outcome));
     freedom_ |= outcome->freedom;
     if (auto why = add(std::move(outcome->change))) return why;
     return is_bounded ? set_proven() : std::nullopt;
+  }
+
+  // A step changes the meaning. It is proven alone.
+  Reason move_base(steps::StepOutcome outcome) {
+    if (auto why = prove_so_far()) return why;
+    if (auto why = add(std::move(outcome.change))) return why;
+    if (auto why = resolve()) return why;
+    if (!outcome.freedom.new_objects && !outcome.freedom.own_proof) {
+      if (auto why = find_difference(proven(), stages_.asset(), outcome.freedom)) return why;
+    }
+    return set_proven();
   }
 
   // The next steps are compared with what this one made.
@@ -189,7 +205,7 @@ class ConvertRun {
 
   Reason prove_so_far() {
     if (stages_.share() == proven_) return std::nullopt;
-    if (auto why = find_difference(proven(), stages_.asset())) return why;
+    if (auto why = find_difference(proven(), stages_.asset(), {})) return why;
     return set_proven();
   }
 
@@ -238,46 +254,12 @@ class ConvertRun {
   }
 
   steps::StepInput input(std::vector<ConvertNote>& unread) const {
-    return {stages_.asset(), *schemas_, options_, file_name(), unread, shared_.encodings};
+    return {stages_.asset(), *schemas_,         options_,          file_name(),
+            unread,          shared_.encodings, targets_.repairs()};
   }
   const steps::UsedBytes& used_before() {
     if (!used_before_) used_before_.emplace(before_, *schemas_);
     return *used_before_;
-  }
-
-  // A new file does not take the place of another.
-  Reason find_taken_name() const {
-    if (!writes(options_)) return std::nullopt;
-    const fs::path folder =
-        change::target_folder(before_.name(), options_.in_place ? "" : options_.output);
-    for (const change::NewFile& file : stages_.all().files) {
-      std::error_code error;
-      const fs::path target = folder / file.path;
-      if (!fs::exists(fs::symlink_status(target, error))) continue;
-      if (change::has_bytes(target, file.pieces)) continue;
-      return fmt::format("{} is there already with other bytes", quoted(target.native(), 200));
-    }
-    return std::nullopt;
-  }
-
-  // In place: another asset that reads the bytes of a file that changes.
-  Reason find_other_reader() const {
-    if (!change::is_in_place(options_, before_.name())) return std::nullopt;
-    const fs::path folder = change::target_folder(before_.name(), {});
-    for (const change::ReplacedFile& file : stages_.all().replaced) {
-      const auto identity = identity_of(file.state, (folder / file.path).native());
-      for (const std::string& asset : shared_.folders.naming(folder, {identity})) {
-        std::error_code error;
-        if (fs::equivalent(asset, before_.name(), error)) continue;
-        return fmt::format("{} refers to {}, whose bytes would move; use -o", quoted(asset, 200),
-                           quoted(file.path, 200));
-      }
-      if (std::string gap = shared_.folders.find_gap(folder); !gap.empty()) {
-        return fmt::format("{}; another asset may refer to {}, whose bytes would move; use -o", gap,
-                           quoted(file.path, 200));
-      }
-    }
-    return std::nullopt;
   }
 
   Reason find_error(const ValidatedAsset& after) {
@@ -290,7 +272,7 @@ class ConvertRun {
       return fmt::format("the new file would have the new error {}", found.error);
     }
     if (laid_out_ || pictures_ != nullptr) {
-      if (auto why = find_difference(proven(), after.asset())) return why;
+      if (auto why = find_difference(proven(), after.asset(), {})) return why;
     }
     if (pictures_ == nullptr) return std::nullopt;
     report_.not_verified = pictures_->obstacle();
@@ -300,9 +282,12 @@ class ConvertRun {
     return report_.verified ? std::nullopt : Reason(difference + " (--verify)");
   }
 
-  // Where an asset means something else than the one before, beyond what the steps say.
-  Reason find_difference(const OpenedAsset& before, const OpenedAsset& after) const {
+  // Where an asset means something else than the one before, beyond what the steps say. `more`: of
+  // a step that moves the base.
+  Reason find_difference(const OpenedAsset& before, const OpenedAsset& after,
+                         const steps::Freedom& more) const {
     prove::MeaningRequest request;
+    if (more.unit_vectors) request.tolerance.direction = kRoundedDirection;
     if (freedom_.vertex_order) request.order = prove::VertexOrder::free;
     if (freedom_.keyframes) request.animations = prove::AnimationComparison::curves;
     request.images =
@@ -322,6 +307,7 @@ class ConvertRun {
   const ConvertOptions& options_;
   const SchemaSet& schemas_;
   const PictureCheck* pictures_;  ///< of the old asset; null: none are compared
+  const ConvertTargets& targets_;
   const Shared& shared_;
   ConvertReport& report_;
   steps::Stages stages_;
@@ -340,12 +326,16 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, const S
   }
   options.to = form_of(opened.asset, options);
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
+  const ConvertTargets targets(opened.asset, schemas, options);
   if (!options.verify) {
-    return ConvertRun(opened.asset, opened.state, options, schemas, nullptr, shared, report).run();
+    return ConvertRun(opened.asset, opened.state, options, schemas, nullptr, targets, shared,
+                      report)
+        .run();
   }
   const ValidatedAsset before(std::move(opened.asset), validate::default_validation(schemas));
   const PictureCheck pictures(before, options.root, schemas, options.jobs);
-  return ConvertRun(before.asset(), opened.state, options, schemas, &pictures, shared, report)
+  return ConvertRun(before.asset(), opened.state, options, schemas, &pictures, targets, shared,
+                    report)
       .run();
 }
 
@@ -362,6 +352,7 @@ ConvertReport convert_path(const std::string& path, const ConvertOptions& option
 std::uint64_t ConvertReport::refused() const {
   std::uint64_t count = 0;
   for (const ConvertStep& step : steps) count += step.refused.size();
+  for (const ConvertRemainder& each : remaining) count += each.refused ? 1U : 0U;
   return count;
 }
 

@@ -14,6 +14,7 @@
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
 #include "rules/khronos/link_order.hpp"
+#include "rules/shortfall.hpp"
 
 namespace gltfx::measure {
 class Source;
@@ -58,8 +59,10 @@ void load_images(const Context& context, Sink& sink, FileReport& report, Resourc
 void check_limits(const Context& context, const measure::Source& source, FileReport& report,
                   Sink& sink);
 
-/// Reports features that the targets of the options refuse or ignore.
-void check_targets(const Context& context, const model::ResourceData& resources, Sink& sink);
+/// Reports features that the targets of the options refuse or ignore. `shortfalls`, if it is not
+/// null, gets them.
+void check_targets(const Context& context, const model::ResourceData& resources, Sink& sink,
+                   std::vector<Shortfall>* shortfalls);
 
 /// Decodes each stream of meshoptimizer once and reports problems. Decoded elements without a plain
 /// copy go to `resources`, so that all later phases read them as plain data; those with a copy are

@@ -57,6 +57,7 @@ struct CheckedBytes {
   std::optional<const measure::Source> source;
   std::optional<DataPhase> phase;
   std::optional<Measurements> measured;  // for own rules
+  std::vector<Shortfall>* shortfalls = nullptr;
 };
 
 // Phases 5 to 7: bytes of buffers and images, and checks that depend on them. The Khronos validator
@@ -84,7 +85,7 @@ void check_bytes(const Context& context, Sink& sink, FileReport& report, Checked
 void check_requirements(const Context& context, Sink& sink, FileReport& report,
                         CheckedBytes& checked) {
   if (!checked.source) return;
-  check_targets(context, checked.resources.data, sink);
+  check_targets(context, checked.resources.data, sink, checked.shortfalls);
   check_limits(context, *checked.source, report, sink);
   checked.measured = take_own_measures(context, *checked.source);
 }
@@ -163,7 +164,8 @@ bool check_document(Context& context, json::Document& own, Collector& collector,
 
 }  // namespace
 
-FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, Sites* sites) {
+FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, Sites* sites,
+                    std::vector<Shortfall>* shortfalls) {
   ++work_count.validated;
   const Deviations& deviations = deviations_of(options.profile);
   const bool literal = deviations.mistakes_of_glbs_are_not_named;
@@ -212,6 +214,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
     BrokenPlaces broken;
     if (options.own_rules && additions) collector.note_broken(&broken);
     CheckedBytes bytes;
+    bytes.shortfalls = shortfalls;
     if (check_identity(context, collector) &&
         check_document(context, own, collector, report, bytes)) {
       if (options.own_rules && additions) {

@@ -12,7 +12,8 @@ StepDescription images_step() {
           [](const ConvertOptions& options) {
             return !options.images.empty() || options.texture_size || options.shrink;
           },
-          [](const StepInput& input) { return convert_images(input); }};
+          [](const StepInput& input) { return convert_images(input); },
+          {target::Repair::core_images, target::Repair::rgb_images}};
 }
 
 StepDescription draco_step();

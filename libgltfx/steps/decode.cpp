@@ -141,8 +141,11 @@ void drop_names(Decoding& decoding) {
 Result<StepOutcome> decode(const StepInput& step) {
   Decoding decoding(step);
   const auto codec = step.options.compress;
-  if (codec != Compression::meshopt) StreamDecoder(decoding).run();
-  if (codec != Compression::draco) decode_draco(decoding);
+  const auto is_asked = [&](Compression own, target::Repair repair) {
+    return (codec && codec != own) || step.repairs.has(repair);
+  };
+  if (is_asked(Compression::meshopt, target::Repair::decode_meshopt)) StreamDecoder(decoding).run();
+  if (is_asked(Compression::draco, target::Repair::decode_draco)) decode_draco(decoding);
   if (decoding.removed.empty()) return std::move(decoding.outcome);
   drop_names(decoding);
   StepOutcome& outcome = decoding.outcome;
@@ -170,7 +173,8 @@ StepDescription decode_step() {
           "the values of all elements, and indices of buffer views and accessors",
           "nothing",
           [](const ConvertOptions& options) { return options.compress.has_value(); },
-          decode};
+          decode,
+          {target::Repair::decode_draco, target::Repair::decode_meshopt}};
 }
 
 }  // namespace gltfx::steps

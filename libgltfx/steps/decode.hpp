@@ -10,6 +10,7 @@
 
 #include "json/edit.hpp"
 #include "steps/geometry_input.hpp"
+#include "steps/json_edits.hpp"
 #include "steps/new_buffer.hpp"
 #include "steps/step.hpp"
 

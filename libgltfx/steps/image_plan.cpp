@@ -20,6 +20,8 @@ using codec::EncodedFormat;
 using image::Format;
 
 constexpr std::uint32_t kJpegQuality = 90;
+// In place of an image that was lossy before.
+constexpr std::uint32_t kAgainQuality = 95;
 // Level of near-lossless WebP: values differ by at most 2 of 255.
 constexpr std::uint32_t kNearLossless = 60;
 // Limit for images whose size is unknown before decoding.
@@ -43,7 +45,24 @@ Format format_of(ImageTarget target) {
   return target == ImageTarget::jpeg ? Format::jpeg : Format::png;
 }
 
+// RFC 9649: lossy image data is in a chunk of its own.
+bool is_lossy_webp(std::string_view bytes) {
+  constexpr std::size_t kHead = 8;  // type and length of a chunk
+  for (std::size_t at = 12; at + kHead <= bytes.size();) {
+    const std::string_view type = bytes.substr(at, 4);
+    if (type == "VP8 " || type == "VP8L") return type == "VP8 ";
+    std::size_t length = 0;
+    for (std::size_t i = 4; i-- > 0;) {
+      length = length << 8U | static_cast<unsigned char>(bytes[at + 4 + i]);
+    }
+    at += kHead + length + length % 2;
+  }
+  return false;
+}
+
 void read_known(ImageFile& file) {
+  file.lossy =
+      file.format == Format::webp ? is_lossy_webp(file.bytes.text()) : file.format != Format::png;
   file.media_type = image::media_type(*file.format);
   file.name = format_name(*file.format);
   if (file.format == Format::ktx2) {
@@ -133,6 +152,7 @@ class Planner {
     Format format;
     bool may_grow;
     bool legal = false;  ///< the old format is not allowed
+    bool rgb = false;    ///< as ImageAttempt::rgb
   };
 
   // A format that gltfx does not convert is left, unless the asset is invalid with it.
@@ -146,8 +166,14 @@ class Planner {
     return std::move(plan_);
   }
 
-  // Sets the target to the first conversion that applies, unless the format already matches.
   void choose_target() {
+    choose_by_options();
+    if (target_ || context_.repair == ImageRepair::none) return;
+    target_ = {Format::png, true, true, context_.repair == ImageRepair::rgb};
+  }
+
+  // Sets the target to the first conversion that applies, unless the format already matches.
+  void choose_by_options() {
     for (const ImageConversion& conversion : options_.images) {
       if (conversion.only && conversion.only != use_.kind) continue;
       const bool legal = conversion.target == ImageTarget::legal;
@@ -178,8 +204,25 @@ class Planner {
 
   void try_target() {
     const std::string obstacle = find_obstacle_(image::media_type(target_->format));
-    if (obstacle.empty()) return add(*target_);
+    if (obstacle.empty()) {
+      if (is_lossy_color()) add_again();
+      return add(*target_);
+    }
     plan_.left.push_back(fmt::format("not {}: {}", format_name(target_->format), obstacle));
+  }
+
+  // An image that an engine does not read is stored as JPEG if it is lossy and opaque already.
+  bool is_lossy_color() const {
+    return context_.repair == ImageRepair::core && target_->legal && file_.lossy && file_.header &&
+           !image::can_be_transparent(*file_.header) && use_.kind == ImageClass::color;
+  }
+
+  void add_again() {
+    add({Format::jpeg, true});
+    if (!plan_.attempts.empty() && !options_.quality) {
+      plan_.attempts.back().request.quality = kAgainQuality;
+      plan_.attempts.back().request.options.subsampled = false;
+    }
   }
 
   // Resizes an image without changing its format.
@@ -214,7 +257,8 @@ class Planner {
         request.options.near_lossless = kNearLossless;
       }
     }
-    attempt.may_reduce_bits = options_.quality.has_value();
+    attempt.rgb = choice.rgb;
+    attempt.may_reduce_bits = options_.quality.has_value() || choice.rgb;
     const std::string why = find_refusal(attempt);
     if (why.empty()) return plan_.attempts.push_back(std::move(attempt));
     plan_.left.push_back(fmt::format("not {}: {}", format_name(choice.format), why));

@@ -4,6 +4,7 @@
 
 #include <gltfx/convert.hpp>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -31,6 +32,7 @@ struct ImageFile {
   bool broken = false;  ///< the problem is a defect of the file, not its format
   bool floats = false;  ///< its colors are unlimited
   bool cmyk = false;    ///< a JPEG of four inks, which glTF does not allow
+  bool lossy = false;   ///< the format is lossy
 };
 
 ImageFile read_image_file(container::Bytes bytes);
@@ -42,6 +44,7 @@ struct ImageAttempt {
   bool lossy = false;
   bool may_grow = false;  ///< accepted even if it is not smaller than the file
   bool may_reduce_bits = false;
+  bool rgb = false;  ///< PNG with 8 bits per channel, in RGB or RGBA
 };
 
 /// Why an image with more than 8 bits per channel does not change its format, half a sentence.
@@ -58,12 +61,20 @@ struct ImagePlan {
   bool color = false;  ///< textures of colors, which have 8 bits per channel, use it
 };
 
+/// What a target needs of an image.
+enum class ImageRepair : std::uint8_t {
+  none,
+  core,  ///< PNG or JPEG
+  rgb,   ///< PNG with 8 bits per channel, in RGB or RGBA
+};
+
 /// Properties of the asset that affect the plan.
 struct ImageContext {
   const ConvertOptions& options;
   const ImageUse& use;
   bool allowed = true;  ///< glTF, or an extension in use, allows the format
   Origin origin = {};
+  ImageRepair repair = ImageRepair::none;
 };
 
 /// Whether the options request anything of images with this use.

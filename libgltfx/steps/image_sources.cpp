@@ -100,6 +100,7 @@ std::string ImageSources::find_obstacle(std::uint32_t image, std::string_view me
   }
   if (!core && by_image_[image].empty()) return "no texture uses it";
   for (const std::size_t i : by_image_[image]) {
+    if (is_unlinked(sources_[i])) continue;
     std::string why = find_obstacle(sources_[i], extension);
     if (!why.empty()) return why;
   }
@@ -143,6 +144,7 @@ void ImageSources::set_type(std::uint32_t image, std::string_view media_type) {
   for (const std::size_t i : by_image_[image]) {
     const Source& source = sources_[i];
     if (extension == nullptr ? source.is_core() : source.extension == extension) continue;
+    if (is_unlinked(source)) continue;
     Move& move = moves_[source.texture];
     if (source.is_core()) {
       move.loses_own = true;
@@ -164,9 +166,57 @@ void ImageSources::set_type(std::uint32_t image, std::string_view media_type) {
   }
 }
 
+bool ImageSources::is_format_of(std::string_view name, std::string_view media_type) const {
+  const schema::ExtensionId id = graph_.set().find_extension(name);
+  return id != schema::kNone && has_type(graph_.set().extensions()[id], media_type);
+}
+
+std::optional<std::uint32_t> ImageSources::own_image(std::uint32_t texture) const {
+  for (const std::size_t i : by_texture_[texture]) {
+    if (sources_[i].is_core()) return sources_[i].image;
+  }
+  return std::nullopt;
+}
+
+bool ImageSources::is_unlinked(const Source& source) const {
+  const auto found = moves_.find(source.texture);
+  if (source.is_core() || found == moves_.end()) return false;
+  const auto& keys = found->second.removed;
+  return std::find(keys.begin(), keys.end(), source.key) != keys.end();
+}
+
+bool ImageSources::has_fallbacks(std::uint32_t image) const {
+  const auto& all = by_image_[image];
+  return !all.empty() && std::all_of(all.begin(), all.end(), [this](std::size_t i) {
+    return !sources_[i].is_core() && own_image(sources_[i].texture);
+  });
+}
+
+void ImageSources::unlink(std::uint32_t image) {
+  for (const std::size_t i : by_image_[image]) {
+    const Source& source = sources_[i];
+    if (source.is_core() || !own_image(source.texture) || is_unlinked(source)) continue;
+    moves_[source.texture].removed.push_back(source.key);
+    unlinked_.insert(image);
+  }
+}
+
+std::map<std::uint32_t, std::uint32_t> ImageSources::stand_ins() const {
+  std::map<std::uint32_t, std::uint32_t> images;
+  for (const std::uint32_t image : unlinked_) {
+    const auto& all = by_image_[image];
+    const bool used = others_.of_images.contains(image) ||
+                      std::any_of(all.begin(), all.end(),
+                                  [this](std::size_t i) { return !is_unlinked(sources_[i]); });
+    const auto other = own_image(sources_[all.front()].texture);
+    if (!used && other && !unlinked_.contains(*other)) images.emplace(image, *other);
+  }
+  return images;
+}
+
 void ImageSources::edit(json::Editor& editor) const {
   for (const auto& [texture, move] : moves_) edit_texture(texture, move, editor);
-  if (!moves_.empty()) edit_lists(editor);
+  if (!moves_.empty() || !unrequired_.empty()) edit_lists(editor);
 }
 
 void ImageSources::edit_texture(std::uint32_t texture, const Move& move,
@@ -205,6 +255,7 @@ void ImageSources::edit_lists(json::Editor& editor) const {
     }
     if (move.extension != nullptr) touched[move.extension->name];
   }
+  for (const std::string& name : unrequired_) touched[name];
   graph::each_extension(document, [&](const auto& member) {
     const auto found = touched.find(document.key(member.key_id));
     if (found != touched.end() && !removed.contains(member.key)) ++found->second.all;
@@ -240,7 +291,8 @@ void ImageSources::edit_lists(json::Editor& editor) const {
     used.add(name);
     if (holders.without_fallback > 0) {
       required.add(name);
-    } else if (id != schema::kNone && graph_.set().extensions()[id].optional_with_fallback) {
+    } else if (unrequired_.contains(name) ||
+               (id != schema::kNone && graph_.set().extensions()[id].optional_with_fallback)) {
       required.remove(name);
     }
   }

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,6 +38,18 @@ class ImageSources {
   /// Makes all textures refer to the image as one of this type. Precondition: find_obstacle() is
   /// empty.
   void set_type(std::uint32_t image, std::string_view media_type);
+
+  /// Whether a texture extension is for images of this media type.
+  bool is_format_of(std::string_view extension, std::string_view media_type) const;
+  /// Whether each texture that refers to an image through an extension has a `source` of its own.
+  bool has_fallbacks(std::uint32_t image) const;
+  /// Textures with a `source` of their own no longer refer to an image through an extension.
+  void unlink(std::uint32_t image);
+  /// Images that lost their last texture, and the image that one of these has in its place.
+  std::map<std::uint32_t, std::uint32_t> stand_ins() const;
+  /// The extension is no longer required if each texture has a `source` of its own.
+  void unrequire(std::string_view extension) { unrequired_.emplace(extension); }
+
   /// Adds the edits of textures and of the lists of extensions.
   void edit(json::Editor& editor) const;
 
@@ -65,6 +79,8 @@ class ImageSources {
   bool has_other(const Source& source, bool own_too) const;
   void edit_texture(std::uint32_t texture, const Move& move, json::Editor& editor) const;
   void edit_lists(json::Editor& editor) const;
+  std::optional<std::uint32_t> own_image(std::uint32_t texture) const;
+  bool is_unlinked(const Source& source) const;
 
   const model::Asset& asset_;
   const graph::Graph& graph_;
@@ -73,6 +89,8 @@ class ImageSources {
   std::vector<std::vector<std::size_t>> by_image_;
   std::vector<std::vector<std::size_t>> by_texture_;
   std::map<std::uint32_t, Move> moves_;  ///< by texture
+  std::set<std::string> unrequired_;     ///< extensions
+  std::set<std::uint32_t> unlinked_;     ///< images
 };
 
 }  // namespace gltfx::steps

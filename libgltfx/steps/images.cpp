@@ -16,15 +16,20 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "codec/client.hpp"
+#include "image/features.hpp"
+#include "model/image_codec.hpp"
 #include "report/wording.hpp"
 #include "steps/image_encodings.hpp"
 #include "steps/image_plan.hpp"
 #include "steps/image_sources.hpp"
 #include "steps/image_store.hpp"
 #include "steps/image_use.hpp"
+#include "steps/json_edits.hpp"
 
 namespace gltfx::steps {
 namespace {
+
+using target::Repair;
 
 /// The result for one group of images.
 struct Encoded {
@@ -104,10 +109,28 @@ bool is_good(Job& job, const ImageAttempt& attempt, const codec::EncodedImage& i
   return false;
 }
 
+// Lossless WebP has no forms but RGB and RGBA with 8 bits per channel.
+codec::EncodeResult transcode(const ImageAttempt& attempt, ImageEncodings& encodings) {
+  if (!attempt.rgb) return encodings.transcode(attempt.request);
+  codec::TranscodeRequest request = attempt.request;
+  request.format = codec::EncodedFormat::webp;
+  request.options = {};
+  codec::EncodeResult plain = encodings.transcode(request);
+  const auto* image = std::get_if<codec::EncodedImage>(&plain);
+  if (image == nullptr) return plain;
+  request = attempt.request;
+  request.image.bytes = image->bytes.first(static_cast<std::size_t>(image->size));
+  request.image.format = model::codec_format(image::Format::webp);
+  request.image.resize = {};
+  codec::EncodeResult result = encodings.transcode(request);
+  if (auto* png = std::get_if<codec::EncodedImage>(&result)) png->source = image->source;
+  return result;
+}
+
 // Tries the attempts in order. Thread-safe for different jobs.
 void encode(Job& job, ImageEncodings& encodings) {
   for (const ImageAttempt& attempt : job.plan.attempts) {
-    const codec::EncodeResult result = encodings.transcode(attempt.request);
+    const codec::EncodeResult result = transcode(attempt, encodings);
     if (const auto* error = std::get_if<codec::DecodeError>(&result)) {
       if (!take_error(job, attempt, *error)) return;
       continue;
@@ -151,6 +174,7 @@ class ImageStep {
         jobs.size(), input_.options.jobs, [&](std::size_t i) { encode(jobs[i], input_.encodings); },
         [](std::size_t) {});
     for (Job& job : jobs) finish(job);
+    replace_unused();
     sources_.edit(editor_);
     outcome_.change.edits = editor_.take();
     store_.add_to(outcome_.change);
@@ -183,7 +207,9 @@ class ImageStep {
 
   void plan(Job& job, const ImageUse& use) {
     if (job.group.storage == model::Storage::nowhere) return;
-    if (!is_requested(input_.options, use) || !is_chosen(job.group)) return;
+    const bool repairs = input_.repairs.has_any({Repair::core_images, Repair::rgb_images});
+    if (!repairs && !is_requested(input_.options, use)) return;
+    if (!is_chosen(job.group)) return;
     auto bytes = bytes_.image(job.group.images.front());
     if (!bytes) {
       for (const std::uint32_t image : job.group.images) {
@@ -197,6 +223,7 @@ class ImageStep {
     for (const std::uint32_t image : job.group.images) {
       context.allowed = context.allowed && sources_.allow(image, job.file.media_type);
     }
+    if (repairs) context.repair = find_repair(job);
     job.plan = plan_image(job.file, context, [&](std::string_view media_type) {
       std::string why;
       for (const std::uint32_t image : job.group.images) {
@@ -209,6 +236,44 @@ class ImageStep {
     if (why.empty()) return;
     job.plan.attempts.clear();
     job.plan.left.push_back(why);
+  }
+
+  ImageRepair find_repair(const Job& job) {
+    for (const auto& [name, only_required] : input_.repairs.features(Repair::core_images)) {
+      if (!sources_.is_format_of(name, job.file.media_type)) continue;
+      sources_.unrequire(name);
+      const auto& images = job.group.images;
+      const bool plain = std::all_of(images.begin(), images.end(), [&](std::uint32_t image) {
+        return sources_.has_fallbacks(image);
+      });
+      if (plain && only_required) continue;
+      for (const std::uint32_t image : images) sources_.unlink(image);
+      if (!plain) return ImageRepair::core;
+    }
+    if (!job.file.header) return ImageRepair::none;
+    const auto& wanted = input_.repairs.features(Repair::rgb_images);
+    for (const std::string_view name : image::features_of(*job.file.header)) {
+      if (wanted.contains(name)) return ImageRepair::rgb;
+    }
+    return ImageRepair::none;
+  }
+
+  // An image without users becomes a copy of the one that textures use in its place.
+  void replace_unused() {
+    const json::Document& document = input_.asset.document();
+    const auto& images = elements_.elements(model::RootArray::images);
+    const auto stand_ins = sources_.stand_ins();
+    for (const auto& [image, other] : stand_ins) {
+      for (const std::string_view name : {"uri", "bufferView", "mimeType"}) {
+        const json::NodeId value = document.find(images[other], name);
+        remove_member(document, editor_, images[image], name);
+        if (value == json::kNoNode) continue;
+        editor_.append_member(images[image], name, document.raw(value));
+      }
+    }
+    if (stand_ins.empty()) return;
+    done_["replaced by the fallback"] += stand_ins.size();
+    outcome_.freedom.texels = true;
   }
 
   void finish(Job& job) {
@@ -251,7 +316,7 @@ class ImageStep {
     if (!same) done += fmt::format(" -> {}", name);
     if (!same && !attempt.lossy && !job.file.cmyk) done += " exact";
     if (resized) done += " resized";
-    if (same && !resized) done += " recompressed";
+    if (same && !resized) done += attempt.rgb ? " as RGB" : " recompressed";
     done_[done] += count;
     if (job.file.cmyk) losses_["CMYK as RGB"].images += count;
     if (resized) losses_[describe_size()].images += count;
@@ -259,7 +324,8 @@ class ImageStep {
       losses_["8 of 16 bits per channel"].images += count;
     }
     if (attempt.lossy) add_distance(encoded, count);
-    outcome_.freedom.texels |= resized || attempt.lossy;
+    outcome_.freedom.texels |=
+        resized || attempt.lossy || encoded.source.bits > encoded.raster.bits;
   }
 
   std::string describe_size() const {

@@ -364,6 +364,7 @@ StepDescription quantize_step() {
           "each quantity up to its bound; what cannot keep it stays as it is",
           [](const ConvertOptions& options) { return options.quantize.has_value(); },
           [](const StepInput& input) { return Quantizer(input).run(); },
+          {},
           [](const ConvertOptions&) { return true; }};
 }
 

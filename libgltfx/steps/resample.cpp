@@ -257,6 +257,7 @@ StepDescription resample_step() {
             return options.resample || options.shrink || tolerance_of(options) > 0;
           },
           [](const StepInput& input) { return Resampler(input).run(); },
+          {},
           [](const ConvertOptions& options) { return tolerance_of(options) > 0; }};
 }
 

@@ -14,6 +14,7 @@
 #include "change/change.hpp"
 #include "model/opened_asset.hpp"
 #include "schema/set.hpp"
+#include "target/repair.hpp"
 
 namespace gltfx::steps {
 
@@ -28,7 +29,8 @@ struct StepInput {
   /// Gets the buffers and images that the step cannot read, half sentences. They count as refused:
   /// nothing that was asked for is skipped because a file is missing or the system has an error.
   std::vector<ConvertNote>& unread;
-  ImageEncodings& encodings;  ///< of the run
+  ImageEncodings& encodings;     ///< of the run
+  target::Repairs repairs = {};  ///< what targets need
 };
 
 /// Differences in meaning that a step may make; everything else is proven to be equal.
@@ -46,6 +48,11 @@ struct Freedom {
   /// Numbers of vertices, what places them, and keyframes, within these bounds. No order may change
   /// with it.
   std::optional<LossBounds> loss = std::nullopt;
+  bool unit_vectors = false;  ///< normals and tangents may get length 1
+  bool new_objects = false;   ///< nodes or matrices in place of what means the same
+
+  /// Whether what follows is compared with the result of the step, and not with the old asset.
+  bool moves_base() const { return own_proof || unit_vectors || new_objects; }
 
   Freedom& operator|=(const Freedom& other) {
     vertex_order |= other.vertex_order;
@@ -56,6 +63,8 @@ struct Freedom {
     plain_elements |= other.plain_elements;
     own_proof |= other.own_proof;
     if (other.loss) loss = other.loss;
+    unit_vectors |= other.unit_vectors;
+    new_objects |= other.new_objects;
     return *this;
   }
 };
@@ -81,6 +90,8 @@ struct StepDescription {
   /// An Error, half a sentence, if the whole step is refused. Single objects that it skips are
   /// listed in the row.
   Result<StepOutcome> (*run)(const StepInput& input);
+  /// Repairs that the step makes. It also runs if one of them is requested.
+  std::vector<target::Repair> repairs = {};
   /// Whether it loses something within ConvertOptions::quantize: then the caller measures what it
   /// loses. Null: it does not.
   bool (*is_bounded)(const ConvertOptions& options) = nullptr;

@@ -7,6 +7,10 @@ StepDescription decode_step();
 StepDescription scale_step();
 StepDescription rebase_step();
 StepDescription center_step();
+StepDescription instances_step();
+StepDescription elements_step();
+StepDescription primitives_step();
+StepDescription members_step();
 StepDescription prune_step();
 StepDescription dedup_step();
 StepDescription images_step();
@@ -22,9 +26,10 @@ StepDescription container_step();
 // Steps that remove elements run before equal objects are merged: vertices and keyframes that
 // several objects share can only be removed if none of these needs them.
 std::vector<StepDescription> steps() {
-  return {decode_step(),   scale_step(),    rebase_step(),   center_step(), prune_step(),
-          weld_step(),     simplify_step(), resample_step(), dedup_step(),  images_step(),
-          quantize_step(), reorder_step(),  meshopt_step(),  draco_step(),  container_step()};
+  return {decode_step(),     scale_step(),    rebase_step(),  center_step(),   instances_step(),
+          primitives_step(), elements_step(), members_step(), prune_step(),    weld_step(),
+          simplify_step(),   resample_step(), dedup_step(),   images_step(),   quantize_step(),
+          reorder_step(),    meshopt_step(),  draco_step(),   container_step()};
 }
 
 }  // namespace gltfx::steps

@@ -211,6 +211,27 @@ Result<std::map<std::string, Feature, std::less<>>> read_features(std::string_vi
   return features;
 }
 
+Result<std::map<std::string, Repair, std::less<>>> read_repairs(std::string_view text) {
+  Reader reader(text);
+  if (reader.error()) return *reader.error();
+  const Document& document = reader.document();
+  std::map<std::string, Repair, std::less<>> repairs;
+  const NodeId list = reader.container(document.root(), "features", json::Kind::object);
+  if (list == kNoNode) return *reader.error();
+  for (const auto member : document.members(list)) {
+    const std::string name = reader.text(member.value, "repair");
+    if (name.empty()) continue;
+    const auto repair = named<Repair>(kRepairNames, name);
+    if (repair) {
+      repairs.emplace(document.key(member.key_id), *repair);
+    } else {
+      reader.fail(member.value, "repair must be one of those in target/repair.hpp");
+    }
+  }
+  if (reader.error()) return *reader.error();
+  return repairs;
+}
+
 }  // namespace gltfx::target
 
 namespace gltfx {

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/result.hpp"
+#include "target/repair.hpp"
 
 namespace gltfx::target {
 
@@ -18,5 +19,8 @@ Result<Target> read_target(std::string_view text);
 
 /// The same for the list of features.
 Result<std::map<std::string, Feature, std::less<>>> read_features(std::string_view text);
+
+/// The repairs in that list, by feature.
+Result<std::map<std::string, Repair, std::less<>>> read_repairs(std::string_view text);
 
 }  // namespace gltfx::target

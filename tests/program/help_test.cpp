@@ -58,7 +58,7 @@ const std::vector<Verb>& verbs() {
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"convert",
        words("PATH --to --compress --images --quality --texture-size --dedup --prune --weld "
-             "--reorder --resample --shrink --verify "
+             "--reorder --resample --shrink --target --target-file --verify "
              "--partial --format --restore --in-place --output --backup --check --diff "
              "--raw "
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "

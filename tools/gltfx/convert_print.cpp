@@ -83,6 +83,34 @@ void write_step(json::Writer& writer, const ConvertStep& step) {
   writer.end_object();
 }
 
+std::string remaining_text(const std::vector<ConvertRemainder>& remaining) {
+  std::string text;
+  for (const ConvertRemainder& each : remaining) {
+    const std::string help = each.help.empty() ? std::string() : fmt::format(" ({})", each.help);
+    text += wrapped(
+        printable(fmt::format("remains {}{}{}{}", each.pointer, each.pointer.empty() ? "" : ": ",
+                              without_stop(each.message), help)),
+        2);
+  }
+  return text;
+}
+
+void write_remaining(json::Writer& writer, const std::vector<ConvertRemainder>& remaining) {
+  writer.key("remaining");
+  writer.begin_array();
+  for (const ConvertRemainder& each : remaining) {
+    writer.begin_object();
+    writer.member("target", each.target);
+    writer.member("feature", each.feature);
+    writer.member("pointer", report::long_value(each.pointer));
+    writer.member("message", report::long_value(each.message));
+    writer.member("help", each.help);
+    writer.member("refused", each.refused);
+    writer.end_object();
+  }
+  writer.end_array();
+}
+
 }  // namespace
 
 void ConvertSummary::add(const ConvertReport& report) {
@@ -93,7 +121,7 @@ void ConvertSummary::add(const ConvertReport& report) {
 }
 
 std::string convert_text(const ConvertReport& report, const Style& style) {
-  if (report.steps.empty()) return {};
+  if (report.steps.empty() && report.remaining.empty()) return {};
   TextTable table("lllll", {"step", "what", "bytes", "", "loss"});
   std::string notes;
   for (const ConvertStep& step : report.steps) {
@@ -104,7 +132,9 @@ std::string convert_text(const ConvertReport& report, const Style& style) {
     notes += notes_text("left", step.left);
     notes += notes_text("refused", step.refused);
   }
-  std::string text = style.bold(printable(report.path)) + "\n" + table.text(2, style) + notes;
+  std::string text = style.bold(printable(report.path)) + "\n";
+  if (!report.steps.empty()) text += table.text(2, style);
+  text += notes + remaining_text(report.remaining);
   for (const std::string& file : report.new_files) {
     text += fmt::format("  new file: {}\n", printable(file));
   }
@@ -139,6 +169,7 @@ std::string convert_json(const ConvertReport& report, bool first) {
     writer.begin_array();
     for (const ConvertStep& step : report.steps) write_step(writer, step);
     writer.end_array();
+    write_remaining(writer, report.remaining);
     report::write_long_values(writer, "newFiles", report.new_files);
     report::write_long_values(writer, "newWarnings", report.new_warnings);
     writer.member("verified", report.verified);

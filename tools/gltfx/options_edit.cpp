@@ -11,6 +11,7 @@
 #include "configuration.hpp"
 #include "option_parts.hpp"
 #include "option_values.hpp"
+#include "target_choice.hpp"
 #include "verb_options.hpp"
 
 namespace gltfx::tool {
@@ -248,6 +249,14 @@ void declare_convert(Options& options, ConvertRequest& request) {
               }));
   options.add("--rebase", "", "Move large offsets of vertices into nodes",
               flag(convert.placement.rebase));
+  options.add("--target", "NAME[@VERSION]", "Replace what an engine does not read (repeatable)",
+              parsed_list(
+                  convert.targets,
+                  [&options](std::string_view, const Words& words) {
+                    return read_targets(words, options.words("--target-file"));
+                  },
+                  values::target_list));
+  add_target_files(options);
   options.add("--verify", "", "Refuse a result whose rendered picture differs",
               flag(convert.verify));
   options.add("--partial", "", "Write even if something was refused", flag(convert.partial));

@@ -5,6 +5,7 @@
 
 #include <gltfx/edited_file.hpp>
 #include <gltfx/loss_bounds.hpp>
+#include <gltfx/targets.hpp>
 
 #include <cstdint>
 #include <optional>
@@ -84,6 +85,9 @@ struct ConvertOptions : EditOptions {
   std::optional<Simplification> simplify;  ///< nothing: all triangles stay
   /// All that loses nothing: the five above, and PNG images compressed again where that is smaller.
   bool shrink = false;
+  /// Replaces what one of these engines refuses, or ignores with an effect on the picture. With
+  /// `shrink`, geometry and images get the smallest encoding that all of them read.
+  std::vector<TargetChoice> targets;
   bool verify = false;  ///< compares rendered pictures before and after
   /// Write although a part of the request was refused.
   bool partial = false;
@@ -119,6 +123,16 @@ struct ConvertStep {
   std::uint64_t bytes_after = 0;     ///< the same
 };
 
+/// A feature of the new asset that a target refuses, or ignores with an effect on the picture.
+struct ConvertRemainder {
+  std::string target;    ///< "three.js 0.187.0"
+  std::string feature;   ///< its name in schema/targets/features.json
+  std::string pointer;   ///< in the new document; empty: the whole asset
+  std::string message;   ///< one sentence, as of TARGET_REFUSES or TARGET_IGNORES
+  std::string help;      ///< what an author can do, an imperative; may be empty
+  bool refused = false;  ///< the target loads nothing
+};
+
 /// Result for one file. Owns its text.
 struct ConvertReport : EditOutcome {
   std::vector<ConvertStep> steps;      ///< the requested steps, in order
@@ -126,10 +140,11 @@ struct ConvertReport : EditOutcome {
   /// Warnings of `gltfx validate` that only the new document has, one per code: "CODE at /pointer:
   /// message".
   std::vector<std::string> new_warnings;
-  bool verified = false;     ///< the pictures before and after are the same
+  std::vector<ConvertRemainder> remaining;  ///< what no step could replace, by target
+  bool verified = false;                    ///< the pictures before and after are the same
   std::string not_verified;  ///< why there are no pictures, without full stop; else empty
 
-  /// Number of objects that steps refused.
+  /// Number of objects that steps refused, and of remaining features that a target refuses.
   std::uint64_t refused() const;
 };
 

@@ -7,6 +7,7 @@
 
 #include "container/percent.hpp"
 #include "container/uri.hpp"
+#include "image/features.hpp"
 #include "model/fields.hpp"
 #include "rules/targets/features.hpp"
 
@@ -112,21 +113,7 @@ class FileFeatures {
   void find_header(NodeId image, const image::Header& header) {
     note_if(!is_power_of_two(header.width) || !is_power_of_two(header.height),
             "image.non-power-of-two", image);
-    const image::Channels channels = header.channels;
-    const bool grey = channels == image::Channels::luminance;
-    if (header.format == image::Format::jpeg) {
-      note_if(grey, "image.jpeg-grayscale", image);
-      note_if(header.interlaced, "image.jpeg-progressive", image);
-      note_if(channels == image::Channels::rgba, "image.jpeg-cmyk", image);
-    }
-    if (header.format != image::Format::png) return;
-    note_if(header.bits == 16, "image.png-16-bit", image);
-    note_if(header.interlaced, "image.png-interlaced", image);
-    note_if(header.palette, "image.png-palette", image);
-    note_if(header.palette && image::has_alpha(channels), "image.png-palette-transparent", image);
-    note_if(!header.palette && grey, "image.png-grayscale", image);
-    note_if(!header.palette && channels == image::Channels::luminance_alpha,
-            "image.png-grayscale-alpha", image);
+    for (const std::string_view name : image::features_of(header)) features_.note(name, image);
   }
 
   const Context& context_;
