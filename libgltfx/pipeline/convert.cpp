@@ -17,6 +17,7 @@
 #include "change/apply.hpp"
 #include "change/chain.hpp"
 #include "pipeline/convert_places.hpp"
+#include "pipeline/convert_savings.hpp"
 #include "pipeline/convert_targets.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
@@ -98,6 +99,9 @@ class ConvertRun {
     change::NewText now = change::drop_unnamed_files(stages_.all(), *before_.container().json);
     const change::Change& change = stages_.all();
     report_.changes = !change.empty();
+    if (asks_nothing(options_)) {
+      find_savings(before_, *schemas_, options_, shared_.encodings, report_);
+    }
     if (options_.diff) report_.diff = diff_of(before_, change.edits, !change.format);
     if (auto why = targets_.check(before_, change, report_)) return refuse(*std::move(why));
     if (!report_.changes) {

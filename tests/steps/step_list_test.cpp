@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // docs/convert.md lists the steps with their descriptions.
+#include <set>
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "container/temp_folder.hpp"
 #include "steps/file_names.hpp"
 #include "steps/step.hpp"
+#include "target/embedded.hpp"
+#include "target/target_file.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -27,6 +31,18 @@ TEST(Steps, AreSelectedByOptions) {
   for (const StepDescription& step : steps()) EXPECT_FALSE(step.asked(options)) << step.name;
   options.to = StoredAs::glb;
   EXPECT_TRUE(steps().back().asked(options));
+}
+
+TEST(Steps, MakeEachRepairThatFeaturesName) {
+  // The container is chosen by these.
+  std::set<target::Repair> made{target::Repair::one_file, target::Repair::no_data_uris};
+  for (const StepDescription& step : steps()) made.insert(step.repairs.begin(), step.repairs.end());
+  EXPECT_EQ(made.size(), target::kRepairCount);
+  const auto named = target::read_repairs(target::embedded_features());
+  ASSERT_TRUE(named) << named.error().message;
+  std::set<target::Repair> wanted;
+  for (const auto& [feature, repair] : *named) wanted.insert(repair);
+  EXPECT_EQ(wanted, made);
 }
 
 TEST(FileNames, AreCutBetweenCodePoints) {

@@ -95,6 +95,36 @@ std::string remaining_text(const std::vector<ConvertRemainder>& remaining) {
   return text;
 }
 
+std::string saving_text(std::uint64_t bytes) {
+  return bytes == 0 ? std::string() : size_text(bytes);
+}
+
+std::string savings_text(const ConvertReport& report, const Style& style) {
+  std::string text;
+  if (!report.savings.empty()) {
+    TextTable table("lrr", {"option", "saves", "GPU memory"});
+    for (const ConvertSaving& each : report.savings) {
+      table.add({std::string(each.option), saving_text(each.bytes), saving_text(each.gpu_bytes)});
+    }
+    text = table.text(2, style);
+  }
+  return text + fmt::format("  GPU memory now: images {}, meshes {}\n",
+                            size_text(report.gpu_image_bytes), size_text(report.gpu_mesh_bytes));
+}
+
+void write_savings(json::Writer& writer, const ConvertReport& report) {
+  writer.key("savings");
+  writer.begin_array();
+  for (const ConvertSaving& each : report.savings) {
+    writer.begin_object();
+    writer.member("option", each.option);
+    writer.member("bytes", each.bytes);
+    writer.member("gpuBytes", each.gpu_bytes);
+    writer.end_object();
+  }
+  writer.end_array();
+}
+
 void write_remaining(json::Writer& writer, const std::vector<ConvertRemainder>& remaining) {
   writer.key("remaining");
   writer.begin_array();
@@ -121,7 +151,8 @@ void ConvertSummary::add(const ConvertReport& report) {
 }
 
 std::string convert_text(const ConvertReport& report, const Style& style) {
-  if (report.steps.empty() && report.remaining.empty()) return {};
+  const bool sizes = report.gpu_image_bytes > 0 || report.gpu_mesh_bytes > 0;
+  if (report.steps.empty() && report.remaining.empty() && !sizes) return {};
   TextTable table("lllll", {"step", "what", "bytes", "", "loss"});
   std::string notes;
   for (const ConvertStep& step : report.steps) {
@@ -135,6 +166,7 @@ std::string convert_text(const ConvertReport& report, const Style& style) {
   std::string text = style.bold(printable(report.path)) + "\n";
   if (!report.steps.empty()) text += table.text(2, style);
   text += notes + remaining_text(report.remaining);
+  if (sizes) text += savings_text(report, style);
   for (const std::string& file : report.new_files) {
     text += fmt::format("  new file: {}\n", printable(file));
   }
@@ -170,6 +202,12 @@ std::string convert_json(const ConvertReport& report, bool first) {
     for (const ConvertStep& step : report.steps) write_step(writer, step);
     writer.end_array();
     write_remaining(writer, report.remaining);
+    write_savings(writer, report);
+    writer.key("gpuBytes");
+    writer.begin_object();
+    writer.member("images", report.gpu_image_bytes);
+    writer.member("meshes", report.gpu_mesh_bytes);
+    writer.end_object();
     report::write_long_values(writer, "newFiles", report.new_files);
     report::write_long_values(writer, "newWarnings", report.new_warnings);
     writer.member("verified", report.verified);

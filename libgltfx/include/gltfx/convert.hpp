@@ -133,6 +133,13 @@ struct ConvertRemainder {
   bool refused = false;  ///< the target loads nothing
 };
 
+/// What an option would save, if it were the only one. Images are not encoded to find that.
+struct ConvertSaving {
+  std::string_view option;      ///< "--prune", static storage
+  std::uint64_t bytes = 0;      ///< of the files; 0 with `--texture-size`, where it is not known
+  std::uint64_t gpu_bytes = 0;  ///< on the graphics card
+};
+
 /// Result for one file. Owns its text.
 struct ConvertReport : EditOutcome {
   std::vector<ConvertStep> steps;      ///< the requested steps, in order
@@ -141,8 +148,12 @@ struct ConvertReport : EditOutcome {
   /// message".
   std::vector<std::string> new_warnings;
   std::vector<ConvertRemainder> remaining;  ///< what no step could replace, by target
-  bool verified = false;                    ///< the pictures before and after are the same
-  std::string not_verified;  ///< why there are no pictures, without full stop; else empty
+  /// Of a dry run that asks for no step: what options would save. Else empty.
+  std::vector<ConvertSaving> savings;
+  std::uint64_t gpu_image_bytes = 0;  ///< beside them: memory on the graphics card, of images
+  std::uint64_t gpu_mesh_bytes = 0;   ///< the same, of meshes
+  bool verified = false;              ///< the pictures before and after are the same
+  std::string not_verified;           ///< why there are no pictures, without full stop; else empty
 
   /// Number of objects that steps refused, and of remaining features that a target refuses.
   std::uint64_t refused() const;

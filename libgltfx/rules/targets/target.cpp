@@ -97,7 +97,7 @@ class TargetCheck {
     const auto& versions = choice.target->versions;
     const bool newest = choice.version + 1 == versions.size();
     const std::string command =
-        fmt::format("`gltfx convert --target {}{}`", choice.target->name,
+        fmt::format("`gltfx convert FILE -o OUTPUT --target {}{}`", choice.target->name,
                     newest ? std::string() : "@" + versions[choice.version].version);
     return found.help.empty() ? "convert the asset with " + command
                               : fmt::format("{}, as {} does", found.help, command);
