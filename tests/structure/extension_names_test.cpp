@@ -56,7 +56,7 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
      "a tangent space is needed by a value, with or without a texture"},
     {"libgltfx/rules/targets/geometry_features.cpp", "unlit primitives do not ask for normals"},
     {"libgltfx/rules/targets/material_features.cpp",
-     "transforms of slots and places of shaders as features of engines"},
+     "transforms of slots, places of shaders and pairs of lobes as features of engines"},
     {"libgltfx/rules/targets/scene_features.cpp", "types of lights as features of engines"},
     {"libgltfx/pipeline/example.cpp", "an engine made up for the examples of rules"},
     {"libgltfx/inspect/metadata_facts.cpp", "counts rows, columns and bytes of tables in buffers"},

@@ -208,6 +208,25 @@ std::string column(const std::string& property) {
       "properties": {"value": {"values": 0}}}]}})";
 }
 
+// Nodes with that many lights of a type.
+std::string lit(std::size_t count, const std::string& type) {
+  std::string nodes;
+  for (std::size_t i = 0; i < count; ++i) {
+    nodes +=
+        std::string(i > 0 ? ", " : "") + R"({"extensions": {"KHR_lights_punctual": {"light": 0}}})";
+  }
+  return R"("extensionsUsed": ["KHR_lights_punctual"], "extensions": {"KHR_lights_punctual":
+      {"lights": [{"type": ")" +
+         type + R"("}]}}, "nodes": [)" + nodes + "]";
+}
+
+// A triangle list whose positions have these members.
+std::string positions(const std::string& members) {
+  return R"("accessors": [{"componentType": 5126, "type": "VEC3", )" + members +
+         R"(}, {"componentType": 5125, "type": "SCALAR", "count": 3}], "meshes": [{"primitives":
+      [{"attributes": {"POSITION": 0}, "indices": 1}]}])";
+}
+
 std::string primitive(const std::string& members) {
   return kPoints + R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0})" + members +
          "}]}]";
@@ -218,6 +237,28 @@ const std::string kMove = R"("animations": [{"channels": [{"sampler": 0, "target
 
 const std::string kEightInfluences = R"("meshes": [{"primitives": [{"attributes":
     {"POSITION": 0, "JOINTS_0": 1, "WEIGHTS_0": 2, "JOINTS_1": 1, "WEIGHTS_1": 2}}]}])";
+
+TEST(Target, LimitsAreExceededByOneMore) {
+  const auto found = [](const std::string& feature, const std::string& members) {
+    const auto choice = choice_of("\"" + feature + R"(": {"used": "ignored"})");
+    return lines(report_for(choice, members));
+  };
+  EXPECT_THAT(found("light.lights-over-4", lit(4, "point")), IsEmpty());
+  EXPECT_EQ(found("light.lights-over-4", lit(5, "point")), Lines{"warning TARGET_LIMIT /nodes/4"});
+  EXPECT_THAT(found("light.several-directional", lit(5, "point")), IsEmpty());
+  EXPECT_THAT(found("light.several-directional", lit(1, "directional")), IsEmpty());
+  EXPECT_EQ(found("light.several-directional", lit(2, "directional")),
+            Lines{"warning TARGET_IGNORES /nodes/1"});
+  const std::string vertices = "primitive.vertices-over-65536";
+  const std::string corners = R"("min": [0, 0, 0], "max": [1, 1, 1], )";
+  EXPECT_THAT(found(vertices, positions(corners + R"("count": 65536)")), IsEmpty());
+  EXPECT_EQ(found(vertices, positions(corners + R"("count": 65537)")),
+            Lines{"warning TARGET_LIMIT /meshes/0/primitives/0"});
+  const std::string place = "node.translation-over-million";
+  EXPECT_THAT(found(place, R"("nodes": [{"translation": [0, 1000000, 0]}])"), IsEmpty());
+  EXPECT_EQ(found(place, R"("nodes": [{"translation": [0, -1000001, 0]}])"),
+            Lines{"warning TARGET_LIMIT /nodes/0"});
+}
 
 TEST(Target, NamesMatterWhereAnAnimationMovesOneOfThem) {
   const auto choice = choice_of(R"("node.name-doubled": {"used": "ignored"})");
@@ -268,6 +309,9 @@ INSTANTIATE_TEST_SUITE_P(
         Detected{"accessor.zeros", primitive("")},
         Detected{"material.alpha-blend", R"("materials": [{"alphaMode": "BLEND"}])"},
         Detected{"material.double-sided", R"("materials": [{"doubleSided": true}])"},
+        Detected{"material.blended-sheen-specular", R"("extensionsUsed": ["KHR_materials_sheen",
+            "KHR_materials_specular"], "materials": [{"alphaMode": "BLEND", "extensions":
+            {"KHR_materials_sheen": {}, "KHR_materials_specular": {}}}])"},
         Detected{"material.emissive", R"("materials": [{"emissiveFactor": [0, 0.5, 0]}])"},
         Detected{"texture.texcoord-1", R"("textures": [{"source": 0}], "images": [{"uri": "a.png"}],
             "materials": [{"emissiveTexture": {"index": 0, "texCoord": 1}}])"},
@@ -284,6 +328,16 @@ INSTANTIATE_TEST_SUITE_P(
         Detected{"skin.joint-name-doubled", R"("nodes": [{"name": "a"}, {"name": "\u0061"}],
             "skins": [{"joints": [0, 1]}])"},
         Detected{"attribute.joints-1", kEightInfluences},
+        Detected{"animation.name", R"("animations": [{"name": "walk", "channels": [{"sampler": 0,
+            "target": {"path": "scale"}}], "samplers": [{"input": 0, "output": 1}]}])"},
+        Detected{"animation.name-doubled", R"("animations": [{"name": "walk"}, {"name": "walk"}])"},
+        Detected{"attribute.position-over-million", positions(R"("count": 3, "min": [-4e6, 0, 0],
+            "max": [0, 0, 0])")},
+        Detected{"attribute.position-over-million", positions(R"("count": 3, "min": [0, 0, 0],
+            "max": [0, 0, 1000001])")},
+        Detected{"node.translation-over-million",
+                 R"("nodes": [{"matrix": [1,0,0,0, 0,1,0,0, 0,0,1,0, 2e6,0,0,1]}])"},
+        Detected{"light.lights-over-16", lit(17, "point")},
         Detected{"node.name-special", R"("nodes": [{"name": "arm.l"}])"},
         Detected{"node.mesh-shared", primitive("") + R"(, "nodes": [{"mesh": 0}, {"mesh": 0}])"},
         Detected{"camera.orthographic", R"("nodes": [{"camera": 0}], "cameras": [{"type":
@@ -303,7 +357,8 @@ INSTANTIATE_TEST_SUITE_P(
         Detected{"uri.data-gltf-buffer", R"("buffers": [{"byteLength": 1,
             "uri": "data:application/gltf-buffer;base64,AA=="}])"},
         Detected{"uri.subfolder", R"("images": [{"uri": "tex/a.png"}])"},
-        Detected{"uri.percent-encoded", R"("images": [{"uri": "a%20b.png"}])"},
+        Detected{"uri.percent-encoded", R"("buffers": [{"byteLength": 1, "uri": "a%20b.bin"}])"},
+        Detected{"uri.percent-encoded-image", R"("images": [{"uri": "a%20b.png"}])"},
         Detected{"uri.absolute", R"("images": [{"uri": "https://example.com/a.png"}])"},
         Detected{"extension.unknown-required", R"("extensionsUsed": ["ACME_leaf"],
             "extensionsRequired": ["ACME_leaf"])"},

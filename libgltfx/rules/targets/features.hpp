@@ -5,7 +5,9 @@
 
 #include <gltfx/targets.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -55,6 +57,11 @@ class Features {
   std::map<std::string_view, FeaturePlace> places_;
   std::array<const char*, 16> recent_{};  // names in places_
 };
+
+/// Whether a coordinate is beyond a million, where steps of single precision are 1/16 and more.
+inline bool is_far(const std::array<float, 3>& point) {
+  return std::any_of(point.begin(), point.end(), [](float v) { return std::abs(v) > 1e6F; });
+}
 
 /// All features of an asset whose links were checked. Linear in the document.
 Features find_features(const Context& context, const model::ResourceData& resources);

@@ -37,6 +37,9 @@ class FileFeatures {
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (images[i] != json::kNoNode) find_image(images[i], resources_.images[i]);
     }
+    for (const NodeId texture : context_.asset.elements(RootArray::textures)) {
+      if (texture != json::kNoNode) find_repeated(texture);
+    }
   }
 
  private:
@@ -69,10 +72,10 @@ class FileFeatures {
     if (raw.starts_with("\"data:")) return features_.note("uri.data-buffer", buffer);
     note_if(context_.container.format == container::Format::glb, "container.glb-external-buffer",
             buffer);
-    find_uri(document_.string(value), buffer);
+    find_uri(document_.string(value), buffer, "uri.percent-encoded");
   }
 
-  void find_uri(const std::string& uri, NodeId node) {
+  void find_uri(const std::string& uri, NodeId node, std::string_view encoded) {
     const std::size_t colon = uri.find(':');
     const bool scheme = colon != std::string::npos && colon < uri.find('/');
     note_if(scheme, "uri.absolute", node);
@@ -83,7 +86,7 @@ class FileFeatures {
     note_if(uri.find(' ') != std::string::npos, "uri.space", node);
     note_if(std::any_of(uri.begin(), uri.end(), [](char c) { return (c & 0x80) != 0; }),
             "uri.non-ascii", node);
-    note_if(container::percent_decode(uri) != uri, "uri.percent-encoded", node);
+    note_if(container::percent_decode(uri) != uri, encoded, node);
   }
 
   void find_image(NodeId image, const model::ImageData& data) {
@@ -92,7 +95,7 @@ class FileFeatures {
     if (value != json::kNoNode && document_.is_string(value)) {
       const bool is_data = document_.raw(value).starts_with("\"data:");
       note_if(is_data, "uri.data-image", image);
-      if (!is_data) find_uri(document_.string(value), image);
+      if (!is_data) find_uri(document_.string(value), image, "uri.percent-encoded-image");
       if (!is_data && data.header && document_.find(image, "mimeType") == json::kNoNode) {
         find_untyped(image, data.header->format);
       }
@@ -102,6 +105,23 @@ class FileFeatures {
       note_if(data.ktx2->model == image::Ktx2Model::uastc, "image.ktx2-uastc", image);
     }
     if (data.header) find_header(image, *data.header);
+  }
+
+  // Without a sampler, or without a member of it, a texture is repeated.
+  void find_repeated(NodeId texture) {
+    const auto image = context_.asset.index(texture, "source", RootArray::images);
+    if (!image || !resources_.images[*image].header) return;
+    const image::Header& header = *resources_.images[*image].header;
+    if (is_power_of_two(header.width) && is_power_of_two(header.height)) return;
+    const auto sampler = context_.asset.index(texture, "sampler", RootArray::samplers);
+    constexpr std::uint64_t kClamp = 33071;
+    for (const std::string_view wrap : {"wrapS", "wrapT"}) {
+      const bool clamped =
+          sampler &&
+          model::unsigned_member(document_, context_.asset.elements(RootArray::samplers)[*sampler],
+                                 wrap) == kClamp;
+      note_if(!clamped, "image.non-power-of-two-repeated", texture);
+    }
   }
 
   void find_untyped(NodeId image, image::Format format) {

@@ -47,11 +47,21 @@ class GeometryFeatures {
       if (position != nullptr && position->accessor) {
         note_if(!positions.insert(*position->accessor).second, "mesh.attributes-shared",
                 primitive.node);
+        find_extent(views_.accessors[*position->accessor], primitive);
       }
       find_primitive(primitive, position != nullptr);
     }
     for (const model::Primitive& primitive : mesh.primitives) {
       if (!primitive.targets.empty()) return find_names(mesh);
+    }
+  }
+
+  void find_extent(const model::Accessor& positions, const model::Primitive& primitive) {
+    note_if(primitive.indices && positions.count.value_or(0) > 65536,
+            "primitive.vertices-over-65536", primitive.node);
+    for (const json::NodeId corner : {positions.min, positions.max}) {
+      const auto values = model::float_array<3>(document_, corner);
+      note_if(values && is_far(*values), "attribute.position-over-million", primitive.node);
     }
   }
 

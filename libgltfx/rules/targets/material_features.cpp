@@ -57,10 +57,17 @@ class MaterialFeatures {
     const NodeId normal = find_slot(material, "normalTexture", "material.normal-texture", material);
     const NodeId occlusion =
         find_slot(material, "occlusionTexture", "material.occlusion-texture", material);
+    note_if(mode == "BLEND" && has_extension(material, "KHR_materials_sheen") &&
+                has_extension(material, "KHR_materials_specular"),
+            "material.blended-sheen-specular", material);
     note_if(model::number_member(document_, normal, "scale").value_or(1) != 1,
             "material.normal-scale", material);
     note_if(model::number_member(document_, occlusion, "strength").value_or(1) != 1,
             "material.occlusion-strength", material);
+  }
+
+  bool has_extension(NodeId material, std::string_view name) const {
+    return model::extension_object(document_, material, name) != json::kNoNode;
   }
 
   NodeId find_slot(NodeId object, std::string_view member, std::string_view name, NodeId material) {

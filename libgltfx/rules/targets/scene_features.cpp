@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Features of scenes, nodes, skins, cameras, lights and animations.
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ namespace {
 using json::NodeId;
 using model::RootArray;
 
+constexpr std::string_view kLights = "KHR_lights_punctual";
+
 class SceneFeatures {
  public:
   SceneFeatures(const Context& context, Features& features)
@@ -24,6 +27,7 @@ class SceneFeatures {
         views_(context.views),
         features_(features),
         scales_(features.matters("node.negative-scale") || features.matters("node.zero-scale")),
+        places_(features.matters("node.translation-over-million")),
         special_names_(features.matters("node.name-special")),
         meshes_(views_.meshes.size()),
         name_key_(document_.key_id("name")) {}
@@ -41,6 +45,7 @@ class SceneFeatures {
       if (animation.object != json::kNoNode) find_animation(animation);
     }
     note_if(views_.animations.size() > 1, "animation.several", member("animations"));
+    find_animation_names();
     if (features_.matters("node.name-doubled")) find_doubled_names();
   }
 
@@ -66,6 +71,7 @@ class SceneFeatures {
     const NodeId object = node.object;
     note_if(node.matrix != json::kNoNode, "node.matrix", object);
     if (scales_) find_scale(node);
+    if (places_) find_place(node);
     note_if(node.weights != json::kNoNode, "morph.node-weights", object);
     if (node.mesh) {
       note_if(meshes_[*node.mesh], "node.mesh-shared", object);
@@ -92,7 +98,28 @@ class SceneFeatures {
             node.object);
   }
 
-  // The name of a node, or kNoNode where it has none.
+  void find_place(const model::Node& node) {
+    const auto far = [&](const std::array<float, 3>& place) {
+      note_if(is_far(place), "node.translation-over-million", node.object);
+    };
+    if (const auto m = model::float_array<16>(document_, node.matrix)) {
+      return far({(*m)[12], (*m)[13], (*m)[14]});
+    }
+    if (const auto place = model::float_array<3>(document_, node.translation)) far(*place);
+  }
+
+  void find_animation_names() {
+    json::KeyTable names;
+    for (const model::Animation& animation : views_.animations) {
+      const NodeId name =
+          animation.object == json::kNoNode ? animation.object : name_of(animation.object);
+      if (name == json::kNoNode) continue;
+      features_.note("animation.name", animation.object);
+      note_if(!document_.insert_string(name, names), "animation.name-doubled", animation.object);
+    }
+  }
+
+  // The name of an object, or kNoNode where it has none.
   NodeId name_of(NodeId object) const {
     const NodeId value = document_.find(object, name_key_);
     const bool named = value != json::kNoNode && document_.is_string(value);
@@ -162,16 +189,34 @@ class SceneFeatures {
   }
 
   void find_lights() {
-    const NodeId extension =
-        model::extension_object(document_, document_.root(), "KHR_lights_punctual");
+    const NodeId extension = model::extension_object(document_, document_.root(), kLights);
     const NodeId lights = document_.find(extension, "lights");
     if (lights == json::kNoNode || document_.kind(lights) != json::Kind::array) return;
+    std::vector<bool> directional;  // by light
     for (const NodeId light : document_.elements(lights)) {
-      if (!document_.is_object(light)) continue;
-      const std::string type = model::string_member(document_, light, "type");
+      const bool is_object = document_.is_object(light);
+      const std::string type =
+          is_object ? model::string_member(document_, light, "type") : std::string();
+      directional.push_back(type == "directional");
       note_if(type == "directional", "light.directional", light);
       note_if(type == "point", "light.point", light);
       note_if(type == "spot", "light.spot", light);
+    }
+    find_lit_nodes(directional);
+  }
+
+  void find_lit_nodes(const std::vector<bool>& directional) {
+    std::size_t count = 0, suns = 0;
+    for (const model::Node& node : views_.nodes) {
+      if (node.object == json::kNoNode) continue;
+      const NodeId extension = model::extension_object(document_, node.object, kLights);
+      const auto light = model::unsigned_member(document_, extension, "light");
+      if (!light || *light >= directional.size()) continue;
+      ++count;
+      note_if(count > 4, "light.lights-over-4", node.object);
+      note_if(count > 8, "light.lights-over-8", node.object);
+      note_if(count > 16, "light.lights-over-16", node.object);
+      if (directional[*light]) note_if(++suns > 1, "light.several-directional", node.object);
     }
   }
 
@@ -221,8 +266,8 @@ class SceneFeatures {
   const json::Document& document_;
   const model::Views& views_;
   Features& features_;
-  bool scales_, special_names_;  // whether a target depends on it
-  std::vector<bool> meshes_;     // by mesh: whether a node uses it
+  bool scales_, places_, special_names_;  // whether a target depends on it
+  std::vector<bool> meshes_;              // by mesh: whether a node uses it
   json::KeyId name_key_;
   std::set<std::uint32_t> skins_;
 };

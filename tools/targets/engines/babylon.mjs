@@ -105,6 +105,8 @@ function facts(B, container, images) {
   }));
   const nodes = [...container.transformNodes, ...container.meshes];
   found.moved = container.animationGroups.flatMap(group => group.targetedAnimations.map(({ target }) => nodes.indexOf(target)));
+  found.animations = container.animationGroups.map(it => it.name);
+  found.lights = Math.min(container.lights.length, ...container.materials.map(it => it.maxSimultaneousLights ?? Infinity));
   for (const list of [found.names, found.nodes]) list.sort();
   return { ...corners(parts), ...found, images: images.sort() };
 }

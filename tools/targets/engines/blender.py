@@ -155,6 +155,8 @@ def facts():
         "nodes": sorted([it.name, [round(number(x), 3) for row in it.matrix_world for x in row]] for it in bpy.data.objects),
         "moved": sorted(it.data.name if it.data else it.name for it in bpy.data.objects
                         if it.animation_data and (it.animation_data.action or it.animation_data.nla_tracks)),
+        "animations": sorted(track.name for it in bpy.data.objects if it.animation_data for track in it.animation_data.nla_tracks),
+        "lights": sum(it.type == "LIGHT" for it in bpy.data.objects),
         "morphs": [len(it.shape_keys.key_blocks) - 1 if it.shape_keys else 0 for it in bpy.data.meshes],
         "tracks": sorted([[path.split(".")[-1], index, [[round(x, 2) if isinstance(x, float) else x for x in key[:3]] for key in keys]] for it in bpy.data.actions for path, index, keys in curves(it)]),
         "images": sorted(pixels(it) for it in bpy.data.images),

@@ -72,6 +72,8 @@ function methods(property) {
 function facts(root) {
   const parts = [];
   const found = { names: root.listNodes().map(it => it.getName()), morphs: [], images: root.listTextures().map(it => it.getImage() && hash(it.getImage())).sort() };
+  found.animations = root.listAnimations().map(it => it.getName());
+  found.lights = root.listNodes().filter(it => it.getExtension('KHR_lights_punctual')).length;
   const scene = root.getDefaultScene() ?? root.listScenes()[0];
   scene?.traverse(node => {
     const m = node.getWorldMatrix();

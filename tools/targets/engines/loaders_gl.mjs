@@ -62,6 +62,8 @@ function facts(gltf) {
   };
   for (const node of gltf.scene?.nodes ?? []) visit(node, v => v);
   found.nodes = found.names;
+  found.animations = (gltf.animations ?? []).map(it => it.name);
+  found.lights = (gltf.nodes ?? []).filter(it => it.light !== undefined).length;
   found.tracks = (gltf.animations ?? []).flatMap(({ channels, samplers }) => channels.map(channel => {
     const sampler = samplers[channel.sampler];
     const list = index => { const it = gltf.accessors[index]; return Array.from({ length: it.count }, (_, i) => values(it)(i).map(v => v.toFixed(2))); };

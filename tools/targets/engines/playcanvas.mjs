@@ -65,11 +65,12 @@ const semantics = { POSITION: 'POSITION', NORMAL: 'NORMAL', TANGENT: 'TANGENT', 
 
 function facts(pc, root, parts) {
   const list = [];
-  const found = { names: [], morphs: [], nodes: [], skin: [], images: [...decoded].sort() };
+  const found = { names: [], morphs: [], nodes: [], skin: [], lights: 0, images: [...decoded].sort() };
   const readable = new Map();
   root.forEach(node => {
     found.names.push(node.name);
     found.nodes.push(`${node.name} ${Array.from(node.getWorldTransform().data, v => v.toFixed(3)).join(' ')}`);
+    if (node.light) found.lights += 1;
     for (const instance of node.render?.meshInstances ?? []) {
       const mesh = instance.mesh;
       found.morphs.push(mesh.morph?.targets.length ?? 0);
@@ -96,6 +97,7 @@ function facts(pc, root, parts) {
     const text = values => Array.from(values, v => Number(v).toFixed(2));
     return track.curves.map(curve => `${curve.paths.map(path => path.propertyPath ?? path).join()} ${curve.interpolation} ${text(track.inputs[curve.input]._data ?? track.inputs[curve.input].data)} ${text(track.outputs[curve.output]._data ?? track.outputs[curve.output].data)}`);
   });
+  found.animations = (parts.animations ?? []).map(asset => asset.resource.name);
   found.moved = moved(pc, root, parts.animations ?? []);
   return { ...corners(list), ...found };
 }

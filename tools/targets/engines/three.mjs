@@ -88,10 +88,11 @@ const getters = ['getX', 'getY', 'getZ', 'getW'];
 
 function facts(THREE, { scene, animations }) {
   const parts = [];
-  const found = { names: [], morphs: [], skin: [], nodes: [] };
+  const found = { names: [], morphs: [], skin: [], nodes: [], animations: animations.map(it => it.name), lights: 0 };
   scene?.traverse(object => {
     found.names.push(object.name);
     found.nodes.push(`${object.name} ${object.matrixWorld.elements.map(v => v.toFixed(3)).join(' ')}`);
+    if (object.isLight) found.lights += 1;
     if (!object.geometry) return;
     const { attributes, index, morphAttributes } = object.geometry;
     found.morphs.push(morphAttributes.position?.length ?? 0);

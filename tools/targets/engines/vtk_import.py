@@ -151,6 +151,7 @@ def answer(path):
         dump = {"actors": [actor_of(it) for it in actors], "lights": [getters(it, LIGHT) for it in lights], "cameras": cameras, "animations": animations}
         return {"dump": json.dumps(dump, sort_keys=True),
                 "facts": {"parts": [p for it in actors for p in (part(it) or [])], "tracks": [it[1] for it in animations],
+                          "animations": [it[0] for it in animations], "lights": len(lights),
                           "moved": moved(animations, len(actors)),
                           "images": sorted(json.dumps(t[:2]) for it in actors for t in textures(it.GetProperty()).values()),
                           "pixels": [samples(it.GetProperty().GetTexture("albedoTex")) for it in actors if it.GetProperty().GetTexture("albedoTex")]}}

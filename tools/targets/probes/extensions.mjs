@@ -35,7 +35,8 @@ const set = (object, name, value) => { object.extensions = { ...object.extension
 
 // A model with an extension on its material. Companions are extensions that it needs to show.
 function material(name, value, members = {}, companions = {}, behind = false) {
-  const asset = model({ material: members });
+  const only = ['POSITION', 'NORMAL', 'TEXCOORD_0', ...(name === 'KHR_materials_anisotropy' ? ['TANGENT'] : [])];
+  const asset = model({ material: members, only });
   for (const [other, content] of Object.entries(companions)) {
     set(asset.json.materials[0], other, content);
     asset.uses(other);
@@ -81,7 +82,7 @@ export function imageBy(name, file, mimeType, fallback) {
     delete twin.json.materials[0].pbrMetallicRoughness.baseColorTexture;
   }
   set(asset.json.textures[0], name, { source: asset.image(picture(file), file, { mimeType }) });
-  return { asset, twin };
+  return { asset, twin, ...(!fallback && { like: textured() }) };
 }
 
 const instances = () => added(model(), asset => {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Probes of containers, URIs, images and versions.
 import { readFileSync } from 'node:fs';
-import { colors, model, square, textured } from './models.mjs';
+import { colors, model, sharp, square, textured } from './models.mjs';
 import { png, quadrants } from './png.mjs';
 import { imageBy } from './extensions.mjs';
 
@@ -36,7 +36,6 @@ const dataImage = () => stored(textured, asset => {
 
 // An asset with a picture of another encoding; its twin has the plain one.
 const encoded = (image, uri = 'colors.png') => like(textured({ image, uri }), textured(), 'pixels');
-const sharp = { magFilter: 9728, minFilter: 9728 };  // without blur, which depends on the size of an image
 const size = [16, 16];
 const faded = [255, 90, 200, 0];
 const translucent = options => {
@@ -96,6 +95,7 @@ export const files = {
   'uri.data-gltf-buffer': () => like(Object.assign(laid('embedded'), { bufferType: 'application/gltf-buffer' }), model(), 'corners'),
   'uri.data-image': dataImage,
   'uri.percent-encoded': () => stored(model, asset => { asset.bufferUri = 'data%20of%20it.bin'; }),
+  'uri.percent-encoded-image': () => imageUri('colors%20of%20it.png'),
   'uri.space': () => stored(model, asset => { asset.bufferUri = 'data of it.bin'; }),
   'uri.non-ascii': () => imageUri('färben.png'),
   // The address that the harness serves each asset at.
@@ -133,7 +133,8 @@ function besideFallback(file) {
 
 // An image in a file, whose format only its name and bytes give.
 function untyped(name, file, mimeType) {
-  const [asset, twin] = [0, 1].map(() => imageBy(name, file, mimeType, false).asset.uses(name, true));
+  const [it, other] = [0, 1].map(() => imageBy(name, file, mimeType, false));
+  const [asset, twin] = [it, other].map(made => made.asset.uses(name, true));
   delete asset.json.images[0].mimeType;
-  return { ...like(asset, twin, 'images'), of: name };
+  return { ...like(asset, twin, 'images'), of: name, like: it.like };
 }

@@ -83,6 +83,22 @@ const mode = (code, indices, plainMode, plainIndices) => ({
   same: ['corners'],
 });
 
+// The corners are the last of more vertices than 16 bits can count.
+function manyVertices() {
+  const [shape, first] = [square(), 65536];
+  const filled = (values, filler) => [...Array.from({ length: first }, () => filler).flat(), ...values];
+  const many = { POSITION: filled(shape.POSITION, [0, 0, 0]), NORMAL: filled(shape.NORMAL, [0, 0, 1]), TEXCOORD_0: filled(shape.TEXCOORD_0, [0, 0]), indices: shape.indices.map(i => i + first) };
+  return { asset: made(many, {}, { indices: 5125 }), twin: made(shape), same: ['corners'] };
+}
+
+// The same square, from positions that single precision holds in steps of 1/4, and a node that moves it back.
+function farPositions() {
+  const away = 4e6;
+  const asset = made({ ...square(), POSITION: square().POSITION.map(v => v + away) });
+  asset.json.nodes[0].translation = [-away, -away, -away];
+  return { asset, twin: made(square()), same: ['corners'] };
+}
+
 const byte = kind => ({ ...kind, normalized: true });
 const ramp = [1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0];
 const ramp4 = [1, 0, 0, 1, 0, 1, 0, 0.2, 0, 0, 1, 1, 1, 1, 0, 0.6];
@@ -177,6 +193,7 @@ export const geometry = {
   'index.uint8': () => ({ asset: made(square(), {}, { indices: 5121 }), twin: made(square()), same: ['corners'] }),
   'index.uint16': () => ({ asset: made(square()), twin: made({ ...square(), ...unrolled() }, {}, { indices: 0 }), same: ['corners'] }),
   'index.uint32': () => ({ asset: made(square(), {}, { indices: 5125 }), twin: made(square()), same: ['corners'] }),
+  'primitive.vertices-over-65536': manyVertices,
   'primitive.points': () => ({ ...mode(0, [0, 1, 2, 3, 4], 4, [0, 1, 2]), same: undefined, differs: ['points'] }),
   'primitive.lines': () => ({ ...mode(1, [0, 1, 2, 3], 4, [0, 1, 2]), same: undefined, differs: ['lines'] }),
   'primitive.line-loop': () => mode(2, [0, 1, 2, 3], 1, [0, 1, 1, 2, 2, 3, 3, 0]),
@@ -191,6 +208,7 @@ export const geometry = {
   }),
   'mesh.several-primitives': () => twinned(() => model(), asset => mesh(asset).primitives.push(primitive(asset, square(0.5, 2)))),
   'mesh.attributes-shared': () => ({ asset: shared(), twin: model({ shape: square() }), same: ['corners'] }),
+  'attribute.position-over-million': farPositions,
   'attribute.texcoord-1': () => withAttribute('TEXCOORD_1', uv, { type: 'VEC2' }),
   'attribute.texcoord-2': () => withAttribute('TEXCOORD_2', uv, { type: 'VEC2' }, sets(1)),
   'attribute.texcoord-4': () => withAttribute('TEXCOORD_4', uv, { type: 'VEC2' }, sets(3)),

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// All probes: [{ name, feature, mode, asset, twin, renamed?, of?, same?, differs?, names?, seen }].
+// All probes: [{ name, feature, mode, asset, twin, renamed?, of?, same?, differs?, names?, among?, like?, seen }].
 //   same:    facts that must be equal for the asset and its twin, which means the same without the feature
 //   differs: facts of which at least one must differ from the twin; without it, any object of the engine
-//   names:   names that must be among the facts, each as often as here
+//   names:   names that must be in the list `among` of facts (names), each as often as here
 //   renamed: the asset with an unknown extension in place of the probed one; with `of`, the twin
 //   of:      the extension that the feature is a part of; an engine that ignores it says nothing about the feature
+//   like:    an asset whose picture is about that of the probe: some engines draw what they cannot read in a color of their own
 //   seen:    whether a picture at rest can show it
 import { extensions } from './extensions.mjs';
 import { files } from './files.mjs';
@@ -18,7 +19,7 @@ export const asIfNamed = (name, text) => text.replaceAll(stranger(name), name).r
 
 // Features that no picture at rest shows.
 const unseen = [/^animation\./, /^attribute\.(custom|color-1|texcoord-[0-9]|tangent)$/, /^morph\.target-names$/, /^node\.name/, /^extras$/,
-  /^scene\.several$/, /^asset\.min/, /^camera\./, /^node\.negative-scale$/, /^morph\.(normal|tangent|texcoord)$/, /^texture\.sampler-no-mipmaps$/, /^primitive\.no-material$/, /^material\.occlusion/,
+  /^scene\.several$/, /^asset\.min/, /^camera\./, /^node\.negative-scale$/, /^morph\.(normal|tangent|texcoord)$/, /^texture\.sampler-no-mipmaps$/, /^primitive\.no-material$/, /^material\.(occlusion|blended-sheen-specular)/,
   /^(AGI_|FB_|GRIFFEL_|GODOT_|KHR_XMP|KHR_xmp|KHR_interactivity|KHR_node_(hover|select)ability|KHR_animation_pointer|KHR_materials_variants|EXT_mesh_manifold|MPEG_|MSFT_lod|EXT_(structural_metadata|(mesh|instance)_features))/, /^structural-metadata\./];
 
 // The asset with another name for the extension, used but not required.
@@ -30,12 +31,12 @@ function renamed(asset, name) {
 }
 
 function extensionProbe(name, mode, make) {
-  const { asset, twin, same } = make();
+  const { asset, twin, same, like } = make();
   for (const other of ['KHR_materials_transmission', 'KHR_materials_volume', 'KHR_materials_clearcoat'])
     if (JSON.stringify(twin.json).includes(`"${other}"`)) twin.uses(other);
   asset.json.extensionsUsed = [...(twin.json.extensionsUsed ?? [])];
   asset.uses(name, mode !== 'used');
-  return { name: `${name} ${mode}`, feature: name, mode, asset, twin, same, ...(!same && { renamed: renamed(asset, name) }) };
+  return { name: `${name} ${mode}`, feature: name, mode, asset, twin, same, like, ...(!same && { renamed: renamed(asset, name) }) };
 }
 
 export function probes() {

@@ -81,6 +81,7 @@ export function texture(asset, { image = colors(), uri = 'colors.png', sampler, 
     ...(sampler && { sampler: asset.add('samplers', sampler) }),
   });
 }
+export const sharp = { magFilter: 9728, minFilter: 9728 };  // without blur, which depends on the size of an image
 export const colors = (size = [16, 16]) => png({ size, at: quadrants(size) });
 
 // A model whose base color comes from a texture. slot: members of the texture slot.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Probes of scenes, nodes, cameras, animations, materials, textures and unknown extensions.
 import { inlinedTechnique, lights, metadata, technique } from './extensions.mjs';
-import { model, place, primitive, square, texture, textured } from './models.mjs';
+import { colors, model, place, primitive, sharp, square, texture, textured } from './models.mjs';
 import { png, quadrants } from './png.mjs';
 
 const twinned = (make, change, more = {}) => {
@@ -53,10 +53,10 @@ function camera(content, extra = {}) {
 const perspective = (more = {}) => ({ type: 'perspective', perspective: { yfov: 0.7, znear: 0.1, aspectRatio: 1.5, ...more } });
 
 const wraps = (wrap, of = {}) => twinned(() => wrapped(10497, of), asset => { Object.assign(asset.json.samplers[0], wrap); });
-function wrapped(wrap, sampler) {
+function wrapped(wrap, sampler, image) {
   const shape = square();
   shape.TEXCOORD_0 = shape.TEXCOORD_0.map(v => v * 3 - 1);
-  return textured({ sampler: { wrapS: wrap, wrapT: wrap, magFilter: 9729, minFilter: 9987, ...sampler } }, { shape });
+  return textured({ image, sampler: { wrapS: wrap, wrapT: wrap, magFilter: 9729, minFilter: 9987, ...sampler } }, { shape });
 }
 
 // A model with a texture in a slot; set() puts the slot into the material.
@@ -107,6 +107,7 @@ export const scene = {
   'node.name-doubled': () => twinned(() => animated('translation', slide, { of: two(), target: { node: 1, path: 'translation' } }), asset => { asset.json.nodes[1].name = 'Node0'; }, { same: ['moved'] }),
   'node.name-special': () => ({ asset: model({ node: { name: 'arm.[left]:/a' } }), twin: model({ node: { name: 'arm' } }), names: ['arm.[left]:/a'] }),
   extras: () => twinned(() => model(), asset => { node(asset).extras = { weight: 12, tags: ['a'] }; }),
+  'node.translation-over-million': () => ({ asset: below(16e6, -16e6 + 0.5), twin: below(0, 0.5), same: ['corners'] }),
   'camera.perspective': () => camera(perspective({ zfar: 50 })),
   'camera.orthographic': () => camera({ type: 'orthographic', orthographic: { xmag: 2, ymag: 1.5, znear: 0.1, zfar: 50 } }),
   'camera.infinite': () => camera(perspective()),
@@ -122,6 +123,9 @@ export const scene = {
     asset: animated('weights', [0, 255], { type: 'SCALAR', componentType: 5121, normalized: true, of: morphing() }),
     twin: animated('weights', [0, 1], { type: 'SCALAR', of: morphing() }), same: ['tracks'] }),
   'animation.several': () => ({ asset: animated('scale', [1, 1, 1, 2, 1, 1], { of: animated('translation', slide) }), twin: animated('translation', slide) }),
+  'animation.name': () => twinned(() => animated('translation', slide), asset => { asset.json.animations[0].name = 'Walk'; }, { names: ['Walk'], among: 'animations' }),
+  'animation.name-doubled': () => twinned(() => animated('scale', [1, 1, 1, 2, 1, 1], { of: animated('translation', slide) }),
+    asset => { for (const it of asset.json.animations) it.name = 'Walk'; }, { names: ['Walk', 'Walk'], among: 'animations' }),
   'animation.single-key': () => still('translation', [1, 2, 0], { times: [0] }),
   'animation.late-start': () => ({ asset: animated('translation', slide, { times: [1, 2] }), twin: animated('translation', slide) }),
   'animation.no-target': () => ({ asset: animated('translation', slide, { target: { path: 'translation' } }), twin: model() }),
@@ -137,6 +141,7 @@ export const scene = {
   'material.occlusion-texture': () => slot((it, index) => { it.occlusionTexture = { index }; }),
   'material.occlusion-strength': () => slotOf('occlusionTexture', {}, { strength: 0.2 }),
   'material.emissive-texture': () => slot((it, index) => { it.emissiveTexture = { index }; }, { material: { emissiveFactor: [1, 1, 1] } }),
+  'material.blended-sheen-specular': () => twinned(() => clothed(), asset => { material(asset).alphaMode = 'BLEND'; }),
   'texture.no-source': () => twinned(() => model({ shape: square() }), asset => {
     material(asset).pbrMetallicRoughness.baseColorTexture = { index: asset.add('textures', {}) };
   }),
@@ -146,12 +151,16 @@ export const scene = {
   'texture.sampler-mirrored': () => wraps({ wrapS: 33648, wrapT: 33648 }),
   'texture.sampler-nearest': () => wraps({ magFilter: 9728 }),
   'texture.sampler-no-mipmaps': () => wraps({ minFilter: 9729 }),
+  'image.non-power-of-two-repeated': () => ({ asset: wrapped(10497, sharp, colors([48, 40])), twin: wrapped(10497, sharp), same: ['pixels'] }),
   'texture-transform.texcoord': () => transformed({ texCoord: 1 }),
   'texture-transform.rotation': () => transformed({ rotation: 0.6 }),
   'texture-transform.other-slots': () => transformed({ offset: [0.6, 0.7], scale: [3, 2] }, true),
   'light.directional': () => lit('directional'),
   'light.point': () => lit('point'),
   'light.spot': () => lit('spot'),
+  ...Object.fromEntries([4, 8, 16].map(n => [`light.lights-over-${n}`, () => lamps(n, { type: 'point', intensity: 0.5 }, { type: 'point', intensity: 60 })])),
+  // The second one is weaker, for engines with room for the strongest.
+  'light.several-directional': () => lamps(1, { type: 'directional', intensity: 4 }, { type: 'directional', intensity: 2 }),
   'techniques.shader-uri': () => required('KHR_techniques_webgl', inlinedTechnique().asset, technique().asset),
   'structural-metadata.boolean': () => column({ type: 'BOOLEAN' }, { values: Uint8Array.of(2) }),
   'structural-metadata.enum': () => column({ type: 'ENUM', enumType: 'kind' }, { values: Uint16Array.of(0, 1) },
@@ -168,6 +177,28 @@ function lit(type) {
   const { asset, twin } = lights[type]();
   asset.uses('KHR_lights_punctual');
   return { asset, twin };
+}
+
+const clothed = () => model({ material: { extensions: { KHR_materials_sheen: { sheenColorFactor: [0.9, 0.2, 0.9] }, KHR_materials_specular: { specularFactor: 0.5 } } } })
+  .uses('KHR_materials_sheen').uses('KHR_materials_specular');
+
+// So many lights of one kind, and one more, which shows.
+function lamps(count, kind, last) {
+  const asset = model().uses('KHR_lights_punctual');
+  asset.json.extensions = { KHR_lights_punctual: { lights: [{ ...kind, name: 'Lamp' }, { ...last, name: 'Last', color: [1, 0.2, 0.1] }] } };
+  const hang = (name, light, place) => scenes(asset)[0].nodes.push(asset.add('nodes', { name, translation: place, rotation: [-0.5, 0, 0, Math.sqrt(0.75)], extensions: { KHR_lights_punctual: { light } } }));
+  for (let i = 0; i < count; ++i) hang(`Lamp${i}`, 0, [2 * Math.cos(i), 2, 2 * Math.sin(i)]);
+  const twin = asset.copy();
+  twin.json.extensions.KHR_lights_punctual.lights.pop();
+  hang('Last', 1, [1, 1, 2]);
+  return { asset, twin, differs: ['lights'], of: 'KHR_lights_punctual' };
+}
+
+// A model below a node, each moved along x.
+function below(first, second) {
+  const asset = model({ shape: square(), node: { translation: [second, 0, 0] } });
+  scenes(asset)[0].nodes = [asset.add('nodes', { name: 'Root', translation: [first, 0, 0], children: [0] })];
+  return asset;
 }
 
 function chosen(index) {
