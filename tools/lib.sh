@@ -18,7 +18,7 @@ package_packages=(libtinygltf-dev libopenimageio-dev dpkg-dev file gzip)  # for 
 slurm_packages=(slurm-wlm slurm-wlm-basic-plugins munge python3)  # only for nightly
 oracle_packages=(python3-jsonschema)  # only for nightly
 page_packages=(chromium npm)  # large: only for nightly
-target_packages=(blender chromium python3-numpy assimp-utils python3-vtk9 npm)  # engines; only for nightly
+target_packages=(blender chromium python3-numpy assimp-utils python3-vtk9 python3-open3d godot3-server npm)  # engines; only for nightly
 web_packages=(chromium firefox-esr npm python3)
 cycles_packages=(blender python3-numpy)  # the importer of glTF needs NumPy; only for nightly
 

@@ -269,8 +269,8 @@ TEST(Target, NamesMatterWhereAnAnimationMovesOneOfThem) {
             Lines{"warning TARGET_IGNORES /nodes/0"});
 }
 
-// Measured: three.js renames the second node of a name before it binds; Assimp and PlayCanvas bind
-// by name. These engines with skinning map JOINTS_0 only.
+// Measured: three.js renames the second node of a name before it binds; Assimp, Godot and
+// PlayCanvas bind by name. These engines with skinning map JOINTS_0 only.
 TEST(Target, NodesAndJointsInTheEnginesThatWereMeasured) {
   const auto ignoring = [](const std::string& members, const std::string& title) {
     std::string names;
@@ -284,9 +284,9 @@ TEST(Target, NodesAndJointsInTheEnginesThatWereMeasured) {
   };
   EXPECT_EQ(ignoring(R"("nodes": [{"name": "a"}, {"name": "a"}], )" + kMove,
                      target_features().at("node.name-doubled").title),
-            "assimp playcanvas ");
+            "assimp godot playcanvas ");
   EXPECT_EQ(ignoring(kEightInfluences, target_features().at("attribute.joints-1").title),
-            "model-viewer playcanvas three-plain three ");
+            "filament godot model-viewer playcanvas three-plain three ");
 }
 
 // "ENGINE ignores TITLE".

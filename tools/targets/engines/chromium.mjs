@@ -9,8 +9,8 @@ export const limit = 60000;
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.mjs': 'text/javascript', '.json': 'application/json', '.wasm': 'application/wasm', '.png': 'image/png', '.jpg': 'image/jpeg', '.css': 'text/css', '.gltf': 'model/gltf+json', '.glb': 'model/gltf-binary' };
 
 // page: the text of the page, whose window.show(address) gives the pixels of a picture (RGBA, in base64) or throws.
-// folder: served below /package/.
-export async function browser({ page, folder, tools }) {
+// folder: served below /package/. broken(error): whether the page is of no use after an error.
+export async function browser({ page, folder, tools, broken = () => false }) {
   let files = new Map();
   let outside = null;  // an address outside of this server
   const server = createServer((request, response) => {
@@ -49,6 +49,7 @@ export async function browser({ page, folder, tools }) {
       await start();
       throw new Error(`harness: ${address} is outside`);
     }
+    if (answer.error && broken(answer.error)) await start();
     if (answer.error) throw new Error(answer.error);
     return { picture: Buffer.from(answer.picture, 'base64') };
   } };
