@@ -85,7 +85,7 @@ DecodeError no_thread_here() {
 
 DecodeError no_avif() {
   return {ErrorKind::unavailable,
-          "This installation has no decoder for AVIF images: gltfx was built without libavif."};
+          "This installation does not support AVIF images: gltfx was built without libavif."};
 }
 
 DecodeError no_openimageio() {
@@ -212,12 +212,16 @@ ImageResult Client::resize_elsewhere(const ImageRequest& request) {
   ImageResult decoded = decode_image(whole);
   const auto* image = std::get_if<Image>(&decoded);
   if (image == nullptr || !request.resize.needed(image->width, image->height)) return decoded;
+  return resize_pixels(*image, request);
+}
+
+ImageResult Client::resize_pixels(const Image& image, const ImageRequest& request) {
   Job job = image_job(state_->settings, request);
-  job.raster = raster_of(*image);
-  job.input_bytes = image->pixels.size();
-  add_resize(job, request.resize, image->texels());
-  ImageResult result = result_of<Image>(state_->images, job, image->pixels, request.origin, true);
-  if (auto* resized = std::get_if<Image>(&result)) resized->doubt = image->doubt;
+  job.raster = raster_of(image);
+  job.input_bytes = image.pixels.size();
+  add_resize(job, request.resize, image.texels());
+  ImageResult result = result_of<Image>(state_->images, job, image.pixels, request.origin, true);
+  if (auto* resized = std::get_if<Image>(&result)) resized->doubt = image.doubt;
   return result;
 }
 
@@ -235,13 +239,32 @@ EncodeResult Client::encode_image(const EncodeRequest& request) {
   return result_of<EncodedImage>(state_->images, job, request.pixels, request.origin, true);
 }
 
-EncodeResult Client::transcode_image(const TranscodeRequest& request) {
-  if (auto flaw = flaw_of(request.image.resize)) return *std::move(flaw);
+namespace {
+
+// The whole image of a request, in its own size.
+ImageRequest whole_image(const TranscodeRequest& request) {
   ImageRequest image = request.image;
   image.pixels = true;
   image.normals = false;
   image.level = image.halvings = 0;
   image.resize = {};
+  return image;
+}
+
+void add_format(Job& job, const TranscodeRequest& request, std::uint64_t texels) {
+  job.task = Task::transcode;
+  job.encoded = request.format;
+  job.quality = request.quality;
+  job.options = request.options;
+  add_encoding(job, texels);
+}
+
+}  // namespace
+
+EncodeResult Client::transcode_image(const TranscodeRequest& request) {
+  if (auto flaw = flaw_of(request.image.resize)) return *std::move(flaw);
+  if (request.format == EncodedFormat::avif) return transcode_to_avif(request);
+  const ImageRequest image = whole_image(request);
   std::span<const std::byte> payload = image.bytes;
   ImageResult decoded;
   Job job = image_job(state_->settings, image);
@@ -256,16 +279,39 @@ EncodeResult Client::transcode_image(const TranscodeRequest& request) {
     job.input_bytes = payload.size();
     texels = whole.texels();
   }
-  job.task = Task::transcode;
   add_resize(job, request.image.resize, texels);
-  job.encoded = request.format;
-  job.quality = request.quality;
-  job.options = request.options;
-  add_encoding(job, texels);
+  add_format(job, request, texels);
   if (!is_consistent(job)) {
     return DecodeError{ErrorKind::unsupported, "The format does not support this quality."};
   }
   return result_of<EncodedImage>(state_->images, job, payload, image.origin, true);
+}
+
+// The encoder of AVIF is in a program that neither decodes other formats nor resizes.
+EncodeResult Client::transcode_to_avif(const TranscodeRequest& request) {
+  if (auto missing = state_->find_missing(ImageFormat::avif)) return *std::move(missing);
+  ImageRequest request_of_image = whole_image(request);
+  ImageResult decoded = decode_image(request_of_image);
+  if (auto* error = std::get_if<DecodeError>(&decoded)) return std::move(*error);
+  const Raster source = raster_of(*std::get_if<Image>(&decoded));
+  if (request.image.resize.needed(source.width, source.height)) {
+    request_of_image.resize = request.image.resize;
+    decoded = resize_pixels(*std::get_if<Image>(&decoded), request_of_image);
+    if (auto* error = std::get_if<DecodeError>(&decoded)) return std::move(*error);
+  }
+  const Image& image = *std::get_if<Image>(&decoded);
+  if (!image.doubt.empty()) return DecodeError{ErrorKind::malformed, image.doubt};
+  Job job = limited_job(state_->settings, Task::transcode, image.pixels.size());
+  job.raster = raster_of(image);
+  job.max_pixels = image.texels();
+  add_format(job, request, image.texels());
+  if (!is_consistent(job)) {
+    return DecodeError{ErrorKind::unsupported, "The format does not support this quality."};
+  }
+  EncodeResult result =
+      result_of<EncodedImage>(state_->avif_images, job, image.pixels, request.image.origin, true);
+  if (auto* encoded = std::get_if<EncodedImage>(&result)) encoded->source = source;
+  return result;
 }
 
 void Client::prepare_images() {

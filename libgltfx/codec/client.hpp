@@ -197,7 +197,7 @@ struct Raster {
 };
 
 /// An image to encode. PNG supports 8 and 16 bits; JPEG 8 bits with 1 or 3 channels; WebP 8 bits,
-/// with grey as RGB, and animations; EXR floats.
+/// with grey as RGB, and animations; EXR floats. Only transcoding supports KTX2 and AVIF.
 struct EncodeRequest {
   EncodedFormat format = EncodedFormat::png;
   Raster raster;
@@ -208,7 +208,9 @@ struct EncodeRequest {
   EncodeOptions options = {};
 };
 
-/// An image file to decode, resize and encode again: its pixels stay in the worker.
+/// An image file to decode, resize and encode again: its pixels stay in the worker, unless the
+/// format is AVIF. For KTX2, `image.resize` says how mipmap levels are made, and sides become
+/// multiples of 4, at least 4 and otherwise at most `max_side`.
 struct TranscodeRequest {
   ImageRequest image;  ///< `pixels`, `normals`, `level` and `halvings` are ignored
   EncodedFormat format = EncodedFormat::png;
@@ -274,7 +276,7 @@ class Client {
   /// source; PNG, EXR and lossless WebP must have the same texels. `malformed` if the source has a
   /// `doubt`. `unsupported` if the format does not support the image: JPEG an alpha other than 1,
   /// WebP without loss 16 bits, and others floats. With `quality` or less than lossless, 16 bits
-  /// become 8.
+  /// become 8, as in KTX2. `unavailable` for AVIF if gltfx was built without libavif.
   EncodeResult transcode_image(const TranscodeRequest& request);
   /// Starts to load the decoders of images without waiting, because that takes longer than decoding
   /// most images.
@@ -285,6 +287,8 @@ class Client {
 
  private:
   ImageResult resize_elsewhere(const ImageRequest& request);
+  ImageResult resize_pixels(const Image& image, const ImageRequest& request);
+  EncodeResult transcode_to_avif(const TranscodeRequest& request);
 
   struct State;
   std::unique_ptr<State> state_;

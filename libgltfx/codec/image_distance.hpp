@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace gltfx::codec {
 
@@ -12,6 +13,8 @@ namespace gltfx::codec {
 struct ImageDistance {
   double greatest = 0;
   double mean_square = 0;
+  /// Of normal maps, degrees: 99 % of the vectors turn by at most this angle.
+  std::optional<double> angle = {};
 
   /// Peak signal-to-noise ratio; infinite if there is no error.
   double decibels() const {

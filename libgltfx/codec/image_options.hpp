@@ -35,7 +35,8 @@ struct Resize {
   bool operator==(const Resize&) const = default;
 };
 
-enum class EncodedFormat : std::uint8_t { png, jpeg, webp, exr };
+/// KTX2: UASTC with Zstandard and all mipmap levels, in sRGB if the texels are colours.
+enum class EncodedFormat : std::uint8_t { png, jpeg, webp, exr, ktx2, avif };
 
 struct EncodeOptions {
   /// Lossless WebP: 100 keeps all bits; lower numbers allow small changes of values for better

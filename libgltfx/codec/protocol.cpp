@@ -10,7 +10,7 @@
 namespace gltfx::codec {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x35435847;  // "GXC5": the last character is the version
+constexpr std::uint32_t kMagic = 0x36435847;  // "GXC6": the last character is the version
 
 enum class Kind : std::uint8_t { hello, job, mesh, image, encoded, error };
 
@@ -167,6 +167,8 @@ Frame write_encoded(const EncodedImage& image) {
   if (image.distance) {
     out.number(image.distance->greatest);
     out.number(image.distance->mean_square);
+    out.number(static_cast<std::uint8_t>(image.distance->angle.has_value()));
+    if (image.distance->angle) out.number(*image.distance->angle);
   }
   return out.take();
 }
@@ -183,6 +185,10 @@ EncodedImage read_encoded(FieldReader& in) {
   distance.mean_square = in.number<double>();
   in.require(std::isfinite(distance.greatest) && std::isfinite(distance.mean_square) &&
              distance.greatest >= 0 && distance.mean_square >= 0);
+  if (in.flag()) {
+    distance.angle = in.number<double>();
+    in.require(*distance.angle >= 0 && *distance.angle <= 180);
+  }
   image.distance = distance;
   return image;
 }
@@ -298,7 +304,7 @@ std::optional<Job> read_job(std::span<const std::byte> frame) {
   job.floats = in.flag();
   job.resize = read_resize(in);
   job.raster = read_raster(in);
-  job.encoded = in.name(EncodedFormat::exr);
+  job.encoded = in.name(EncodedFormat::avif);
   job.quality = in.number<std::uint32_t>();
   job.options = read_options(in);
   job.input_bytes = in.number<std::uint64_t>();
@@ -336,6 +342,10 @@ bool format_holds(const Job& job, const Raster& raster) {
       return raster.bits == 8;
     case EncodedFormat::exr:
       return raster.bits == 32;
+    case EncodedFormat::ktx2:
+      return raster.bits == 8 && job.task == Task::transcode;
+    case EncodedFormat::avif:
+      return raster.bits == 8 && job.task == Task::transcode && job.quality > 0;
   }
   return false;
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /// AVIF images through their worker. The tests need libavif, which tools/test installs.
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -129,6 +132,97 @@ TEST(Avif, MoreTexelsThanAskedForAreRefused) {
   const auto* error = std::get_if<DecodeError>(&result);
   ASSERT_NE(error, nullptr);
   EXPECT_EQ(error->kind, ErrorKind::too_large);
+}
+
+// --- Encoding ---
+
+// A ramp in each colour; alpha is 0 or 255.
+std::vector<std::byte> ramps(const Raster& raster) {
+  std::vector<std::byte> texels;
+  for (std::uint32_t i = 0; i < raster.width * raster.height; ++i) {
+    for (std::uint32_t c = 0; c < raster.channels; ++c) {
+      const bool alpha = raster.channels % 2 == 0 && c + 1 == raster.channels;
+      const std::uint32_t value = alpha ? i % 3 / 2 * 255 : (i % raster.width * 2 + c * 40) % 256;
+      texels.insert(texels.end(), raster.bits / 8, static_cast<std::byte>(value));
+    }
+  }
+  return texels;
+}
+
+TranscodeRequest to_avif(const std::vector<std::byte>& png, std::uint32_t quality) {
+  TranscodeRequest request;
+  request.image.bytes = png;
+  request.image.max_pixels = 1U << 20U;
+  request.format = EncodedFormat::avif;
+  request.quality = quality;
+  return request;
+}
+
+EncodedImage avif_of(const TranscodeRequest& request) {
+  return test::value_of(Client::shared().transcode_image(request));
+}
+
+Image image_of(const EncodedImage& file) {
+  const std::string bytes(reinterpret_cast<const char*>(file.bytes.data()), file.size);
+  return test::value_of(decode_avif_bytes(Client::shared(), bytes, 1U << 20U));
+}
+
+TEST(AvifEncoder, KeepsAlphaAndNearlyAllColour) {
+  const Raster raster{64, 48, 4, 8};
+  const std::vector<std::byte> texels = ramps(raster);
+  const EncodedImage file = avif_of(to_avif(test::png_file(raster, texels), 90));
+  EXPECT_EQ(file.source, raster);
+  EXPECT_EQ(file.raster, raster);
+  const Image image = image_of(file);
+  ASSERT_EQ(image.channels, 4U);
+  double squares = 0;
+  double greatest = 0;
+  for (std::size_t i = 0; i < texels.size(); ++i) {
+    const double off = static_cast<double>(texels[i]) - static_cast<double>(image.pixels[i]);
+    if (i % 4 == 3) {
+      ASSERT_EQ(off, 0) << i;
+    }
+    squares += off * off;
+    greatest = std::max(greatest, std::abs(off));
+  }
+  ASSERT_TRUE(file.distance);
+  EXPECT_DOUBLE_EQ(file.distance->mean_square, squares / static_cast<double>(texels.size()));
+  EXPECT_EQ(file.distance->greatest, greatest);
+  EXPECT_GT(file.distance->decibels(), 40);
+}
+
+TEST(AvifEncoder, TakesGreyAndSixteenBits) {
+  for (const Raster& raster : {Raster{16, 16, 1, 8}, Raster{16, 16, 2, 8}, Raster{16, 16, 3, 16}}) {
+    const std::vector<std::byte> png = test::png_file(raster, ramps(raster));
+    const EncodedImage file = avif_of(to_avif(png, 80));
+    EXPECT_EQ(file.source, raster);
+    EXPECT_EQ(file.raster, (Raster{16, 16, raster.channels == 2 ? 4U : 3U, 8}));
+    EXPECT_EQ(image_of(file).channels, file.raster.channels);
+  }
+}
+
+TEST(AvifEncoder, ResizesAndGivesTheSameBytesAgain) {
+  const Raster raster{100, 60, 3, 8};
+  const std::vector<std::byte> png = test::png_file(raster, ramps(raster));
+  TranscodeRequest request = to_avif(png, 60);
+  request.image.resize.max_side = 50;
+  const EncodedImage first = avif_of(request);
+  EXPECT_EQ(first.source, raster);
+  EXPECT_EQ(first.raster, (Raster{50, 30, 3, 8}));
+  const EncodedImage second = avif_of(request);
+  EXPECT_TRUE(
+      std::equal(first.bytes.begin(), first.bytes.end(), second.bytes.begin(), second.bytes.end()));
+}
+
+TEST(AvifEncoder, IsNamedIfItIsMissing) {
+  Settings settings;
+  settings.folder = GLTFX_SOURCE_DIR;  // no programs
+  Client client(settings);
+  const Raster raster{16, 16, 3, 8};
+  const std::vector<std::byte> png = test::png_file(raster, ramps(raster));
+  const DecodeError error = test::error_of(client.transcode_image(to_avif(png, 80)));
+  EXPECT_EQ(error.kind, ErrorKind::unavailable);
+  EXPECT_THAT(error.message, HasSubstr("built without libavif"));
 }
 
 }  // namespace

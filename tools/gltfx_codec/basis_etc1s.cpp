@@ -6,15 +6,11 @@
 namespace gltfx::codec {
 namespace {
 
-// "Intensity modifier sets": the smaller and the larger one.
-constexpr std::array<std::array<int, 2>, 8> kModifiers{
-    {{2, 8}, {5, 17}, {9, 29}, {13, 42}, {18, 60}, {24, 80}, {33, 106}, {47, 183}}};
-
 // One channel of a block by the value of a selector, from dark to bright.
 using Steps = std::array<std::uint8_t, 4>;
 Steps steps_of(const Etc1sEndpoint& endpoint, std::size_t channel) {
   const int base = endpoint.color[channel] << 3 | endpoint.color[channel] >> 2;
-  const auto [small, large] = kModifiers[endpoint.modifiers];
+  const auto [small, large] = kEtc1Modifiers[endpoint.modifiers];
   const auto moved = [base](int by) {
     return static_cast<std::uint8_t>(std::clamp(base + by, 0, 255));
   };

@@ -2,10 +2,16 @@
 /// Texels of ETC1S blocks (Khronos Data Format 1.3, "ETC1S").
 #pragma once
 
+#include <array>
+
 #include "basis_codebooks.hpp"
 #include "texel.hpp"
 
 namespace gltfx::codec {
+
+/// "Intensity modifier sets": the smaller and the larger one.
+inline constexpr std::array<std::array<int, 2>, 8> kEtc1Modifiers{
+    {{2, 8}, {5, 17}, {9, 29}, {13, 42}, {18, 60}, {24, 80}, {33, 106}, {47, 183}}};
 
 /// Writes R, G and B of a block; A does not change.
 void write_etc1s_colors(const Etc1sEndpoint& endpoint, const Etc1sSelector& selector,

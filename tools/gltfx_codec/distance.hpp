@@ -7,7 +7,8 @@
 
 namespace gltfx::codec {
 
-/// Precondition: both have the same size, at least one texel, and 8 or 16 bits per channel.
-ImageDistance distance(const Texels& one, const Texels& other);
+/// Of normal maps with the angle. Precondition: both have the same size, at least one texel, and 8
+/// or 16 bits per channel.
+ImageDistance distance(const Texels& one, const Texels& other, TexelKind kind);
 
 }  // namespace gltfx::codec

@@ -20,6 +20,9 @@ Answer encode_png(const Job& job, std::span<const std::byte> texels, const Outpu
 /// becomes RGB.
 Answer encode_webp(const Job& job, std::span<const std::byte> texels, const Output& output);
 Answer encode_jpeg(const Job& job, std::span<const std::byte> texels, const Output& output);
+/// KTX2 with UASTC and Zstandard, all mipmap levels; `job.resize` says how they are made, and its
+/// kind which transfer function the file has.
+Answer encode_ktx2(const Job& job, std::span<const std::byte> texels, const Output& output);
 /// EXR with floats, losslessly compressed.
 Answer encode_exr(const Job& job, std::span<const std::byte> texels, const Output& output);
 

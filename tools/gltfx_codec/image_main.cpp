@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// gltfx-codec-image: decodes PNG, JPEG, WebP, KTX2, Radiance and EXR for gltfx, makes images
-// smaller, and encodes all but KTX2 and Radiance. gltfx starts it and talks to it over a socket.
+// gltfx-codec-image: decodes PNG, JPEG, WebP, KTX2, Radiance and EXR for gltfx, changes
+// their size, and encodes all but Radiance. gltfx starts it and talks to it over a socket.
 // Workers are forked from it: nothing that it links may start a thread.
 #include "codec/server.hpp"
 #include "transcode.hpp"

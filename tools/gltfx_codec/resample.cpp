@@ -31,8 +31,9 @@ double mitchell(double x) {
 Taps make_taps(const Side& side) {
   Taps taps;
   const double scale = static_cast<double>(side.from) / side.to;
+  const double width = std::max(scale, 1.0);
   // If a side does not change, it is not blurred.
-  const double radius = side.from == side.to ? 0.25 : 2 * scale;
+  const double radius = side.from == side.to ? 0.25 : 2 * width;
   for (std::uint32_t i = 0; i < side.to; ++i) {
     const std::size_t first = taps.weight.size();
     taps.begin.push_back(first);
@@ -40,7 +41,7 @@ Taps make_taps(const Side& side) {
     double sum = 0;
     for (auto at = static_cast<std::int64_t>(std::ceil(center - radius - 0.5));
          static_cast<double>(at) + 0.5 < center + radius; ++at) {
-      const double weight = mitchell((static_cast<double>(at) + 0.5 - center) / scale);
+      const double weight = mitchell((static_cast<double>(at) + 0.5 - center) / width);
       taps.index.push_back(wrapped(at, side.from, side.wrap));
       taps.weight.push_back(static_cast<float>(weight));
       sum += weight;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Averages float texels to fewer ones.
+/// Changes the number of float texels, mostly to fewer ones.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@ namespace gltfx::codec {
 /// Texels along one side, before and after, and the wrapping at its ends.
 struct Side {
   std::uint32_t from = 0;
-  std::uint32_t to = 0;  ///< at most `from`
+  std::uint32_t to = 0;
   Wrap wrap = Wrap::repeat;
 };
 

@@ -27,11 +27,12 @@ constexpr float kLeastLength = 1e-3F;
 
 class Resizer {
  public:
-  Resizer(const Raster& raster, std::span<const std::byte> texels, const Resize& how)
+  Resizer(const Raster& raster, std::span<const std::byte> texels, const Size& size,
+          const Resize& how)
       : from_(raster),
         texels_(texels),
         how_(how),
-        to_(smaller(raster, how.max_side)),
+        to_{size.width, size.height, raster.channels, raster.bits},
         cutoff_(cutoff()) {
     if (raster.bits == 32) return;
     const std::size_t full = full_value();
@@ -51,18 +52,6 @@ class Resizer {
   }
 
  private:
-  static std::uint32_t part(std::uint32_t side, std::uint32_t most, std::uint32_t longest) {
-    const std::uint64_t rounded = (std::uint64_t{side} * most * 2 + longest) / (longest * 2ULL);
-    return static_cast<std::uint32_t>(std::max<std::uint64_t>(rounded, 1));
-  }
-  static Raster smaller(const Raster& from, std::uint32_t most) {
-    Raster to = from;
-    const std::uint32_t longest = std::max(from.width, from.height);
-    to.width = part(from.width, most, longest);
-    to.height = part(from.height, most, longest);
-    return to;
-  }
-
   bool has_alpha() const { return from_.channels % 2 == 0; }
   unsigned colors() const { return from_.channels - (has_alpha() ? 1 : 0); }
   bool vectors() const { return how_.kind == TexelKind::normal && from_.channels >= 3; }
@@ -186,8 +175,20 @@ class Resizer {
 
 }  // namespace
 
-Texels resize(const Raster& raster, std::span<const std::byte> texels, const Resize& how) {
-  return Resizer(raster, texels, how).run();
+Size limited_size(const Raster& raster, const Resize& how) {
+  if (!how.needed(raster.width, raster.height)) return {raster.width, raster.height};
+  const std::uint32_t longest = std::max(raster.width, raster.height);
+  const auto part = [&](std::uint32_t side) {
+    const std::uint64_t doubled = std::uint64_t{side} * how.max_side * 2;
+    const std::uint64_t rounded = (doubled + longest) / (longest * 2ULL);
+    return static_cast<std::uint32_t>(std::max<std::uint64_t>(rounded, 1));
+  };
+  return {part(raster.width), part(raster.height)};
+}
+
+Texels resize(const Raster& raster, std::span<const std::byte> texels, const Size& size,
+              const Resize& how) {
+  return Resizer(raster, texels, size, how).run();
 }
 
 }  // namespace gltfx::codec

@@ -10,7 +10,10 @@ namespace gltfx::codec {
 
 using Texel = std::array<std::uint8_t, 4>;  ///< R, G, B and A
 
+inline constexpr std::size_t kAlpha = 3;
+
 inline constexpr std::size_t kBlockExtent = 4;
+inline constexpr std::size_t kBlockTexels = kBlockExtent * kBlockExtent;
 
 constexpr std::size_t blocks_along(std::size_t texels) {
   return (texels + kBlockExtent - 1) / kBlockExtent;

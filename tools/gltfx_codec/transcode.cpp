@@ -42,6 +42,8 @@ Answer encode(const Job& job, std::span<const std::byte> texels, const Output& o
       return encode_webp(job, texels, output);
     case EncodedFormat::jpeg:
       return encode_jpeg(job, texels, output);
+    case EncodedFormat::ktx2:
+      return encode_ktx2(job, texels, output);
     default:
       return encode_exr(job, texels, output);
   }
@@ -77,9 +79,20 @@ DecodedResult texels_of(const Job& job, std::span<const std::byte> bytes) {
   return decoded;
 }
 
-void shrink(Texels& texels, const Resize& how) {
-  if (!how.needed(texels.raster.width, texels.raster.height)) return;
-  texels = resize(texels.raster, texels.bytes, how);
+// KHR_texture_basisu requires multiples of 4.
+std::uint32_t multiple_of_four(std::uint32_t side, std::uint32_t most) {
+  const std::uint32_t rounded = (side / 4 + (side % 4 >= 2 ? 1 : 0)) * 4;
+  return std::max(most != 0 && rounded > most ? most / 4 * 4 : rounded, 4U);
+}
+
+void change_size(Texels& texels, const Job& job, bool blocks) {
+  Size size = limited_size(texels.raster, job.resize);
+  if (blocks) {
+    size = {multiple_of_four(size.width, job.resize.max_side),
+            multiple_of_four(size.height, job.resize.max_side)};
+  }
+  if (size == Size{texels.raster.width, texels.raster.height}) return;
+  texels = resize(texels.raster, texels.bytes, size, job.resize);
 }
 
 Answer hand_over_pixels(Decoded decoded, const Job& job, const Output& output) {
@@ -99,9 +112,10 @@ Answer hand_over_pixels(Decoded decoded, const Job& job, const Output& output) {
   return image;
 }
 
-// The form of texels in an encoded file: WebP has no grey.
+// The form of texels in an encoded file: WebP and KTX2 have no grey.
 Raster raster_in_file(const Job& job, Raster raster) {
-  if (job.encoded == EncodedFormat::webp && raster.channels < 3) raster.channels += 2;
+  const bool grey = job.encoded != EncodedFormat::webp && job.encoded != EncodedFormat::ktx2;
+  if (!grey && raster.channels < 3) raster.channels += 2;
   raster.height /= job.options.frames;
   return raster;
 }
@@ -117,9 +131,11 @@ bool keeps_all(const Job& job) {
 bool drop_alpha(Texels& texels) {
   const std::size_t channels = texels.raster.channels;
   const std::size_t count = texels.bytes.size() / channels;
+  for (std::size_t i = 1; i <= count; ++i) {
+    if (texels.bytes[i * channels - 1] != std::byte{255}) return false;
+  }
   std::size_t to = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    if (texels.bytes[i * channels + channels - 1] != std::byte{255}) return false;
     for (std::size_t c = 0; c + 1 < channels; ++c)
       texels.bytes[to++] = texels.bytes[i * channels + c];
   }
@@ -148,6 +164,7 @@ std::optional<DecodeError> fit(Texels& texels, const Job& job) {
       !drop_alpha(texels)) {
     return refused("JPEG does not support alpha.");
   }
+  if (job.encoded == EncodedFormat::ktx2 && texels.raster.bits == 8 && alpha) drop_alpha(texels);
   if (!format_holds(job, texels.raster)) {
     return refused("The format does not support such images.");
   }
@@ -188,6 +205,10 @@ ImageFormat format_of(EncodedFormat format) {
       return ImageFormat::jpeg;
     case EncodedFormat::webp:
       return ImageFormat::webp;
+    case EncodedFormat::ktx2:
+      return ImageFormat::ktx2;
+    case EncodedFormat::avif:
+      return ImageFormat::avif;
     case EncodedFormat::exr:
       break;
   }
@@ -227,7 +248,7 @@ Answer encode_compared(const Job& job, const Texels& texels, const Texels& wante
     return refused("The encoder does not keep all texels of this image.");
   }
   encoded->raster = raster_in_file(job, texels.raster);
-  if (!keeps_all(job)) encoded->distance = distance(wanted, *again);
+  if (!keeps_all(job)) encoded->distance = distance(wanted, *again, job.resize.kind);
   return answer;
 }
 
@@ -239,7 +260,7 @@ Answer transcode(const Job& job, std::span<const std::byte> bytes, const Output&
   if (!doubt.empty()) return DecodeError{ErrorKind::malformed, doubt};
   Texels& texels = decoded->texels;
   const Raster source = texels.raster;
-  shrink(texels, job.resize);
+  change_size(texels, job, job.encoded == EncodedFormat::ktx2);
   std::optional<Texels> wide;
   if (texels.raster.bits == 16 && !keeps_all(job)) wide = texels;
   if (auto error = fit(texels, job)) return *std::move(error);
@@ -265,7 +286,7 @@ Answer serve_image(const Job& job, std::span<const std::byte> bytes, const Outpu
   DecodedResult result = texels_of(job, bytes);
   auto* decoded = std::get_if<Decoded>(&result);
   if (decoded == nullptr) return std::move(*std::get_if<DecodeError>(&result));
-  shrink(decoded->texels, job.resize);
+  change_size(decoded->texels, job, false);
   return hand_over_pixels(std::move(*decoded), job, output);
 }
 

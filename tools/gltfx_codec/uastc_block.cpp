@@ -9,26 +9,13 @@ namespace gltfx::codec {
 namespace {
 
 constexpr Texel kReservedColor{255, 0, 255, 255};
-constexpr std::size_t kTexels = kBlockExtent * kBlockExtent;
-constexpr std::size_t kAlpha = 3;
 
 void fill(const Texel& color, const BlockTexels& to) {
-  for (std::size_t i = 0; i < kTexels; ++i) to.at(i % kBlockExtent, i / kBlockExtent) = color;
-}
-
-std::size_t subset_of(UastcPattern pattern, std::size_t texel) { return pattern >> 2 * texel & 3U; }
-
-// From 1 to 5 bits to 0..64 ("Unquantizing weights").
-std::uint8_t unquantized_weight(std::uint32_t value, unsigned bits) {
-  std::uint32_t wide = 0;
-  unsigned have = 0;
-  for (; have < 6; have += bits) wide = wide << bits | value;
-  wide >>= have - 6;
-  return static_cast<std::uint8_t>(wide > 32 ? wide + 1 : wide);
+  for (std::size_t i = 0; i < kBlockTexels; ++i) to.at(i % kBlockExtent, i / kBlockExtent) = color;
 }
 
 // Weights of both planes; equal if there is one.
-using Weights = std::array<std::array<std::uint8_t, 2>, kTexels>;
+using Weights = std::array<std::array<std::uint8_t, 2>, kBlockTexels>;
 
 // The highest bit of the first texel of each subset is 0 and is not stored ("anchor indices").
 Weights read_weights(BitReader& bits, const UastcMode& mode, UastcPattern pattern) {
@@ -38,7 +25,7 @@ Weights read_weights(BitReader& bits, const UastcMode& mode, UastcPattern patter
   }
   Weights weights{};
   std::uint32_t met = 0;  // one bit per subset
-  for (std::size_t texel = 0; texel < kTexels; ++texel) {
+  for (std::size_t texel = 0; texel < kBlockTexels; ++texel) {
     const std::uint32_t subset = 1U << subset_of(pattern, texel);
     const unsigned count = mode.weight_bits - ((met & subset) == 0 ? 1U : 0U);
     met |= subset;
@@ -69,7 +56,7 @@ Ends ends_of(const UastcMode& mode, const UastcEndpoints& values, std::size_t su
 // "Decoding pixel values". `own`: the channel of the second plane.
 void interpolate(const std::array<Ends, 3>& ends, const Weights& weights, UastcPattern pattern,
                  std::size_t own, const BlockTexels& to) {
-  for (std::size_t i = 0; i < kTexels; ++i) {
+  for (std::size_t i = 0; i < kBlockTexels; ++i) {
     const Ends& subset = ends[subset_of(pattern, i)];
     Texel& texel = to.at(i % kBlockExtent, i / kBlockExtent);
     for (std::size_t channel = 0; channel < texel.size(); ++channel) {

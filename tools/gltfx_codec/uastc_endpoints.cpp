@@ -8,10 +8,7 @@ namespace {
 
 using DigitsOfValues = std::array<std::uint8_t, kMostEndpointValues>;
 
-// Groups of digits are packed as one number ("Unpacking Trits", "Unpacking Quints").
 DigitsOfValues read_digits(BitReader& bits, Digits digits, std::size_t count) {
-  constexpr std::array<unsigned, 6> kTritBits{0, 2, 4, 5, 7, 8};
-  constexpr std::array<unsigned, 4> kQuintBits{0, 3, 5, 7};
   DigitsOfValues values{};
   if (digits == Digits::none) return values;
   const bool trits = digits == Digits::trits;
@@ -48,7 +45,10 @@ Spread spread_of(Digits digits, unsigned depth, std::uint32_t value) {
   }
 }
 
-std::uint8_t unquantized(Digits digits, unsigned depth, std::uint32_t digit, std::uint32_t value) {
+}  // namespace
+
+std::uint8_t unquantized_endpoint(Digits digits, unsigned depth, std::uint32_t digit,
+                                  std::uint32_t value) {
   if (digits == Digits::none) {
     // Repeated to eight bits.
     const std::uint32_t twice = value << depth | value;
@@ -60,15 +60,13 @@ std::uint8_t unquantized(Digits digits, unsigned depth, std::uint32_t digit, std
   return static_cast<std::uint8_t>((lowest & 0x80U) | sum >> 2U);
 }
 
-}  // namespace
-
 UastcEndpoints read_uastc_endpoints(BitReader& bits, const UastcMode& mode) {
   const std::size_t count = mode.endpoint_values();
   const DigitsOfValues digits = read_digits(bits, mode.digits, count);
   UastcEndpoints endpoints{};
   for (std::size_t i = 0; i < count; ++i) {
-    endpoints[i] =
-        unquantized(mode.digits, mode.endpoint_bits, digits[i], bits.take(mode.endpoint_bits));
+    endpoints[i] = unquantized_endpoint(mode.digits, mode.endpoint_bits, digits[i],
+                                        bits.take(mode.endpoint_bits));
   }
   return endpoints;
 }

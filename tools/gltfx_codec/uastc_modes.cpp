@@ -5,18 +5,15 @@ namespace gltfx::codec {
 namespace {
 
 // "UASTC Mode Index encoding": value and length, by mode; the last one is reserved.
-struct Code {
-  std::uint8_t value, bits;
-};
-constexpr std::array<Code, kUastcModes + 1> kCodes{
+constexpr std::array<UastcPrefix, kUastcModes + 1> kPrefixes{
     {{0x01, 4}, {0x35, 6}, {0x1D, 5}, {0x03, 5}, {0x13, 5}, {0x0B, 5}, {0x1B, 5},
      {0x07, 5}, {0x17, 5}, {0x0F, 5}, {0x02, 3}, {0x00, 2}, {0x06, 3}, {0x1F, 5},
      {0x0D, 5}, {0x05, 7}, {0x15, 6}, {0x25, 6}, {0x09, 4}, {0x45, 7}}};
 
 constexpr std::array<UastcModeCode, 128> code_table() {
   std::array<UastcModeCode, 128> table{};
-  for (std::size_t mode = 0; mode < kCodes.size(); ++mode) {
-    const Code code = kCodes[mode];
+  for (std::size_t mode = 0; mode < kPrefixes.size(); ++mode) {
+    const UastcPrefix code = kPrefixes[mode];
     for (std::size_t i = code.value; i < table.size(); i += std::size_t{1} << code.bits) {
       table[i] = {static_cast<std::uint8_t>(mode), code.bits};
     }
@@ -25,8 +22,8 @@ constexpr std::array<UastcModeCode, 128> code_table() {
 }
 constexpr std::array<UastcModeCode, 128> kModeOfBits = code_table();
 
-// Hints: all for BC1 and ETC1; also those for ETC2; without some for BC1 and ETC1.
-constexpr std::uint8_t kHints = 15, kAlphaHints = 23, kFewHints = 17;
+// Hints: all for BC1 and ETC1; also those for ETC2.
+constexpr std::uint8_t kHints = 15, kAlphaHints = 23, kFewHints = kFewHintBits;
 
 // "Configuration", "Endpoint bits" and "Weights".
 constexpr std::array<UastcMode, kUastcModes> kModes{{
@@ -73,12 +70,22 @@ constexpr std::array<UastcPattern, 11> kThreeSubsets{0xA5A50000, 0xAA005555, 0xA
 
 UastcModeCode uastc_mode_code(std::uint32_t bits) { return kModeOfBits[bits % kModeOfBits.size()]; }
 
+UastcPrefix uastc_prefix(std::size_t mode) { return kPrefixes[mode]; }
+
 const UastcMode& uastc_mode(std::size_t index) { return kModes[index]; }
 
 std::span<const UastcPattern> uastc_patterns(std::size_t mode) {
   if (mode == 3) return kThreeSubsets;
   if (mode == 7) return kTwoSubsetsOfMode7;
   return kTwoSubsets;
+}
+
+std::uint8_t unquantized_weight(std::uint32_t value, unsigned bits) {
+  std::uint32_t wide = 0;
+  unsigned have = 0;
+  for (; have < 6; have += bits) wide = wide << bits | value;
+  wide >>= have - 6;
+  return static_cast<std::uint8_t>(wide > 32 ? wide + 1 : wide);
 }
 
 }  // namespace gltfx::codec
