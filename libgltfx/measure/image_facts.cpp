@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "base/checked.hpp"
 #include "container/uri.hpp"
+#include "image/gpu_memory.hpp"
 #include "image/ktx2.hpp"
 #include "model/texture.hpp"
 
@@ -17,16 +17,6 @@ namespace {
 
 using image::Ktx2;
 using model::RootArray;
-
-// The texels of an image and of all smaller levels down to one texel.
-std::uint64_t texels_of_levels(std::uint64_t width, std::uint64_t height) {
-  std::uint64_t sum = 0;
-  for (;; width = std::max<std::uint64_t>(width / 2, 1),
-          height = std::max<std::uint64_t>(height / 2, 1)) {
-    sum = saturating_add(sum, width * height);
-    if (width <= 1 && height <= 1) return sum;
-  }
-}
 
 std::string encoding_name(const Ktx2& file) {
   switch (file.model) {
@@ -42,22 +32,6 @@ std::string encoding_name(const Ktx2& file) {
   return fmt::format("Vulkan format {}", file.vk_format);
 }
 
-// Transcoded formats take one byte per texel, or half a byte for ETC1S without alpha; all others
-// are kept as stored.
-std::uint64_t gpu_bytes(const Ktx2& file) {
-  const std::uint64_t height = std::max(file.height, 1U);
-  const std::uint64_t count =
-      file.level_count == 1 ? file.width * height : texels_of_levels(file.width, height);
-  const bool alpha = file.contents && image::has_alpha(*file.contents);
-  if (file.model == image::Ktx2Model::etc1s) return alpha ? count : count / 2;
-  if (file.model == image::Ktx2Model::uastc) return count;
-  std::uint64_t sum = 0;
-  for (const image::Ktx2Level& level : file.levels) {
-    sum = saturating_add(sum, std::max(level.uncompressed, level.length));
-  }
-  return sum;
-}
-
 void read_ktx2(const Ktx2& file, ImageFacts& facts) {
   facts.width = file.width;
   facts.height = file.height;
@@ -65,7 +39,7 @@ void read_ktx2(const Ktx2& file, ImageFacts& facts) {
   facts.encoding = encoding_name(file);
   if (file.contents) facts.channels = image::channels_name(*file.contents);
   if (file.described) facts.bits = image::header_of(file).bits;
-  facts.gpu_bytes = gpu_bytes(file);
+  facts.gpu_bytes = image::gpu_bytes(file);
 }
 
 void read_pixels(const model::ImageData& data, ImageFacts& facts) {
@@ -76,8 +50,7 @@ void read_pixels(const model::ImageData& data, ImageFacts& facts) {
   facts.height = data.header->height;
   facts.bits = data.header->bits;
   facts.channels = image::channels_name(data.header->channels);
-  facts.gpu_bytes =
-      checked_mul(texels_of_levels(facts.width, facts.height), 4).value_or(UINT64_MAX);
+  facts.gpu_bytes = image::gpu_bytes(*data.header);
 }
 
 class Reader {

@@ -22,12 +22,13 @@ using image::Format;
 constexpr std::uint32_t kJpegQuality = 90;
 // In place of an image that was lossy before.
 constexpr std::uint32_t kAgainQuality = 95;
+constexpr std::uint32_t kAvifQuality = 80;
 // Level of near-lossless WebP: values differ by at most 2 of 255.
 constexpr std::uint32_t kNearLossless = 60;
 // Limit for images whose size is unknown before decoding.
 constexpr std::uint64_t kMostForeignTexels = std::uint64_t{1} << 26U;
 
-std::optional<EncodedFormat> encoded_format(Format format) {
+EncodedFormat encoded_format(Format format) {
   switch (format) {
     case Format::png:
       return EncodedFormat::png;
@@ -35,14 +36,34 @@ std::optional<EncodedFormat> encoded_format(Format format) {
       return EncodedFormat::jpeg;
     case Format::webp:
       return EncodedFormat::webp;
-    default:
-      return std::nullopt;
+    case Format::ktx2:
+      return EncodedFormat::ktx2;
+    case Format::avif:
+      break;
   }
+  return EncodedFormat::avif;
 }
 
 Format format_of(ImageTarget target) {
-  if (target == ImageTarget::webp) return Format::webp;
-  return target == ImageTarget::jpeg ? Format::jpeg : Format::png;
+  switch (target) {
+    case ImageTarget::webp:
+      return Format::webp;
+    case ImageTarget::jpeg:
+      return Format::jpeg;
+    case ImageTarget::ktx2:
+      return Format::ktx2;
+    case ImageTarget::avif:
+      return Format::avif;
+    default:
+      return Format::png;
+  }
+}
+
+bool has_quality(Format format) { return format != Format::png && format != Format::ktx2; }
+
+codec::TexelKind texel_kind(ImageClass use) {
+  if (use == ImageClass::color) return codec::TexelKind::color;
+  return use == ImageClass::normal ? codec::TexelKind::normal : codec::TexelKind::data;
 }
 
 // RFC 9649: lossy image data is in a chunk of its own.
@@ -180,7 +201,7 @@ class Planner {
       if (legal && context_.allowed && !file_.cmyk) continue;
       const Format format = format_of(conversion.target);
       if (file_.format == format && !file_.cmyk) {
-        if (options_.quality && format != Format::png) {
+        if (options_.quality && has_quality(format)) {
           plan_.left.push_back(
               fmt::format("it is {} already, which --quality would make worse", file_.name));
         }
@@ -189,7 +210,8 @@ class Planner {
       // A core format may be larger than a file that is not allowed or needs an extension.
       const bool stays_core = file_.format && is_core_type(file_.media_type) && !file_.cmyk;
       target_ = {format,
-                 legal || !file_.format || (!stays_core && is_core_type(image::media_type(format))),
+                 legal || !file_.format || format == Format::ktx2 ||
+                     (!stays_core && is_core_type(image::media_type(format))),
                  legal};
       return;
     }
@@ -227,7 +249,7 @@ class Planner {
 
   // Resizes an image without changing its format.
   void try_same() {
-    if (file_.format && encoded_format(*file_.format)) return add({*file_.format, true});
+    if (file_.format) return add({*file_.format, true});
     if (!plan_.attempts.empty()) return;
     plan_.left.push_back(not_encoded());
   }
@@ -242,12 +264,15 @@ class Planner {
     attempt.format = choice.format;
     attempt.may_grow = choice.may_grow;
     codec::TranscodeRequest& request = attempt.request;
-    request.format = *encoded_format(choice.format);
+    request.format = encoded_format(choice.format);
     request.image = image_request();
     request.options.smallest = options_.shrink || choice.format == Format::jpeg;
     if (choice.format == Format::jpeg) {
       request.quality = options_.quality.value_or(kJpegQuality);
       request.options.subsampled = use_.kind == ImageClass::color;
+      attempt.lossy = true;
+    } else if (choice.format == Format::avif || choice.format == Format::ktx2) {
+      if (choice.format == Format::avif) request.quality = options_.quality.value_or(kAvifQuality);
       attempt.lossy = true;
     } else if (choice.format == Format::webp && options_.quality && use_.kind) {
       attempt.lossy = true;
@@ -259,6 +284,7 @@ class Planner {
     }
     attempt.rgb = choice.rgb;
     attempt.may_reduce_bits = options_.quality.has_value() || choice.rgb;
+    if (use_.kind && (attempt.lossy || resized_)) set_resize(request);
     const std::string why = find_refusal(attempt);
     if (why.empty()) return plan_.attempts.push_back(std::move(attempt));
     plan_.left.push_back(fmt::format("not {}: {}", format_name(choice.format), why));
@@ -266,6 +292,9 @@ class Planner {
 
   std::string find_refusal(const ImageAttempt& attempt) const {
     if (attempt.lossy && !use_.kind) return fmt::format("it would lose data, and {}", use_.doubt);
+    if (attempt.format == Format::avif && use_.kind != ImageClass::color) {
+      return "gltfx encodes only colors as AVIF";
+    }
     const bool drops_alpha = attempt.format == Format::jpeg && use_.alpha && file_.header &&
                              image::can_be_transparent(*file_.header);
     if (drops_alpha) return "a texture slot reads its alpha, which the format does not support";
@@ -283,17 +312,19 @@ class Planner {
     request.max_pixels = std::min(
         request.max_pixels, file_.header ? image::texels_of(*file_.header) : kMostForeignTexels);
     request.origin = context_.origin;
-    if (!resized_) return request;
-    codec::Resize& resize = request.resize;
-    resize.max_side = *options_.texture_size;
-    resize.kind = use_.kind == ImageClass::color    ? codec::TexelKind::color
-                  : use_.kind == ImageClass::normal ? codec::TexelKind::normal
-                                                    : codec::TexelKind::data;
+    return request;
+  }
+
+  // Equal files get equal requests, except where the use makes a difference.
+  void set_resize(codec::TranscodeRequest& request) const {
+    codec::Resize& resize = request.image.resize;
+    resize.kind = texel_kind(*use_.kind);
+    if (resized_) resize.max_side = *options_.texture_size;
+    if (!resized_ && request.format != EncodedFormat::ktx2) return;
     resize.weigh_alpha = use_.coverage;
     resize.alpha_cutoff = use_.alpha_cutoff;
     resize.wrap_u = use_.wrap_u;
     resize.wrap_v = use_.wrap_v;
-    return request;
   }
 
   const ImageFile& file_;

@@ -64,14 +64,16 @@ void ImageSources::add(Source source) {
   sources_.push_back(source);
 }
 
-// The texture extension for a format; null: none.
+// The texture extension for a format, the most established one; null: none.
 const Extension* ImageSources::extension_for(std::string_view media_type) const {
   const schema::TypeId texture = graph_.set().find_type("texture");
   const auto& all = graph_.set().extensions();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Extension& extension) {
-    return has_type(extension, media_type) && extension.shape_on(texture) != schema::kNone;
-  });
-  return found == all.end() ? nullptr : &*found;
+  const Extension* best = nullptr;
+  for (const Extension& extension : all) {
+    if (!has_type(extension, media_type) || extension.shape_on(texture) == schema::kNone) continue;
+    if (best == nullptr || extension.status < best->status) best = &extension;
+  }
+  return best;
 }
 
 bool ImageSources::allow(std::uint32_t image, std::string_view media_type) const {

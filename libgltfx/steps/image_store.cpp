@@ -32,7 +32,9 @@ std::map<std::string, std::size_t> count_references(const json::Document& docume
 
 std::string_view ending_for(std::string_view media_type) {
   if (media_type == "image/jpeg") return ".jpg";
-  return media_type == "image/webp" ? ".webp" : ".png";
+  if (media_type == "image/webp") return ".webp";
+  if (media_type == "image/ktx2") return ".ktx2";
+  return media_type == "image/avif" ? ".avif" : ".png";
 }
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "image/features.hpp"
+#include "image/gpu_memory.hpp"
 #include "model/image_codec.hpp"
 #include "report/wording.hpp"
 #include "steps/image_encodings.hpp"
@@ -37,6 +38,7 @@ struct Encoded {
   std::string bytes;
   codec::Raster source, raster;
   std::optional<codec::ImageDistance> distance;  ///< for lossy formats
+  std::uint64_t gpu_bytes = 0;                   ///< on a graphics card
 };
 
 /// One group of images with its plan.
@@ -142,6 +144,7 @@ void encode(Job& job, ImageEncodings& encodings) {
     job.encoded.source = image.source;
     job.encoded.raster = image.raster;
     job.encoded.distance = image.distance;
+    job.encoded.gpu_bytes = image::gpu_bytes(image.bytes);
     return;
   }
 }
@@ -151,7 +154,8 @@ struct Loss {
   std::uint64_t images = 0;
   double bound = 0;                ///< as bound_of()
   double greatest = 0;             ///< the greatest error of a value
-  std::optional<double> decibels;  ///< the lowest
+  std::optional<double> decibels;  ///< the lowest; infinite: there is no error
+  std::optional<double> angle;     ///< the greatest, degrees
 };
 
 class ImageStep {
@@ -319,10 +323,16 @@ class ImageStep {
     if (same && !resized) done += attempt.rgb ? " as RGB" : " recompressed";
     done_[done] += count;
     if (job.file.cmyk) losses_["CMYK as RGB"].images += count;
-    if (resized) losses_[describe_size()].images += count;
+    if (attempt.request.image.resize.needed(encoded.source.width, encoded.source.height)) {
+      losses_[describe_size()].images += count;
+    } else if (resized) {
+      losses_["sides rounded to multiples of 4 texels"].images += count;
+    }
     if (encoded.source.bits > encoded.raster.bits) {
       losses_["8 of 16 bits per channel"].images += count;
     }
+    outcome_.row.gpu_bytes_before += image::gpu_bytes(job.file.bytes.view()) * count;
+    outcome_.row.gpu_bytes_after += encoded.gpu_bytes * count;
     if (attempt.lossy) add_distance(encoded, count);
     outcome_.freedom.texels |=
         resized || attempt.lossy || encoded.source.bits > encoded.raster.bits;
@@ -333,18 +343,33 @@ class ImageStep {
   }
 
   void add_distance(const Encoded& encoded, std::uint64_t count) {
-    const codec::TranscodeRequest& request = encoded.attempt->request;
     const double bound = bound_of(*encoded.attempt, encoded.source);
-    const std::string_view name = format_name(encoded.attempt->format);
-    Loss& loss = losses_[bound > 0 ? fmt::format("{} values", name)
-                                   : fmt::format("{} of quality {}", name, request.quality)];
+    Loss& loss = losses_[describe_encoding(*encoded.attempt, bound)];
     loss.images += count;
     loss.bound = std::max(loss.bound, bound);
     loss.greatest = std::max(loss.greatest, encoded.distance->greatest);
     const double decibels = encoded.distance->decibels();
-    if (std::isfinite(decibels)) {
-      loss.decibels = std::min(loss.decibels.value_or(decibels), decibels);
+    loss.decibels = std::min(loss.decibels.value_or(decibels), decibels);
+    if (const auto angle = encoded.distance->angle) {
+      loss.angle = std::max(loss.angle.value_or(*angle), *angle);
     }
+  }
+
+  static std::string describe_encoding(const ImageAttempt& attempt, double bound) {
+    const std::string_view name = format_name(attempt.format);
+    if (bound > 0) return fmt::format("{} values", name);
+    if (attempt.request.quality > 0) {
+      return fmt::format("{} of quality {}", name, attempt.request.quality);
+    }
+    switch (attempt.request.image.resize.kind) {
+      case codec::TexelKind::color:
+        return fmt::format("{} of colors", name);
+      case codec::TexelKind::normal:
+        return fmt::format("{} of normals", name);
+      case codec::TexelKind::data:
+        break;
+    }
+    return fmt::format("{} of data", name);
   }
 
   void describe() {
@@ -354,7 +379,13 @@ class ImageStep {
     }
     for (const auto& [name, loss] : losses_) {
       std::string quantity = fmt::format("{} ({}", name, report::counted(loss.images, "image"));
-      if (loss.decibels && loss.bound == 0) quantity += fmt::format(", {:.1f} dB", *loss.decibels);
+      if (loss.decibels && loss.bound == 0) {
+        quantity += std::isfinite(*loss.decibels) ? fmt::format(", {:.1f} dB", *loss.decibels)
+                                                  : std::string(", exact");
+      }
+      if (loss.angle && loss.bound == 0) {
+        quantity += fmt::format(", 99 % of the normals within {:.2g} deg", *loss.angle);
+      }
       outcome_.row.losses.push_back({quantity + ")", loss.bound, loss.greatest, "/255"});
     }
   }

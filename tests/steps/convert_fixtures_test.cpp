@@ -191,7 +191,8 @@ TEST_F(EveryFixture, CanBeStoredInDataUris) {
 TEST_F(EveryFixture, StoresItsImagesInAnotherFormat) {
   std::size_t changed = 0;
   for (const fs::path& from : assets_below_fixtures()) {
-    for (const ImageTarget target : {ImageTarget::webp, ImageTarget::png, ImageTarget::legal}) {
+    for (const ImageTarget target :
+         {ImageTarget::webp, ImageTarget::png, ImageTarget::ktx2, ImageTarget::legal}) {
       ConvertOptions options =
           options_to(folder_.path() / "images" / ("a" + from.extension().native()));
       options.images = {{target, std::nullopt}};

@@ -13,6 +13,8 @@
 #include <variant>
 #include <vector>
 
+#include <gmock/gmock.h>
+
 #include "codec/client.hpp"
 #include "container/base64.hpp"
 #include "convert_support.hpp"
@@ -74,10 +76,10 @@ inline image::Header header_of(const std::string& file) {
 }
 
 /// RGBA, 8 bits per channel.
-inline Texels decoded(const std::string& file) {
+inline Texels decoded(const std::string& file, codec::ImageFormat format) {
   codec::ImageRequest request;
   request.bytes = std::as_bytes(std::span(file.data(), file.size()));
-  request.format = model::codec_format(header_of(file).format);
+  request.format = format;
   request.pixels = true;
   const codec::ImageResult result = codec::Client::shared().decode_image(request);
   const auto* image = std::get_if<codec::Image>(&result);
@@ -92,6 +94,11 @@ inline Texels decoded(const std::string& file) {
     texels.push_back(image->has_alpha() ? image->pixels[at + image->channels - 1] : std::byte{255});
   }
   return texels;
+}
+
+/// Of any format but KTX2.
+inline Texels decoded(const std::string& file) {
+  return decoded(file, model::codec_format(header_of(file).format));
 }
 
 /// An asset in memory, and its conversion.
@@ -135,6 +142,15 @@ struct ImageConversionCase {
     return text;
   }
 };
+
+/// Expects that a second conversion has nothing to do.
+inline void expect_settled(const ImageConversionCase& conversion) {
+  ImageConversionCase again = conversion.again();
+  again.run();
+  EXPECT_FALSE(again.step().changes) << again.step().what;
+  EXPECT_EQ(again.result.bytes, conversion.result.bytes);
+  EXPECT_THAT(again.result.files, testing::IsEmpty());
+}
 
 /// One material with these members, and one texture for each of `images`, which are JSON objects.
 inline std::string asset_with(std::string_view material, const std::vector<std::string>& images,

@@ -80,6 +80,10 @@ void write_step(json::Writer& writer, const ConvertStep& step) {
   writer.end_array();
   writer.member("bytes_before", step.bytes_before);
   writer.member("bytes_after", step.bytes_after);
+  if (step.gpu_bytes_before != 0 || step.gpu_bytes_after != 0) {
+    writer.member("gpu_bytes_before", step.gpu_bytes_before);
+    writer.member("gpu_bytes_after", step.gpu_bytes_after);
+  }
   writer.end_object();
 }
 
@@ -160,6 +164,10 @@ std::string convert_text(const ConvertReport& report, const Style& style) {
                size_text(step.bytes_before),
                step.changes ? "-> " + size_text(step.bytes_after) : std::string(),
                printable(losses_text(step))});
+    if (step.gpu_bytes_before != step.gpu_bytes_after) {
+      notes += fmt::format("  GPU memory of the converted images: {} -> {}\n",
+                           size_text(step.gpu_bytes_before), size_text(step.gpu_bytes_after));
+    }
     notes += notes_text("left", step.left);
     notes += notes_text("refused", step.refused);
   }

@@ -88,10 +88,9 @@ Result<double> parse_ior(std::string_view, std::string_view word) {
 
 // "webp", "png:normal".
 Result<std::vector<ImageConversion>> parse_images(std::string_view option, const Words& words) {
-  static const Choices<ImageTarget> kTargets{{"webp", ImageTarget::webp},
-                                             {"png", ImageTarget::png},
-                                             {"jpeg", ImageTarget::jpeg},
-                                             {"legal", ImageTarget::legal}};
+  static const Choices<ImageTarget> kTargets{
+      {"webp", ImageTarget::webp}, {"png", ImageTarget::png},   {"jpeg", ImageTarget::jpeg},
+      {"ktx2", ImageTarget::ktx2}, {"avif", ImageTarget::avif}, {"legal", ImageTarget::legal}};
   static const Choices<ImageClass> kClasses{
       {"color", ImageClass::color}, {"normal", ImageClass::normal}, {"data", ImageClass::data}};
   std::vector<ImageConversion> conversions;
@@ -222,11 +221,11 @@ void declare_convert(Options& options, ConvertRequest& request) {
                                         {"draco", Compression::draco}}));
   options.add("--quantize", "[BOUNDS]", "Store vertices as integers: position=0.01%,normal=0.5deg",
               parsed(convert.quantize, parse_bounds));
-  options.add("--images", "FORMAT", "webp, png, jpeg, legal; of one use: webp:color",
+  options.add("--images", "FORMAT", "webp, png, jpeg, ktx2, avif, legal; or webp:normal",
               parsed_list(convert.images, parse_images, [] {
-                return values::choice({"webp", "png", "jpeg", "legal"});
+                return values::choice({"webp", "png", "jpeg", "ktx2", "avif", "legal"});
               }));
-  options.add("--quality", "N", "Quality of jpeg (default: 90) and lossy webp",
+  options.add("--quality", "N", "Quality: jpeg (default: 90), avif (80), lossy webp",
               number(convert.quality, 1, 100));
   options.add("--texture-size", "N", "Make no side of an image longer than N texels",
               number(convert.texture_size, 1, 65536));

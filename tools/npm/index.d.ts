@@ -170,6 +170,9 @@ export interface ConvertReport extends ChangeReport {
     loss: { quantity: string; bound?: number; measured?: number; unit?: string }[];
     bytes_before: number;
     bytes_after: number;
+    /** Bytes of images on a graphics card; absent if the step changes no image. */
+    gpu_bytes_before?: number;
+    gpu_bytes_after?: number;
   }[];
   newFiles: string[];
   newWarnings: string[];

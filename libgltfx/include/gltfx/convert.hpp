@@ -33,6 +33,8 @@ enum class ImageTarget : std::uint8_t {
   webp,
   png,
   jpeg,
+  ktx2,   ///< UASTC with mipmaps, which graphics cards keep compressed
+  avif,   ///< for colors only, where gltfx was built with libavif
   legal,  ///< PNG, for images that neither glTF nor an extension in use allows
 };
 
@@ -71,7 +73,7 @@ struct ConvertOptions : EditOptions {
   std::optional<Compression> compress;
   /// The first that applies to an image decides.
   std::vector<ImageConversion> images;
-  /// 1 to 100, of lossy images. Nothing: WebP and PNG are exact, JPEG has 90.
+  /// 1 to 100, of lossy images except KTX2. Nothing: WebP and PNG are exact, JPEG has 90, AVIF 80.
   std::optional<std::uint32_t> quality;
   std::optional<std::uint32_t> texture_size;  ///< texels that no side exceeds; nothing is enlarged
   /// Vertices become integers within these bounds. Nothing: they stay exact.
@@ -121,6 +123,9 @@ struct ConvertStep {
   std::vector<ConvertLoss> losses;   ///< empty: no loss
   std::uint64_t bytes_before = 0;    ///< size of the asset with its files
   std::uint64_t bytes_after = 0;     ///< the same
+  /// Bytes of images on a graphics card, with mipmaps; both 0: the step changes no image.
+  std::uint64_t gpu_bytes_before = 0;
+  std::uint64_t gpu_bytes_after = 0;  ///< the same
 };
 
 /// A feature of the new asset that a target refuses, or ignores with an effect on the picture.
