@@ -89,6 +89,7 @@ Pieces changed_bin(const Bytes& bin, const BinChange& change) {
 }  // namespace
 
 std::optional<std::string> find_glb_obstacle(const container::Container& container) {
+  if (container.glb_version == 3U) return "gltfx reads GLBs of version 3, but does not write them";
   for (const auto* errors : {&container.errors, &container.late_errors}) {
     for (const container::ContainerError& error : *errors) {
       if (container.cut_short || !is_harmless(error)) return error.message;

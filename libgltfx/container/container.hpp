@@ -6,6 +6,8 @@
 /// (`container/resolver.hpp`).
 #pragma once
 
+#include <gltfx/diagnostic.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -27,7 +29,7 @@ namespace gltfx::container {
 /// JSON nor GLB nor a pointer), a name that ends in ".glb" makes it a GLB with an error.
 enum class Format : std::uint8_t {
   gltf,  ///< JSON text
-  glb,   ///< binary container, version 2
+  glb,   ///< binary container
   git_lfs_pointer,
   empty,
   unknown,
@@ -39,11 +41,13 @@ struct ContainerError {
   std::uint64_t offset = 0;  ///< byte in the file
   std::string message;
   std::string help;
+  std::optional<Severity> severity = {};  ///< instead of that of the code
 };
 
 /// One chunk of a GLB. Offsets are in the file; the data is inside it.
 struct Chunk {
   std::uint32_t type = 0;           ///< the little-endian number in the file
+  std::uint32_t encoding = 0;       ///< 0: the data is not encoded; always 0 before version 3
   std::uint64_t header_offset = 0;  ///< byte of the chunk's header
   std::uint64_t offset = 0;         ///< first byte of its data
   std::uint64_t length = 0;         ///< bytes of data that exist in the file
@@ -56,15 +60,17 @@ inline constexpr std::uint32_t kChunkBin = 0x004E4942;
 /// during parsing when another program writes the file.
 struct Container {
   Format format = Format::unknown;
-  Bytes bytes;                         ///< the whole file
-  SharedText json;                     ///< null when there is none
-  std::uint64_t json_offset = 0;       ///< byte in the file where the JSON begins
-  std::vector<Chunk> chunks;           ///< GLB only, in the order of the file
-  std::optional<Chunk> bin;            ///< the BIN chunk that buffer 0 may refer to
+  Bytes bytes;                    ///< the whole file
+  SharedText json;                ///< null when there is none
+  std::uint64_t json_offset = 0;  ///< byte in the file where the JSON begins
+  std::vector<Chunk> chunks;      ///< GLB only, in the order of the file
+  /// The BIN chunk that buffer 0 may refer to without an index: that of version 2, or chunk 1 of
+  /// version 3 if chunk 0 is JSON.
+  std::optional<Chunk> bin;
   std::vector<ContainerError> errors;  ///< found before the JSON is read
   std::vector<ContainerError>
       late_errors;  ///< end-of-file errors: reported after those of the JSON
-  std::optional<std::uint32_t> glb_version;  ///< of a GLB header, also when it is not 2
+  std::optional<std::uint32_t> glb_version;  ///< of a GLB header, also when it is unknown
   /// GLB: the file ends inside the header, a chunk header or a chunk. The contents of the chunks
   /// are not judged then: resources in them are missing because of the truncation.
   bool cut_short = false;
@@ -72,7 +78,8 @@ struct Container {
   /// resources then and does not compare the lengths.)
   bool ends_in_empty_chunk = false;
   /// GLB with a known mistake of writers, for which `errors` has the cause only: the literal
-  /// reading with all resulting errors. Its `bytes` are not set.
+  /// reading with all resulting errors. Its `bytes` are not set. Of a GLB of version 3: what
+  /// readers of version 2 see.
   std::shared_ptr<const Container> literal;
 };
 
@@ -83,9 +90,11 @@ struct OpenLimits {
   std::uint64_t max_bytes = UINT64_MAX;  ///< larger files are refused
 };
 
-/// Maximum number of chunks that are read. The specification defines two; a file of chunk headers
-/// only must not become gigabytes of records. The rest gives one GLB_TOO_MANY_CHUNKS.
+/// Maximum number of chunks that are read. Version 2 of GLB defines two, version 3 any number; a
+/// file of chunk headers only must not become gigabytes of records. The rest gives one
+/// GLB_TOO_MANY_CHUNKS.
 inline constexpr std::size_t kMaxChunks = 4096;
+inline constexpr std::size_t kMaxChunksOfVersion3 = std::size_t{1} << 20U;
 
 /// Opens and parses a regular file. An Error when it cannot be read at all: missing, no permission,
 /// not a regular file, a folder, JSON text of 4 GiB or more.

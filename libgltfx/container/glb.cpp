@@ -70,7 +70,9 @@ class GlbReader {
   }
 
   bool read_header() {
-    if (source_.size() < kHeaderSize) return stop_short(glb_error::end_of_header(source_.size()));
+    if (source_.size() < kHeaderSize) {
+      return stop_short(glb_error::end_of_header(source_.size(), kHeaderSize));
+    }
     SharedText header;
     if (!copy(0, kHeaderSize, header)) return false;
     const std::uint32_t magic = little_endian(*header, 0);
@@ -84,6 +86,7 @@ class GlbReader {
       return false;
     }
     out_.glb_version = version;
+    if (version == 3) return false;  // read by read_glb_3()
     if (version != 2) {
       early(glb_error::invalid_version(version));
       return false;
@@ -99,11 +102,11 @@ class GlbReader {
       return false;
     }
     if (out_.chunks.size() == kMaxChunks) {
-      early(glb_error::too_many_chunks(at_, size));
+      early(glb_error::too_many_chunks(at_, size, kMaxChunks));
       return false;
     }
     if (!fits(at_, kChunkHeaderSize, size)) {
-      return stop_short(glb_error::end_of_chunk_header(at_, size));
+      return stop_short(glb_error::end_of_chunk_header(at_, size, kChunkHeaderSize));
     }
     SharedText header;
     if (!copy(at_, kChunkHeaderSize, header)) return false;
@@ -114,7 +117,7 @@ class GlbReader {
   }
 
   bool repair(std::uint32_t& length, std::uint32_t& type) {
-    const Chunk chunk{type, at_, at_ + kChunkHeaderSize, length};
+    const Chunk chunk{type, 0, at_, at_ + kChunkHeaderSize, length};
     bool numbered = false;
     if (!has_number(chunk, numbered)) return false;
     if (numbered) {
@@ -214,7 +217,7 @@ class GlbReader {
   Container& out_;
   std::optional<Copied> failure_;
   std::uint64_t at_ = kHeaderSize;
-  std::uint32_t declared_ = 0;
+  std::uint64_t declared_ = 0;
   bool seen_json_ = false;
   bool is_repaired_;
   bool is_numbered_ = false;
@@ -281,6 +284,7 @@ void take_cause(Container& container, Container cause) {
 std::optional<Copied> read_glb(const Source& source, Container& container) {
   const Format format = container.format;
   auto failure = GlbReader(source, container, GlbReading::literal).run();
+  if (!failure && container.glb_version == 3U) return read_glb_3(source, container);
   if (failure || (container.errors.empty() && container.late_errors.empty())) return failure;
   Container repaired;
   repaired.format = format;
@@ -296,7 +300,7 @@ std::optional<Copied> read_glb(const Source& source, Container& container) {
   const Copied text = source.copy(0, std::min(source.size(), kMostText));
   if (text.error != ResolveError::none) return text;
   const bool has_json = !container.chunks.empty() && container.chunks.front().type == kChunkJson;
-  const Chunk json = has_json ? container.chunks.front() : Chunk{0, 0, source.size(), 0};
+  const Chunk json = has_json ? container.chunks.front() : Chunk{0, 0, 0, source.size(), 0};
   const TextDamage damage = damage_of(*text.text, json.offset + json.length);
   if (damage == TextDamage::none) return std::nullopt;
   Container damaged;

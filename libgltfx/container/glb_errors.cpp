@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "base/checked.hpp"
 #include "base/codes.hpp"
 
 namespace gltfx::container::glb_error {
@@ -51,7 +52,7 @@ ContainerError invalid_version(std::uint32_t version) {
                        : "export the asset again as glTF 2.0"};
 }
 
-ContainerError length_too_small(std::uint32_t declared) {
+ContainerError length_too_small(std::uint64_t declared) {
   return {Code::GLB_LENGTH_TOO_SMALL, 8,
           fmt::format("The file length in the header is {}, which is too small for the header and "
                       "a JSON chunk.",
@@ -59,7 +60,7 @@ ContainerError length_too_small(std::uint32_t declared) {
           "write the length of the whole file, including the header, to byte 8"};
 }
 
-ContainerError length_mismatch(std::uint32_t declared, std::uint64_t actual) {
+ContainerError length_mismatch(std::uint64_t declared, std::uint64_t actual) {
   return {Code::GLB_LENGTH_MISMATCH, actual,
           fmt::format("The file length in the header is {}, but the file has {}.",
                       bytes_text(declared), actual),
@@ -67,28 +68,30 @@ ContainerError length_mismatch(std::uint32_t declared, std::uint64_t actual) {
                             : std::string("write the actual length of the file to byte 8")};
 }
 
-ContainerError end_of_header(std::uint64_t actual) {
-  return {
-      Code::GLB_UNEXPECTED_END_OF_HEADER, actual,
-      fmt::format("The file ends after {}, inside the GLB header of 12 bytes.", bytes_text(actual)),
-      std::string(kExportAgain)};
+ContainerError end_of_header(std::uint64_t actual, std::uint64_t takes) {
+  return {Code::GLB_UNEXPECTED_END_OF_HEADER, actual,
+          fmt::format("The file ends after {}, inside the GLB header of {} bytes.",
+                      bytes_text(actual), takes),
+          std::string(kExportAgain)};
 }
 
-ContainerError extra_data(std::uint32_t declared, std::uint64_t actual) {
+ContainerError extra_data(std::uint64_t declared, std::uint64_t actual) {
   return {Code::GLB_EXTRA_DATA, declared,
           fmt::format("The file length in the header is {}, but {} more follow, which are ignored.",
                       bytes_text(declared), actual - declared),
           "remove the data after the last chunk, or correct the length at byte 8"};
 }
 
-ContainerError end_of_chunk_header(std::uint64_t header_offset, std::uint64_t actual) {
-  return {Code::GLB_UNEXPECTED_END_OF_CHUNK_HEADER, actual,
-          fmt::format("The file ends after {} of the chunk header at byte {}, which takes 8 bytes.",
-                      bytes_text(actual - header_offset), header_offset),
-          std::string(kExportAgain)};
+ContainerError end_of_chunk_header(std::uint64_t header_offset, std::uint64_t actual,
+                                   std::uint64_t takes) {
+  return {
+      Code::GLB_UNEXPECTED_END_OF_CHUNK_HEADER, actual,
+      fmt::format("The file ends after {} of the chunk header at byte {}, which takes {} bytes.",
+                  bytes_text(actual - header_offset), header_offset, takes),
+      std::string(kExportAgain)};
 }
 
-ContainerError end_of_chunk_data(const Chunk& chunk, std::uint32_t declared, std::uint64_t actual) {
+ContainerError end_of_chunk_data(const Chunk& chunk, std::uint64_t declared, std::uint64_t actual) {
   return {
       Code::GLB_UNEXPECTED_END_OF_CHUNK_DATA, actual,
       fmt::format("The length of chunk {} at byte {} is {}, but the file ends after {} of them.",
@@ -96,15 +99,15 @@ ContainerError end_of_chunk_data(const Chunk& chunk, std::uint32_t declared, std
       std::string(kExportAgain)};
 }
 
-ContainerError too_many_chunks(std::uint64_t offset, std::uint64_t actual) {
+ContainerError too_many_chunks(std::uint64_t offset, std::uint64_t actual, std::size_t most) {
   return {Code::GLB_TOO_MANY_CHUNKS, offset,
-          fmt::format("The file has more than {} chunks; the last {} are not checked.", kMaxChunks,
+          fmt::format("The file has more than {} chunks; the last {} are not checked.", most,
                       bytes_text(actual - offset)),
           "remove all chunks except JSON and BIN"};
 }
 
-ContainerError chunk_unaligned(const Chunk& chunk, std::uint32_t length) {
-  const unsigned padding = 4U - length % 4U;
+ContainerError chunk_unaligned(const Chunk& chunk, std::uint64_t length) {
+  const std::uint64_t padding = 4U - length % 4U;
   return {
       Code::GLB_CHUNK_LENGTH_UNALIGNED, chunk.header_offset,
       fmt::format("The length of chunk {} is {}, which is not a multiple of 4.",
@@ -113,11 +116,12 @@ ContainerError chunk_unaligned(const Chunk& chunk, std::uint32_t length) {
                   chunk.type == kChunkJson ? "spaces for JSON" : "zeros for binary data")};
 }
 
-ContainerError chunk_too_big(const Chunk& chunk, std::uint32_t length, std::uint32_t declared) {
+ContainerError chunk_too_big(const Chunk& chunk, std::uint64_t length, std::uint64_t declared) {
   return {
       Code::GLB_CHUNK_TOO_BIG, chunk.header_offset,
       fmt::format("The chunk {} of {} ends at byte {}, but the file length in the header is {}.",
-                  type_text(chunk.type), bytes_text(length), chunk.offset + length, declared),
+                  type_text(chunk.type), bytes_text(length), saturating_add(chunk.offset, length),
+                  declared),
       "correct the length of the chunk, or the file length at byte 8"};
 }
 
@@ -159,6 +163,44 @@ ContainerError unknown_type(const Chunk& chunk) {
           "store the data in a buffer: loaders skip unknown chunks"};
 }
 
+ContainerError layout_of_version_2() {
+  return {Code::GLB_INVALID_VERSION, 4,
+          "The GLB version is 3, but the file has the layout of version 2.",
+          "write the version 2, or headers with lengths of 64 bits"};
+}
+
+ContainerError no_json(std::uint64_t offset) {
+  return {Code::GLB_NO_JSON_CHUNK, offset, "The GLB has no JSON chunk.",
+          "write the JSON of the asset to a chunk of type 0x4e4f534a ('JSON')"};
+}
+
+ContainerError bin_before_json(const Chunk& chunk) {
+  return {Code::GLB_CHUNK_ORDER, chunk.header_offset,
+          "The BIN chunk precedes the JSON chunk; it should follow it.",
+          "write the JSON chunk first: readers of streams need it before other chunks"};
+}
+
+ContainerError unknown_encoding(const Chunk& chunk) {
+  return {Code::GLB_CHUNK_ENCODING_UNKNOWN, saturating_add(chunk.header_offset, 4),
+          fmt::format("The encoding of chunk {} is 0x{:08x}; only 0 is known.",
+                      type_text(chunk.type), chunk.encoding),
+          "write the chunk without an encoding"};
+}
+
+ContainerError long_json(const Chunk& chunk) {
+  return {Code::GLB_CHUNK_TOO_BIG, chunk.header_offset,
+          fmt::format("The JSON chunk has {}; gltfx reads at most 4 GiB of JSON.",
+                      bytes_text(chunk.length)),
+          "move data from the JSON to buffers"};
+}
+
+ContainerError gap(std::uint64_t offset, unsigned char byte) {
+  return {
+      Code::GLB_CHUNK_GAP, offset,
+      fmt::format("The bytes between two chunks begin with 0x{:02x}; they must be zeros.", byte),
+      "write zeros from the end of a chunk to the next multiple of 8"};
+}
+
 ContainerError numbered_type(const Chunk& chunk) {
   return {Code::GLB_CHUNK_TYPE_NUMBER, chunk.header_offset,
           fmt::format("The type of chunk {} is the number {}; chunk types must be 0x4e4f534a "
@@ -167,8 +209,8 @@ ContainerError numbered_type(const Chunk& chunk) {
           "write 'JSON' and 'BIN' to the last four bytes of the chunk headers"};
 }
 
-ContainerError uncounted_padding(const Chunk& chunk, std::uint32_t length) {
-  const std::uint32_t padding = 4U - length % 4U;
+ContainerError uncounted_padding(const Chunk& chunk, std::uint64_t length) {
+  const std::uint64_t padding = 4U - length % 4U;
   return {
       Code::GLB_CHUNK_LENGTH_UNALIGNED, chunk.header_offset,
       fmt::format("The length of chunk {} is {}, without the {} of padding that follow; it must "

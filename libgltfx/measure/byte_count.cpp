@@ -9,6 +9,7 @@
 
 #include "base/checked.hpp"
 #include "container/uri.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/meshopt_view.hpp"
 
 namespace gltfx::measure {
@@ -80,20 +81,22 @@ class Counter {
   const json::Document& document() const { return asset_.document(); }
   std::uint64_t& share(ByteUse use) { return count_.shares[static_cast<std::size_t>(use)]; }
 
-  // Unknown chunks are unused; all bytes outside of chunks are headers and padding.
+  // Chunks of other types are unused; all bytes outside of chunks are headers and padding. Of
+  // version 2, only the first BIN chunk counts.
   void take_container() {
     count_.files.push_back({{}, container_.bytes.size()});
     std::uint64_t inner = document().text().size();
     share(ByteUse::json) += inner;
-    if (container_.bin) {
-      bin_ = stores_.size();
-      stores_.push_back({container_.bin->length, {}});
-      inner += container_.bin->length;
-    }
+    const bool any_bin = container_.glb_version == 3U;
     for (const container::Chunk& chunk : container_.chunks) {
-      const bool bin = container_.bin && chunk.offset == container_.bin->offset;
-      if (chunk.type == container::kChunkJson || bin) continue;
-      share(ByteUse::unused) += chunk.length;
+      const bool is_first = container_.bin && chunk.offset == container_.bin->offset;
+      if (chunk.type == container::kChunkJson) continue;
+      if (is_first || (any_bin && chunk.type == container::kChunkBin)) {
+        by_chunk_.emplace(chunk.offset, stores_.size());
+        stores_.push_back({chunk.length, {}});
+      } else {
+        share(ByteUse::unused) += chunk.length;
+      }
       inner += chunk.length;
     }
     const std::uint64_t whole = std::max<std::uint64_t>(container_.bytes.size(), inner);
@@ -129,13 +132,23 @@ class Counter {
     return entry->second;
   }
 
+  // Buffers may share a chunk.
+  std::optional<std::size_t> chunk_store(json::NodeId buffer, std::size_t index,
+                                         const schema::Version& version) const {
+    const auto chunk = model::chunk_of(container_, document(), buffer, index, version);
+    if (!chunk) return std::nullopt;
+    const auto found = by_chunk_.find(chunk->offset);
+    return found == by_chunk_.end() ? std::nullopt : std::optional(found->second);
+  }
+
   void place_buffers() {
     const auto& objects = asset_.elements(RootArray::buffers);
     buffers_.resize(objects.size());
+    const schema::Version version = schema::stated_version(document());
     for (std::size_t i = 0; i < objects.size(); ++i) {
       if (objects[i] == json::kNoNode) continue;
       buffers_[i] = store_of(objects[i], resources_.buffers[i]);
-      if (i == 0 && document().find(objects[i], "uri") == json::kNoNode) buffers_[i] = bin_;
+      if (!buffers_[i]) buffers_[i] = chunk_store(objects[i], i, version);
     }
   }
 
@@ -244,7 +257,7 @@ class Counter {
   std::vector<Store> stores_;
   std::vector<std::optional<std::size_t>> buffers_;            // stores, by index of the buffer
   std::map<std::string, std::optional<std::size_t>> by_path_;  // stores of files
-  std::optional<std::size_t> bin_;
+  std::map<std::uint64_t, std::size_t> by_chunk_;  // stores of BIN chunks, by their offset
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "base/checked.hpp"
 #include "container/uri.hpp"
 #include "model/accessor.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
 
 namespace gltfx::model {
@@ -11,6 +12,7 @@ namespace {
 
 using container::Bytes;
 using container::UriKind;
+using schema::stated_version;
 
 constexpr std::uint64_t kNoBuffer = UINT64_MAX;
 
@@ -50,8 +52,10 @@ Result<Bytes> AssetBytes::buffer(std::uint64_t index) {
     if (bytes) buffers_.emplace(index, *bytes);
     return bytes;
   }
-  if (index != 0 || !container_.bin) return Error{"its buffer has no data"};
-  return container_.bytes.part(container_.bin->offset, container_.bin->length);
+  const auto chunk =
+      chunk_of(container_, asset_.document(), object, index, stated_version(asset_.document()));
+  if (!chunk) return Error{"its buffer has no data"};
+  return container_.bytes.part(chunk->offset, chunk->length);
 }
 
 std::uint64_t AssetBytes::buffer_of(json::NodeId image) const {
@@ -97,7 +101,10 @@ Storage AssetBytes::buffer_storage(std::uint64_t index) const {
   if (object == json::kNoNode) return Storage::nowhere;
   const std::string uri = string_member(asset_.document(), object, "uri");
   if (!uri.empty()) return storage_of(uri);
-  return index == 0 && container_.bin ? Storage::bin_chunk : Storage::nowhere;
+  const auto chunk =
+      chunk_of(container_, asset_.document(), object, index, stated_version(asset_.document()));
+  const bool is_bin = chunk && container_.bin && chunk->offset == container_.bin->offset;
+  return is_bin ? Storage::bin_chunk : Storage::nowhere;
 }
 
 std::string AssetBytes::image_file_uri(std::uint64_t index) const {

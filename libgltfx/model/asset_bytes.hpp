@@ -14,7 +14,8 @@
 
 namespace gltfx::model {
 
-/// The place of the bytes of a buffer or image.
+/// The place of the bytes of a buffer or image; `nowhere` also in another chunk of a GLB than that
+/// of Container::bin.
 enum class Storage : std::uint8_t { nowhere, file, data_uri, buffer_view, bin_chunk };
 
 /// Keeps references to all constructor arguments. Not thread-safe.

@@ -9,6 +9,7 @@
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
 #include "model/meshopt_view.hpp"
 
@@ -55,12 +56,11 @@ class Loader {
   std::optional<Bytes> load_buffer(json::NodeId object, std::size_t index) {
     if (object == json::kNoNode) return std::nullopt;
     const auto length = unsigned_member(document(), object, "byteLength");
-    const bool has_uri = document().holds(object, "uri");
-    const bool glb = !has_uri && index == 0 && container_.bin.has_value();
-    auto bytes =
-        glb ? std::optional(container_.bytes.part(static_cast<std::size_t>(container_.bin->offset),
-                                                  static_cast<std::size_t>(container_.bin->length)))
-            : fetch(Kind::buffer, object, index);
+    const auto chunk = chunk_of(container_, document(), object, index, version_);
+    auto bytes = chunk
+                     ? std::optional(container_.bytes.part(static_cast<std::size_t>(chunk->offset),
+                                                           static_cast<std::size_t>(chunk->length)))
+                     : fetch(Kind::buffer, object, index);
     if (!bytes || !length || bytes->size() >= *length) return bytes;
     note(Kind::buffer, index, "is shorter than its byteLength");
     return std::nullopt;
@@ -117,6 +117,7 @@ class Loader {
   container::OpenedFiles& files_;
   const Asset& asset_;
   const Views& views_;
+  schema::Version version_ = schema::stated_version(asset_.document());
   LoadedResources loaded_;
 };
 

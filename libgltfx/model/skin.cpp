@@ -23,12 +23,17 @@ bool names_joints(const Primitive& primitive) {
                      [](const Attribute& each) { return each.name.starts_with("JOINTS"); });
 }
 
-Deformation read_deformation(const Mesh& mesh) {
+Deformation read_deformation(const Mesh& mesh, bool some_may_lack_targets) {
   Deformation deformation;
   if (mesh.primitives.empty() || mesh.has_holes) return deformation;
   deformation.known = true;
-  deformation.morph_targets = mesh.primitives.front().targets.size();
-  deformation.targets_are_broken = mesh.primitives.front().targets_are_broken;
+  const Primitive* decides = &mesh.primitives.front();
+  for (const Primitive& primitive : mesh.primitives) {
+    if (!some_may_lack_targets || !decides->targets.empty()) break;
+    if (!primitive.targets.empty()) decides = &primitive;
+  }
+  deformation.morph_targets = decides->targets.size();
+  deformation.targets_are_broken = decides->targets_are_broken;
   for (const Primitive& primitive : mesh.primitives) {
     if (!names_joints(primitive)) {
       deformation.has_rigid = true;
@@ -77,10 +82,11 @@ std::size_t joint_sets(const Primitive& primitive) {
   return joints == weights ? joints : 0;
 }
 
-std::vector<Deformation> read_deformations(const std::vector<Mesh>& meshes) {
+std::vector<Deformation> read_deformations(const std::vector<Mesh>& meshes,
+                                           bool some_may_lack_targets) {
   std::vector<Deformation> all;
   all.reserve(meshes.size());
-  for (const Mesh& mesh : meshes) all.push_back(read_deformation(mesh));
+  for (const Mesh& mesh : meshes) all.push_back(read_deformation(mesh, some_may_lack_targets));
   return all;
 }
 

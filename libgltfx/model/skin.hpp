@@ -47,6 +47,9 @@ struct Deformation {
 };
 
 /// By index of the mesh. Linear in the meshes.
-std::vector<Deformation> read_deformations(const std::vector<Mesh>& meshes);
+/// `some_may_lack_targets`: primitives without morph targets may stand beside others, as glTF 2.1
+/// has it; otherwise the first primitive decides.
+std::vector<Deformation> read_deformations(const std::vector<Mesh>& meshes,
+                                           bool some_may_lack_targets = false);
 
 }  // namespace gltfx::model

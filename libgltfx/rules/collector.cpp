@@ -156,6 +156,9 @@ Severity Collector::severity_of(const Finding& finding) const {
   if (options_.lfs == LfsPolicy::error && finding.code == Code::GIT_LFS_POINTER)
     return Severity::error;
   if (finding.severity) return *finding.severity;
+  if (const LaterSeverity* now = later(finding.code); now != nullptr && now->severity) {
+    return *now->severity;
+  }
   if (rule.own || options_.profile != Profile::strict) return rule.severity;
   return strict_severity(finding.code);
 }
@@ -197,8 +200,21 @@ bool Collector::fold(Phase phase, Severity severity, const Path& path, Finding& 
   return true;
 }
 
+// What the version of the asset makes of a rule; null: nothing else.
+const LaterSeverity* Collector::later(Code code) const {
+  if (version_ == schema::kVersion2) return nullptr;
+  const auto all = later_severities();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const LaterSeverity& one) {
+    return one.code == code && one.since <= version_;
+  });
+  return found == all.end() ? nullptr : &*found;
+}
+
 bool Collector::wants(const Finding& finding, Severity severity, Span extent) {
   if (!accepts(options_, finding.code, severity)) return false;
+  if (const LaterSeverity* now = later(finding.code); now != nullptr && !now->severity) {
+    return false;
+  }
   if (!changed_ || changed_->touches(extent)) return true;
   unchanged_ += finding.count;
   return false;
@@ -246,8 +262,9 @@ void Collector::report_file(Phase phase, Finding finding) {
 }
 
 bool Collector::is_error(const Finding& finding) const {
-  const RuleDescription& rule = description(options_, finding.code);
-  return finding.severity.value_or(rule.severity) == Severity::error;
+  if (finding.severity) return *finding.severity == Severity::error;
+  if (const LaterSeverity* now = later(finding.code)) return now->severity == Severity::error;
+  return description(options_, finding.code).severity == Severity::error;
 }
 
 void Collector::note_error(Phase phase, const Finding& finding) {

@@ -23,8 +23,11 @@
 #include "rules/fix_entry.hpp"
 #include "rules/khronos/deviations.hpp"
 #include "rules/suppressions.hpp"
+#include "schema/version.hpp"
 
 namespace gltfx::validate {
+
+struct LaterSeverity;
 
 class ChangedLines {
  public:
@@ -85,6 +88,8 @@ class Collector {
   void report_file(Phase phase, Finding finding);
   /// Keeps the JSON text that spans refer to; call it before findings come. May be null.
   void keep_text(SharedText text);
+  /// The version of glTF that decides on severities from now on.
+  void judge_by(const schema::Version& version) { version_ = version; }
   /// Suppressions of the asset from now on; null: none. Outlives the collector's phases.
   void suppress(Suppressions* suppressions) { suppressions_ = suppressions; }
   /// Where errors of form and references are noted from now on. Outlives the collector's phases.
@@ -145,6 +150,7 @@ class Collector {
   bool leave_out(Phase phase, Severity severity, const Finding& finding);
   bool fold(Phase phase, Severity severity, const Path& path, Finding& finding);
   Severity severity_of(const Finding& finding) const;
+  const LaterSeverity* later(Code code) const;
   Entry entry_of(Phase phase, Severity severity, Finding finding, std::string pointer) const;
   void store(Phase phase, Severity severity, Finding finding, std::string pointer,
              std::optional<std::uint64_t> offset);
@@ -156,6 +162,7 @@ class Collector {
 
   const ValidateOptions& options_;
   const Deviations& deviations_;
+  schema::Version version_ = schema::kVersion2;
   std::array<PhaseFindings, kPhaseCount> phases_;
   SharedText text_;
   std::optional<ChangedLines> changed_;

@@ -25,6 +25,7 @@
 #include "rules/khronos/link_order.hpp"
 #include "schema/check.hpp"
 #include "schema/set.hpp"
+#include "schema/version.hpp"
 
 namespace gltfx::validate {
 
@@ -53,6 +54,10 @@ struct Context {
 
   /// Deviations of the profile; rules do not check the profile itself.
   const Deviations& deviations = deviations_of(options.profile);
+  /// The version of glTF that the asset is judged by.
+  schema::Version version = deviations.minor_versions_are_unknown
+                                ? schema::kVersion2
+                                : schema::judged_version(document, schemas);
 
   container::UriReading uri_reading() const {
     return deviations.uris_are_repaired ? container::UriReading::lenient
@@ -116,6 +121,14 @@ const RuleDescription& description(const ValidateOptions& options, Code code);
 std::optional<Code> code_of(std::string_view name, const OwnRules* own);
 /// The severity of a rule of gltfx in the profile `strict`.
 Severity strict_severity(Code code);
+
+/// A rule for assets of a version of glTF and later ones.
+struct LaterSeverity {
+  Code code;
+  schema::Version since;
+  std::optional<Severity> severity;  ///< nothing: the rule does not apply
+};
+std::span<const LaterSeverity> later_severities();
 
 /// Span of a member's value, or of the first character of the object when it has no such member.
 Span member_span(const json::Document& document, json::NodeId object, std::string_view member);

@@ -34,7 +34,9 @@ Finding make(Code code, std::string message, std::string help = {}) {
 void report_errors(const std::vector<container::ContainerError>& errors, Phase phase,
                    Collector& collector) {
   for (const container::ContainerError& error : errors) {
-    collector.report_offset(phase, error.offset, make(error.code, error.message, error.help));
+    Finding finding = make(error.code, error.message, error.help);
+    finding.severity = error.severity;
+    collector.report_offset(phase, error.offset, std::move(finding));
   }
 }
 
@@ -55,14 +57,16 @@ bool check_promised_glb(const container::Container& container, Collector& collec
 
 // --- Padding of the JSON chunk ---
 
-/// The padding of the JSON chunk up to a multiple of 4, as a span of its text. Further characters
-/// are white space of the text itself, as is all in a file without chunks.
+/// The padding of the JSON chunk up to the alignment of chunks, as a span of its text. Further
+/// characters are white space of the text itself, as is all in a file without chunks.
 Span json_padding(const container::Container& container) {
   if (container.format != container::Format::glb || container.chunks.empty()) return {};
   const std::string_view json = *container.json;
   const std::size_t end = json.find_last_not_of(" \t\r\n") + 1;
-  const bool aligned = container.chunks.front().length % 4 == 0;
-  if (!aligned || end == 0 || json.size() - end > 3) return {};
+  const bool wide = container.glb_version == 3U;
+  const std::uint64_t alignment = wide ? 8 : 4;
+  const std::uint64_t length = wide ? json.size() : container.chunks.front().length;
+  if (length % alignment != 0 || end == 0 || json.size() - end >= alignment) return {};
   return {static_cast<std::uint32_t>(end), static_cast<std::uint32_t>(json.size())};
 }
 

@@ -33,14 +33,27 @@ bool check_version_1(const Context& context, Collector& collector) {
   return true;
 }
 
+// The version that the asset states, if its text is a draft.
+const schema::VersionText* draft_of(const Context& context) {
+  const schema::Version stated = schema::stated_version(context.document);
+  for (const schema::VersionText& text : context.schemas.versions()) {
+    if (text.version == stated && text.status == schema::Status::draft) return &text;
+  }
+  return nullptr;
+}
+
 void name_draft(const Context& context) {
   json::NodeId place = json::kNoNode;
-  if (asset_version(context.document, place) != "2.1") return;
+  const schema::VersionText* draft = draft_of(context);
+  if (draft == nullptr) return;
+  asset_version(context.document, place);
   const Path root;
   const Path asset(root, "asset");
   const Path version(asset, "version");
   Finding finding(Code::GLTF_VERSION_2_1_DRAFT);
-  finding.message = "The asset has the draft version 2.1; it is checked as glTF 2.0.";
+  finding.message = fmt::format(
+      "The asset is checked by the draft of glTF {}, revision {}, which can still change.",
+      version_text(draft->version), draft->revision);
   finding.span = context.document.span(place);
   context.schema_sink.report(version, std::move(finding));
 }

@@ -13,6 +13,7 @@
 #include "container/mapped_files.hpp"
 #include "container/opened_files.hpp"
 #include "container/uri.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
 #include "rules/finding.hpp"
 #include "rules/fix.hpp"
@@ -39,6 +40,42 @@ bool is_fallback(const Context& context, json::NodeId buffer) {
   return false;
 }
 
+bool names_chunk(const Resource& resource) {
+  return model::chunk_member(resource.context.document, resource.object,
+                             resource.context.version) != json::kNoNode;
+}
+
+// The member `chunk` of a buffer: an index of a BIN chunk, over all chunks. An index of a wrong
+// form is reported by the walk.
+void check_chunk(const Resource& resource) {
+  const container::Container& glb = resource.context.container;
+  const json::Document& document = resource.context.document;
+  const auto index = document.unsigned_integer(
+      model::chunk_member(document, resource.object, resource.context.version));
+  const auto find = [&](std::string message, std::optional<Severity> severity = {}) {
+    resource.find(Code::BUFFER_CHUNK_INVALID, "chunk", std::move(message), {}, severity);
+  };
+  if (!index) return;
+  if (document.holds(resource.object, "uri")) {
+    return find("The buffer has a uri and a chunk; its data is that of the uri.",
+                Severity::warning);
+  }
+  if (glb.format != container::Format::glb) {
+    return find(fmt::format("The buffer is chunk {}, but a .gltf file has no chunks.", *index));
+  }
+  if (*index >= glb.chunks.size()) {
+    if (glb.cut_short) return;
+    return find(
+        fmt::format("The buffer is chunk {}, but the GLB has only {}.", *index, glb.chunks.size()));
+  }
+  if (glb.chunks[*index].type != container::kChunkBin) {
+    return find(fmt::format("The buffer is chunk {}, which is not a BIN chunk.", *index));
+  }
+  if (glb.glb_version == 3U) return;
+  find("The buffer names its chunk, which readers expect in GLBs of version 3 only.",
+       Severity::warning);
+}
+
 std::uint64_t padded(std::uint64_t length) { return length + (4 - length % 4) % 4; }
 
 // Padding of the chunk follows the bytes of the buffer.
@@ -51,24 +88,27 @@ void check_bin_padding(const Resource& resource, std::string_view chunk, std::ui
                             static_cast<unsigned char>(chunk[at])));
 }
 
-// Buffer 0 of a GLB without a uri is the BIN chunk.
-std::optional<Bytes> glb_bytes(const Resource& resource, std::uint64_t declared) {
+// A buffer of a GLB without a uri is the BIN chunk that it names, or the one of buffer 0.
+std::optional<Bytes> glb_bytes(const Resource& resource, std::size_t index,
+                               std::uint64_t declared) {
   const container::Container& glb = resource.context.container;
   resource.info.storage = "glb";
-  if (!glb.bin) {
-    if (!glb.cut_short) {
+  const auto bin = model::chunk_of(glb, resource.context.document, resource.object, index,
+                                   resource.context.version);
+  if (!bin) {
+    if (!glb.cut_short && !names_chunk(resource)) {
       resource.find(Code::BUFFER_MISSING_GLB_DATA, "",
                     "The buffer has no uri and the GLB has no BIN chunk.");
     }
     return std::nullopt;
   }
-  if (glb.bin->length > padded(declared)) {
+  if (bin->length > padded(declared)) {
     resource.find(Code::BUFFER_GLB_CHUNK_TOO_BIG, "",
                   fmt::format("The BIN chunk is {} bytes longer than the padded buffer.",
-                              glb.bin->length - padded(declared)));
+                              bin->length - padded(declared)));
   }
-  Bytes chunk = glb.bytes.part(static_cast<std::size_t>(glb.bin->offset),
-                               static_cast<std::size_t>(glb.bin->length));
+  Bytes chunk =
+      glb.bytes.part(static_cast<std::size_t>(bin->offset), static_cast<std::size_t>(bin->length));
   check_bin_padding(resource, chunk.text(), declared);
   return chunk;
 }
@@ -141,12 +181,16 @@ std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index, bo
   resource.info.mime_type = "application/gltf-buffer";
   const bool has_uri = document.holds(resource.object, "uri");
   const container::Container& container = resource.context.container;
-  const bool glb = !has_uri && index == 0 && container.format == container::Format::glb;
-  if (!has_uri && !glb && !elsewhere) report_missing_data(resource, index);
+  const bool named = names_chunk(resource);
+  const bool glb = !has_uri && (index == 0 || named) && container.format == container::Format::glb;
+  if (named) check_chunk(resource);
+  if (!has_uri && !glb && !named && !elsewhere) report_missing_data(resource, index);
   const auto declared = model::unsigned_member(document, resource.object, "byteLength");
   if (!declared || *declared == 0) return undeclared_bytes(resource);
-  if (glb && !container.bin && is_fallback(resource.context, resource.object)) return std::nullopt;
-  auto bytes = glb ? glb_bytes(resource, *declared) : fetch_uri(resource);
+  if (glb && !named && !container.bin && is_fallback(resource.context, resource.object)) {
+    return std::nullopt;
+  }
+  auto bytes = glb ? glb_bytes(resource, index, *declared) : fetch_uri(resource);
   if (!bytes) return std::nullopt;
   return long_enough(resource, *std::move(bytes), *declared, glb && container.cut_short);
 }

@@ -204,6 +204,7 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
                     earlier ? static_cast<Sink&>(outside_forms) : forms,
                     order ? static_cast<Sink&>(*order) : reported_links};
     if (order) context.order = &*order;
+    collector.judge_by(context.version);
     DataUris data_uris(context.uri_reading());
     context.data_uris = &data_uris;
     Suppressions suppressions;

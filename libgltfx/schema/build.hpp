@@ -19,6 +19,7 @@ struct SetParts {
   std::vector<Shape> shapes;
   std::vector<ObjectType> types;
   std::vector<Extension> extensions;
+  std::vector<VersionText> versions;
   std::unordered_map<std::string, TypeId> type_ids;
   std::unordered_map<std::string, ExtensionId> extension_ids;
   std::vector<Pattern> patterns;

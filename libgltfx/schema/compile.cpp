@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "schema/build.hpp"
 #include "schema/form_check.hpp"
+#include "schema/shape_builder.hpp"
 #include "schema/source.hpp"
 
 namespace gltfx::schema {
@@ -100,6 +101,11 @@ class FileCheck {
         return pattern_map(node, word);
       case Form::annotation:
         open_.push_back({node, is_extension_root(node) ? Context::extension : Context::word});
+        return;
+      case Form::versions:
+        return each_element(node, word, Context::version);
+      case Form::advice:
+        open_.push_back({node, Context::advice});
         return;
       case Form::slot:
         open_.push_back({node, Context::slot});
@@ -277,6 +283,34 @@ void register_sources(Build& build) {
   }
 }
 
+// The versions of glTF are in the file of its root object.
+void read_versions(Build& build) {
+  const auto root = build.by_id.find("gltfx:core/glTF");
+  if (root == build.by_id.end()) return;
+  const Site file{root->second, build.sources[root->second].document.root()};
+  const Site list = build.member(build.member(file, "x-gltfx"), "versions");
+  if (!list.exists()) return;
+  const auto statuses = listed_values(Form::status);
+  for (const json::NodeId element : build.document(list).elements(list.node)) {
+    const Site at{list.source, element};
+    const Site revision = build.member(at, "revision");
+    VersionText text;
+    text.version = read_version(build, build.member(at, "version"));
+    const std::string status = build.text(build.member(at, "status"));
+    text.status =
+        static_cast<Status>(std::find(statuses.begin(), statuses.end(), status) - statuses.begin());
+    if (revision.exists()) text.revision = build.text(revision);
+    text.explained = read_names(build, build.member(at, "explained"));
+    if (!build.set.versions.empty() && text.version <= build.set.versions.back().version) {
+      build.errors.add(at, "versions must be in ascending order");
+    }
+    if (text.status == Status::draft && text.revision.empty()) {
+      build.errors.add(at, "a draft must have 'revision': the date of its text");
+    }
+    build.set.versions.push_back(std::move(text));
+  }
+}
+
 Compiled compile(const std::vector<SourceFile>& files) {
   Compiled result;
   const std::vector<Source> sources = load_sources(files, result.errors);
@@ -284,7 +318,8 @@ Compiled compile(const std::vector<SourceFile>& files) {
   check_vocabulary(sources, errors);
   Build build(sources, errors);
   // Each stage relies on the previous one.
-  for (const auto stage : {register_sources, build_shapes, build_extensions, check_references}) {
+  for (const auto stage :
+       {register_sources, read_versions, build_shapes, build_extensions, check_references}) {
     if (!errors.empty() || !result.errors.empty()) break;
     stage(build);
   }

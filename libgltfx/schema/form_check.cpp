@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "schema/pattern.hpp"
 #include "schema/source.hpp"
+#include "schema/version.hpp"
 
 namespace gltfx::schema {
 namespace {
@@ -127,6 +128,9 @@ TextRule text_rule(Form form) {
       return {is_member_path, "must be members with '/' between them"};
     case Form::revision:
       return {is_revision, "must be a date and maybe a commit: \"2025-09-15 b102d2d\""};
+    case Form::version:
+      return {[](std::string_view t) { return parse_version(t).has_value(); },
+              "must be a version such as 2.1"};
     case Form::channels:
       return {is_channels, "must be letters of \"rgba\" in this order"};
     case Form::swizzle:

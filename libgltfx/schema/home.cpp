@@ -12,9 +12,9 @@ namespace {
 
 using Way = Home::Way;
 
-bool knows(const Set& set, TypeId type, std::string_view name) {
+bool knows(const Set& set, TypeId type, std::string_view name, const Version& version) {
   const Property* property = type == kNone ? nullptr : set.find_property(type, name);
-  return property != nullptr && property->draft.empty();
+  return property != nullptr && property->draft.empty() && property->since <= version;
 }
 
 // An object among the elements of an array, if it is the only one.
@@ -24,16 +24,16 @@ json::NodeId only_element(const json::Document& document, json::NodeId array) {
   return one ? array + 1 : json::kNoNode;
 }
 
-Home through_property(const Set& set, const json::Document& document, json::NodeId object,
+Home through_property(const Set& set, const json::Document& document, const Neighbourhood& around,
                       const Property& property, std::string_view name) {
   Home home;
-  if (property.shape == kNone) return home;
+  if (property.shape == kNone || around.version < property.since) return home;
   const Shape& shape = set.shape(property.shape);
   const ShapeId items = shape.items;
-  const json::NodeId value = document.find(object, property.name);
-  if (knows(set, shape.type, name)) {
+  const json::NodeId value = document.find(around.object, property.name);
+  if (knows(set, shape.type, name, around.version)) {
     home = {Way::member, shape.type, property.name, value, true};
-  } else if (items != kNone && knows(set, set.shape(items).type, name)) {
+  } else if (items != kNone && knows(set, set.shape(items).type, name, around.version)) {
     home = {Way::element, set.shape(items).type, property.name, only_element(document, value)};
     home.is_certain = home.object != json::kNoNode;
   }
@@ -54,10 +54,10 @@ std::vector<Home> in_core(const Set& set, const json::Document& document,
                           const Neighbourhood& around, std::string_view name) {
   std::vector<Home> homes;
   for (const Property& property : set.type(around.type).properties) {
-    const Home home = through_property(set, document, around.object, property, name);
+    const Home home = through_property(set, document, around, property, name);
     if (home.way != Way::none) homes.push_back(home);
   }
-  if (knows(set, around.type_above, name)) {
+  if (knows(set, around.type_above, name, around.version)) {
     homes.push_back({Way::above, around.type_above, {}, around.object_above, !around.among_others});
   }
   return homes;
@@ -69,7 +69,7 @@ std::vector<Home> in_extensions(const Set& set, const json::Document& document,
   const json::NodeId holder = document.find(around.object, "extensions");
   for (const Extension& extension : set.extensions()) {
     const ShapeId shape = extension.shape_on(set.type(around.type).origin);
-    if (shape == kNone || !knows(set, set.shape(shape).type, name)) continue;
+    if (shape == kNone || !knows(set, set.shape(shape).type, name, around.version)) continue;
     const json::NodeId object = document.find(holder, extension.name);
     const bool there = object != json::kNoNode && document.is_object(object);
     homes.push_back({Way::extension, set.shape(shape).type, extension.name,

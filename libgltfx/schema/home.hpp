@@ -17,7 +17,8 @@ struct Neighbourhood {
   json::NodeId object = json::kNoNode;
   TypeId type_above = kNone;  ///< kNone for the root
   json::NodeId object_above = json::kNoNode;
-  bool among_others = false;  ///< an element of an array with several elements
+  bool among_others = false;    ///< an element of an array with several elements
+  Version version = kVersion2;  ///< members of later versions are no home
 };
 
 struct Home {

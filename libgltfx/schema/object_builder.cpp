@@ -104,6 +104,7 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
     property.animated_minimum = build_.document(least).number(least.node).value;
   }
   property.draft = text(build_.member(annotation, "draft"));
+  read_versions(annotation, where, property);
   property.unit = text(build_.member(annotation, "unit"));
   property.aliases = read_names(build_, build_.member(annotation, "aliases"));
   const Site late = build_.member(annotation, "addedLate");
@@ -112,6 +113,21 @@ Property ShapeBuilder::read_property(Site schema, std::string_view name, const W
   const std::string instead = text(build_.member(annotation, "deprecated"));
   if (!instead.empty()) property.deprecated = instead;
   return property;
+}
+
+// What depends on the version of the asset.
+void ShapeBuilder::read_versions(Site annotation, const Where& where, Property& property) {
+  const Site since = build_.member(annotation, "since");
+  if (since.exists()) property.since = read_version(build_, since);
+  property.without = read_names(build_, build_.member(annotation, "without"));
+  const Site should = build_.member(annotation, "should");
+  if (!should.exists()) return;
+  const std::string label = where.type_name + "/" + property.name;
+  Advice advice;
+  advice.shape = request(build_.member(should, "value"), {where.type_name, label, true});
+  advice.since = read_version(build_, build_.member(should, "since"));
+  advice.because = build_.text(build_.member(should, "because"));
+  property.should = std::move(advice);
 }
 
 // A required member that the object does not have can never be valid.
@@ -175,6 +191,10 @@ Target read_target(const Build& build, Site at) {
     target.steps.erase(target.steps.begin());
   }
   return target;
+}
+
+Version read_version(const Build& build, Site at) {
+  return at.exists() ? parse_version(build.text(at)).value_or(kVersion2) : kVersion2;
 }
 
 std::vector<std::string> read_names(const Build& build, Site list) {

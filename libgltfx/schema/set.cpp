@@ -82,6 +82,7 @@ std::shared_ptr<Set> SetWriter::make(SetParts parts, LazyParts lazy) {
   set->shapes_ = std::move(lazy.shapes);
   set->types_ = std::move(lazy.types);
   set->extensions_ = std::move(parts.extensions);
+  set->versions_ = std::move(parts.versions);
   set->type_ids_ = std::move(parts.type_ids);
   set->extension_ids_ = std::move(parts.extension_ids);
   set->patterns_ = std::make_shared<const std::vector<Pattern>>(std::move(parts.patterns));
@@ -89,7 +90,8 @@ std::shared_ptr<Set> SetWriter::make(SetParts parts, LazyParts lazy) {
 }
 
 SetParts SetWriter::open(const Set& set) {
-  SetParts parts{{}, {}, set.extensions_, set.type_ids_, set.extension_ids_, *set.patterns_};
+  SetParts parts{
+      {}, {}, set.extensions_, set.versions_, set.type_ids_, set.extension_ids_, *set.patterns_};
   for (ShapeId id = 0; id < set.shapes().size(); ++id) parts.shapes.push_back(set.shape(id));
   for (TypeId id = 0; id < set.types().size(); ++id) parts.types.push_back(set.type(id));
   return parts;

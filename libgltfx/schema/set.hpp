@@ -18,6 +18,7 @@
 #include "base/hash.hpp"
 #include "schema/lazy.hpp"
 #include "schema/text_index.hpp"
+#include "schema/version.hpp"
 
 namespace gltfx::schema {
 
@@ -75,6 +76,13 @@ struct Literal {
   std::string name;  ///< enumNames: "UNSIGNED_BYTE"; may be empty
 };
 
+/// Advice on the values of a property.
+struct Advice {
+  ShapeId shape = kNone;  ///< that values should fit
+  Version since;          ///< first version of glTF that gives the advice
+  std::string because;    ///< a sentence
+};
+
 struct Property {
   std::string name;
   ShapeId shape = kNone;
@@ -86,8 +94,12 @@ struct Property {
   std::vector<std::string> aliases;  ///< names of earlier drafts
   std::string default_json;          ///< JSON text of the default; empty: none
   std::string deprecated;            ///< what to use instead; empty: current
-  std::string draft;                 ///< the text that defines it ("glTF 2.1"), not in force yet
-  bool added_late = false;           ///< required, but missing in drafts that assets still follow
+  /// The text that defines it ("glTF 2.1"), for assets of earlier versions too.
+  std::string draft;
+  Version since;                     ///< first version of glTF that has it; 0.0: all
+  std::vector<std::string> without;  ///< members that an object with the property must not have
+  std::optional<Advice> should;
+  bool added_late = false;  ///< required, but missing in drafts that assets still follow
   std::string unit;
   std::string description;
 };
@@ -119,6 +131,7 @@ struct Shape {
   std::uint32_t pattern = kNone;  ///< index into Set::patterns()
   std::string format;
   std::vector<Literal> literals;  ///< enum, or the one of const; empty: any
+  Version open_since;             ///< first version of glTF that allows other values; 0.0: none
   bool is_const = false;
   ShapeId items = kNone;
   TypeId type = kNone;     ///< the object type, when the shape describes members
@@ -131,6 +144,7 @@ struct Shape {
   std::vector<std::pair<std::string, std::vector<std::string>>> dependent_required;
   std::optional<Target> ref;
   std::vector<std::string> ref_has;  ///< path of members that the element of `ref` must have
+  ShapeId ref_holds = kNone;         ///< that the element of `ref` must fit
   std::optional<Target> ref_name;
   UnitLength unit_length = UnitLength::free;
   std::uint32_t should_match = kNone;  ///< index into Set::patterns(): else a warning
@@ -262,6 +276,14 @@ class Pattern;
 void read_part(std::string_view bytes, Texts texts, Shape& shape);
 void read_part(std::string_view bytes, Texts texts, ObjectType& type);
 
+/// A version of glTF, as its text stands.
+struct VersionText {
+  Version version;
+  Status status = Status::ratified;
+  std::string revision;                ///< of a draft: date and commit
+  std::vector<std::string> explained;  ///< members that proposals name and the text does not
+};
+
 /// Immutable after compilation. Built-in shapes and types are read at first use, and their
 /// addresses do not change.
 class Set {
@@ -272,6 +294,11 @@ class Set {
   const Lazy<ObjectType>& types() const { return *types_; }
   const ObjectType& type(TypeId id) const { return (*types_)[id]; }
   const std::vector<Extension>& extensions() const { return extensions_; }
+  /// The versions of glTF that it describes, oldest first. Empty without the root object of glTF.
+  const std::vector<VersionText>& versions() const { return versions_; }
+  Version newest_version() const {
+    return versions_.empty() ? kVersion2 : versions_.back().version;
+  }
 
   TypeId find_type(std::string_view name) const;            ///< or kNone
   ExtensionId find_extension(std::string_view name) const;  ///< or kNone
@@ -293,6 +320,7 @@ class Set {
   std::shared_ptr<const Lazy<Shape>> shapes_;
   std::shared_ptr<const Lazy<ObjectType>> types_;
   std::vector<Extension> extensions_;
+  std::vector<VersionText> versions_;
   std::unordered_map<std::string, TypeId> type_ids_;
   std::unordered_map<std::string, ExtensionId> extension_ids_;
   std::shared_ptr<const std::vector<Pattern>> patterns_;

@@ -112,8 +112,8 @@ bool ShapeBuilder::is_bare_reference(Site schema) const {
   if (!build_.member(schema, "$ref").exists() || has_constraints(schema)) return false;
   const Site annotation = build_.member(schema, "x-gltfx");
   for (const std::string_view word :
-       {"slot", "ref", "refHas", "refName", "unitLength", "shouldMatch", "mayRefer", "mayPoint",
-        "essential", "byPosition"}) {
+       {"slot", "ref", "refHas", "refHolds", "refName", "openSince", "unitLength", "shouldMatch",
+        "mayRefer", "mayPoint", "essential", "byPosition"}) {
     if (document.find(annotation.node, word) != json::kNoNode) return false;
   }
   return true;
@@ -147,7 +147,7 @@ void ShapeBuilder::work(const Job& job) {
     const Site value{job.schema.source, member.value};
     read_keyword(source.keywords[member.key_id], value, job.where, shape, members);
   }
-  if (members.annotation.exists()) read_annotation(members.annotation, shape);
+  if (members.annotation.exists()) read_annotation(members.annotation, job.where, shape);
   if (!build_.member(job.schema, "if").exists()) shape.conditions.clear();
   finish_members(job.shape, job.schema, job.where, shape, members);
   build_.set.shapes[job.shape] = std::move(shape);
@@ -221,7 +221,7 @@ void ShapeBuilder::copy_base(const Job& job) {
     const Site value = build_.member(job.schema, word);
     if (value.exists()) read_keyword(keyword_of(word), value, job.where, shape, members);
   }
-  if (members.annotation.exists()) read_annotation(members.annotation, shape);
+  if (members.annotation.exists()) read_annotation(members.annotation, job.where, shape);
 }
 
 void build_shapes(Build& build) {

@@ -50,10 +50,11 @@ class ShapeBuilder {
                     Members& members);
   void read_scalar(Keyword keyword, Site value, Shape& shape);
   void read_branches(Keyword keyword, Site value, const Where& where, Shape& shape);
-  void read_annotation(Site annotation, Shape& shape);
+  void read_annotation(Site annotation, const Where& where, Shape& shape);
   void finish_members(ShapeId id, Site schema, const Where& where, Shape& shape,
                       const Members& members);
   std::vector<Property> read_properties(const Members& members, const Where& where);
+  void read_versions(Site annotation, const Where& where, Property& property);
   Property read_property(Site schema, std::string_view name, const Where& where);
   std::uint32_t pattern(std::string_view expression);
   void report_misspelt_required(const Members& members, const ObjectType& type);
@@ -73,6 +74,7 @@ Slot read_slot(const Build& build, Site slot);
 std::vector<std::string> split_steps(std::string_view text);
 Target read_target(const Build& build, Site text);
 Upgrade read_upgrade(const Build& build, Site upgrade);
+Version read_version(const Build& build, Site text);
 std::vector<std::string> read_names(const Build& build, Site list);
 Literal read_literal(const json::Document& document, json::NodeId node);
 std::vector<Literal> read_literals(const Build& build, Site list);

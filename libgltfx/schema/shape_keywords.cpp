@@ -163,12 +163,18 @@ void ShapeBuilder::read_branches(Keyword keyword, Site value, const Where& where
   }
 }
 
-void ShapeBuilder::read_annotation(Site annotation, Shape& shape) {
+void ShapeBuilder::read_annotation(Site annotation, const Where& where, Shape& shape) {
   const auto word = [&](std::string_view name) { return build_.member(annotation, name); };
   if (const Site hint = word("hint"); hint.exists()) shape.hint = build_.text(hint);
   if (const Site hint = word("zeroHint"); hint.exists()) shape.zero_hint = build_.text(hint);
   if (const Site ref = word("ref"); ref.exists()) shape.ref = read_target(build_, ref);
   if (const Site has = word("refHas"); has.exists()) shape.ref_has = split_steps(build_.text(has));
+  if (const Site holds = word("refHolds"); holds.exists()) {
+    shape.ref_holds = request(holds, {where.type_name, where.label, true});
+  }
+  if (const Site since = word("openSince"); since.exists()) {
+    shape.open_since = read_version(build_, since);
+  }
   if (const Site name = word("refName"); name.exists()) shape.ref_name = read_target(build_, name);
   if (const Site unit = word("unitLength"); unit.exists()) {
     shape.unit_length = build_.text(unit) == "error" ? UnitLength::error : UnitLength::warning;

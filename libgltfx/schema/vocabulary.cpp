@@ -69,6 +69,7 @@ constexpr auto kSchema = [] {
 constexpr std::array kWord{
     Word{"ref", F::target},
     Word{"refHas", F::member_path},
+    Word{"refHolds", F::schema},
     Word{"refName", F::name_target},
     Word{"unitLength", F::severity},
     Word{"shouldMatch", F::pattern},
@@ -86,8 +87,25 @@ constexpr std::array kWord{
     Word{"unit", F::nonempty_text},
     Word{"deprecated", F::nonempty_text},
     Word{"draft", F::nonempty_text},
+    Word{"since", F::version},
+    Word{"openSince", F::version},
+    Word{"without", F::names},
+    Word{"should", F::advice},
+    Word{"versions", F::versions},
     Word{"hint", F::nonempty_text},
     Word{"zeroHint", F::nonempty_text},
+};
+
+constexpr std::array kVersion{
+    Word{"version", F::version, K::none, true},
+    Word{"status", F::status, K::none, true},
+    Word{"revision", F::revision},
+    Word{"explained", F::names},
+};
+constexpr std::array kAdvice{
+    Word{"since", F::version},
+    Word{"value", F::schema, K::none, true},
+    Word{"because", F::nonempty_text, K::none, true},
 };
 
 constexpr std::array kExtension{
@@ -204,6 +222,10 @@ std::span<const Word> words(Context context) {
       return kSchema;
     case Context::word:
       return kWord;
+    case Context::version:
+      return kVersion;
+    case Context::advice:
+      return kAdvice;
     case Context::extension:
       return kExtension;
     case Context::slot:
@@ -229,9 +251,11 @@ std::span<const Word> words(Context context) {
 }
 
 std::string_view context_name(Context context) {
-  constexpr std::array<std::string_view, 13> kNames{"a schema file",
+  constexpr std::array<std::string_view, 15> kNames{"a schema file",
                                                     "a schema",
                                                     "x-gltfx",
+                                                    "a version",
+                                                    "advice",
                                                     "x-gltfx of an extension",
                                                     "a slot",
                                                     "a relation to an extension",

@@ -31,6 +31,8 @@ Walker::Walker(const json::Document& document, const Set& set, const CheckOption
       set_(set),
       tables_(set.walk_tables()),
       options_(options),
+      version_(options.deviations.draft_names_are_unexpected ? kVersion2
+                                                             : judged_version(document, set)),
       schema_sink_(schema_sink),
       reference_sink_(reference_sink),
       visitor_(visitor),

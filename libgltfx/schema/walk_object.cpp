@@ -89,9 +89,7 @@ void Walker::gather(Frame& frame) {
     if (entry == nullptr) {
       if (symbol > Set::WalkTables::kExtras) other_name(frame, key, value);
     } else if (!entry->alias) {
-      const bool known =
-          !plan.properties[entry->property].draft || !deviations().draft_names_are_unexpected;
-      if (known) {
+      if (is_known(plan.properties[entry->property])) {
         slots[entry->property] = value;
       } else {
         unexpected(frame, key, value);
@@ -101,6 +99,17 @@ void Walker::gather(Frame& frame) {
       if (slots[entry->property] == json::kNoNode) slots[entry->property] = value;
     }
   }
+}
+
+// Whether the version of the asset has a property, which is then checked without a word.
+bool Walker::is_in_force(const PropertyPlan& plan) const {
+  return plan.since == Version() ? !plan.draft : plan.since <= version_;
+}
+
+// Of a draft, also earlier versions have a property that says so.
+bool Walker::is_known(const PropertyPlan& plan) const {
+  if (plan.draft) return !deviations().draft_names_are_unexpected;
+  return plan.since <= version_;
 }
 
 bool Walker::properties(Frame& frame) {
@@ -117,7 +126,7 @@ bool Walker::properties(Frame& frame) {
       const json::NodeId node = members_[frame.scratch + index];
       if (node != json::kNoNode) {
         if (property(frame, index, node)) return true;
-      } else if (plan.properties[index].required) {
+      } else if (plan.properties[index].required && is_in_force(plan.properties[index])) {
         missing(frame, index);
       }
     }
@@ -153,12 +162,13 @@ bool Walker::property(Frame& frame, std::uint32_t index, json::NodeId node) {
     report({frame.path, key_of(node)}, Code::PROPERTY_DEPRECATED, document_.span(node - 1),
            quoted(property.name) + " is deprecated: " + property.deprecated + ".");
   }
-  if (plan.draft) {
+  if (plan.draft && !is_in_force(plan)) {
     const Property& property = set_.type(frame.type).properties[index];
     report({frame.path, key_of(node)}, Code::PROPERTY_DRAFT, document_.span(node - 1),
            quoted(property.name) + " is from the draft of " + property.draft +
                ", which can still change.");
   }
+  if (plan.advised) advise(frame, index, node);
   if (plan.shape == kNone) return false;
   if (plan.slot) record_slot(frame, index, node);
   if (frame.calls.before) {

@@ -94,7 +94,9 @@ void Walker::refer(ShapeId shape, std::uint64_t index, Value value, const Path& 
 void Walker::look_at_element(ShapeId shape, ReferenceTargets::Array& array, std::uint64_t index,
                              Value value, const Path& path) {
   const std::vector<std::string>& steps = set_.shape(shape).ref_has;
-  if (steps.empty() || deviations().no_additional_rules) return;
+  if (deviations().no_additional_rules) return;
+  fit_element(shape, array, index, value, path);
+  if (steps.empty()) return;
   if (targets_.has_member(array, index, shape, steps)) return;
   const std::string& name = set_.shape(shape).ref->steps.back();
   reference_sink_.report(path,
@@ -104,6 +106,27 @@ void Walker::look_at_element(ShapeId shape, ReferenceTargets::Array& array, std:
                           {},
                           values_.span(value),
                           std::nullopt});
+}
+
+// Elements are judged once: many references may lead to one.
+void Walker::fit_element(ShapeId id, ReferenceTargets::Array& array, std::uint64_t index,
+                         Value value, const Path& path) {
+  const Shape& shape = set_.shape(id);
+  if (shape.ref_holds == kNone) return;
+  const auto [known, is_new] = array.having.try_emplace(shape.ref_holds);
+  if (is_new) {
+    for (const json::NodeId element : document_.elements(array.node)) {
+      known->second.push_back(holds_(shape.ref_holds, {element}));
+    }
+  }
+  if (known->second[index]) return;
+  reference_sink_.report(path, {Code::REFERENCE_MISMATCH,
+                                fmt::format("{} refers to {}[{}]; it must be {}.", name_of(path),
+                                            printable(shape.ref->steps.back()), index,
+                                            set_.shape(shape.ref_holds).description),
+                                {},
+                                values_.span(value),
+                                std::nullopt});
 }
 
 // A missing part of an extension's object at the root may be in a separate file.
@@ -138,6 +161,21 @@ void Walker::refer_name(ShapeId shape, std::string_view name, Value value, const
                           {},
                           values_.span(value),
                           std::nullopt});
+}
+
+// What a property asks of its value and of the other members.
+void Walker::advise(const Frame& frame, std::uint32_t index, json::NodeId node) {
+  const Property& property = set_.type(frame.type).properties[index];
+  const auto& should = property.should;
+  if (should && should->since <= version_ && !holds_(should->shape, {node})) {
+    report({frame.path, key_of(node)}, Code::NOT_RECOMMENDED, document_.span(node - 1),
+           should->because);
+  }
+  for (const std::string& other : property.without) {
+    if (document_.find(frame.node, other) == json::kNoNode) continue;
+    report(frame.path, Code::ONE_OF_MISMATCH, opening(frame.node),
+           quoted(property.name) + " and " + quoted(other) + " are mutually exclusive.");
+  }
 }
 
 void Walker::constraints(const Frame& frame) {
@@ -231,6 +269,11 @@ void Walker::no_alternative(const std::vector<ShapeId>& branches, bool exactly_o
 
 void Walker::forbidden(const Shape& shape, Value value, const Path& path) {
   const bool object = values_.kind(value) == json::Kind::object;
+  if (!shape.description.empty()) {
+    report(path, Code::CONDITION_MISMATCH, object ? opening(value.node) : values_.span(value),
+           shape.description);
+    return;
+  }
   std::vector<std::string> names;
   if (object && shape.type != kNone) {
     for (const Property& property : set_.type(shape.type).properties) {

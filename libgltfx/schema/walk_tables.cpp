@@ -97,7 +97,7 @@ class Maker {
   }
 
   static Plan choose(const Shape& shape, const ShapePlan& plan) {
-    const bool asks_more = shape.ref_name || !shape.ref_has.empty();
+    const bool asks_more = shape.ref_name || !shape.ref_has.empty() || shape.ref_holds != kNone;
     if (shape.never || shape.multiple_of != 0 || asks_more) return Plan::full;
     if (shape.types == kObject) return Plan::object;
     if (shape.types == kArray) return Plan::array;
@@ -146,7 +146,8 @@ class Maker {
     for (const Property& property : type.properties) {
       const bool slot = property.shape != kNone && set_.shape(property.shape).slot;
       plan.properties.push_back({property.shape, property.required, !property.deprecated.empty(),
-                                 !property.draft.empty(), slot});
+                                 !property.draft.empty(), slot,
+                                 property.should || !property.without.empty(), property.since});
       names += 1 + property.aliases.size();
     }
     plan.constraints_at = static_cast<std::uint32_t>(type.properties.size());

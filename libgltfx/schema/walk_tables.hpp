@@ -53,6 +53,8 @@ struct PropertyPlan {
   bool deprecated = false;
   bool draft = false;
   bool slot = false;
+  bool advised = false;  ///< has advice on its value or excludes other members
+  Version since;
 };
 
 /// `dependentRequired`: when the member `name` is present, `other` must be too. The indices are

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Members that are not in the type of an object: misspelt, misplaced, or of an earlier draft.
+#include <algorithm>
+#include <optional>
+
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "schema/walker.hpp"
@@ -35,12 +38,9 @@ void Walker::other_name(Frame& frame, json::KeyId key, json::NodeId value) {
 void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
   const ObjectType& type = set_.type(frame.type);
   const std::string_view name = document_.key(key);
-  std::vector<std::string_view> known{"extensions", "extras"};
-  if (type.properties.size() < comparisons_left_) {
-    for (const Property& property : type.properties) known.push_back(property.name);
-  }
   std::string message = quoted(name) + " is not a known member of " + quoted(type.name);
-  std::string help = did_you_mean(name, known);
+  std::string help = version_help(set_.find_property(frame.type, name), name);
+  if (help.empty()) help = did_you_mean(name, known_names(type));
   if (help.empty() && set_.find_extension(name) != kNone) {
     help = "move it into \"extensions\": { … }";
   }
@@ -50,7 +50,34 @@ void Walker::unexpected(Frame& frame, json::KeyId key, json::NodeId value) {
     help = move_help(home);
   }
   report({frame.path, name}, Code::UNEXPECTED_PROPERTY, document_.span(value - 1), message + ".",
-         std::move(help));
+         std::move(help), is_explained(name) ? std::optional(Severity::info) : std::nullopt);
+}
+
+// The names that the version of the asset has.
+std::vector<std::string_view> Walker::known_names(const ObjectType& type) const {
+  std::vector<std::string_view> known{"extensions", "extras"};
+  if (type.properties.size() >= comparisons_left_) return known;
+  for (const Property& property : type.properties) {
+    if (property.since <= version_ || !property.draft.empty()) known.push_back(property.name);
+  }
+  return known;
+}
+
+// A name of a later version, or one that a draft may get.
+std::string Walker::version_help(const Property* property, std::string_view name) const {
+  if (deviations().draft_names_are_unexpected) return {};
+  if (property != nullptr && version_ < property->since) {
+    return "remove the member, or use the version that has it: it is of glTF " +
+           version_text(property->since);
+  }
+  if (!is_explained(name)) return {};
+  return "it is proposed for glTF " + version_text(version_) + ", but not in its text";
+}
+
+bool Walker::is_explained(std::string_view name) const {
+  if (set_.versions().empty() || version_ != set_.newest_version()) return false;
+  const auto& names = set_.versions().back().explained;
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 // Limited like suggestions: the search visits all extensions.
@@ -59,6 +86,7 @@ Home Walker::home_of(const Frame& frame, std::string_view name) {
   if (comparisons > comparisons_left_) return {};
   comparisons_left_ -= comparisons;
   Neighbourhood around{frame.type, frame.node};
+  around.version = version_;
   const Frame* above = frame.parent;
   for (; above != nullptr && above->mode != Mode::object; above = above->parent) {
     if (above->mode == Mode::array) around.among_others |= document_.array_size(above->node) > 1;

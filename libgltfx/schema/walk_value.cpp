@@ -147,6 +147,7 @@ void Walker::check_literals(ShapeId id, Value value, const Path& path) {
   const Shape& shape = set_.shape(id);
   const auto equal = [&](const Literal& literal) { return values_.equals(value, literal); };
   if (std::any_of(shape.literals.begin(), shape.literals.end(), equal)) return;
+  if (shape.open_since != Version() && shape.open_since <= version_) return;
   if (is_added(id, value)) return;
   std::string help;
   if (values_.kind(value) == json::Kind::string) {

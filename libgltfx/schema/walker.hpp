@@ -82,6 +82,9 @@ class Walker {
   bool pending_shapes(Frame& frame);
   bool property(Frame& frame, std::uint32_t index, json::NodeId value);
   void behind(Frame& frame);
+  bool is_known(const PropertyPlan& plan) const;
+  bool is_in_force(const PropertyPlan& plan) const;
+  void advise(const Frame& frame, std::uint32_t index, json::NodeId value);
   bool follows_earlier_draft(const Frame& frame) const;
   void missing(Frame& frame, std::uint32_t index);
   bool others(Frame& frame);
@@ -97,6 +100,9 @@ class Walker {
   // walk_unknown.cpp
   void other_name(Frame& frame, json::KeyId key, json::NodeId value);
   void unexpected(Frame& frame, json::KeyId key, json::NodeId value);
+  std::vector<std::string_view> known_names(const ObjectType& type) const;
+  std::string version_help(const Property* property, std::string_view name) const;
+  bool is_explained(std::string_view name) const;
   Home home_of(const Frame& frame, std::string_view name);
   void renamed(const Frame& frame, const Property& property, json::NodeId value);
 
@@ -134,6 +140,8 @@ class Walker {
   void refer(ShapeId shape, std::uint64_t index, Value value, const Path& path);
   void look_at_element(ShapeId shape, ReferenceTargets::Array& array, std::uint64_t index,
                        Value value, const Path& path);
+  void fit_element(ShapeId shape, ReferenceTargets::Array& array, std::uint64_t index, Value value,
+                   const Path& path);
   bool is_elsewhere(const Target& target) const;
   void refer_name(ShapeId shape, std::string_view name, Value value, const Path& path);
   ReferenceTargets::Array* array_of(const TargetPlan& plan, std::uint32_t target);
@@ -189,6 +197,7 @@ class Walker {
   const Set& set_;
   const Set::WalkTables& tables_;
   CheckOptions options_;
+  Version version_;  ///< that the document is judged by
   Sink& schema_sink_;
   Sink& reference_sink_;
   const ObjectVisitor& visitor_;

@@ -65,7 +65,7 @@ TEST(Glb, AWrongMagicIsTheOnlyError) {
 }
 
 TEST(Glb, AnotherVersionIsTheOnlyErrorAndIsKept) {
-  for (const std::uint32_t version : {0U, 1U, 3U}) {
+  for (const std::uint32_t version : {0U, 1U, 4U}) {
     GlbHeader header;
     header.version = version;
     header.length = 0;

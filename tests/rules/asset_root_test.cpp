@@ -28,7 +28,7 @@ TEST(AssetRoot, OtherMajorVersionsAreErrors) {
   EXPECT_EQ(of_asset(R"("version": "2.0")"), Lines{});
 }
 
-TEST(AssetRoot, MinorVersionsAreWarnedOfAndTheDraftIsNamed) {
+TEST(AssetRoot, MinorVersionsAndTheDraftAreNamed) {
   EXPECT_EQ(of_asset(R"("version": "2.2")"), Lines{"UNKNOWN_ASSET_MINOR_VERSION /asset/version"});
   EXPECT_EQ(of_asset(R"("version": "2.1")"), Lines{"GLTF_VERSION_2_1_DRAFT /asset/version"});
   EXPECT_EQ(of_asset(R"("version": "2.1")", Profile::khronos),

@@ -20,7 +20,8 @@ class BadValues {
     types();
     if (good_.is_number()) numbers();
     if (good_.is_string()) strings();
-    if (!shape_.literals.empty()) literals();
+    const bool is_open = shape_.open_since != schema::Version();
+    if (!shape_.literals.empty() && !is_open) literals();
     if (good_.is_array()) arrays();
     if (good_.is_object() && shape_.type == kNone) maps();
     return std::move(bad_);

@@ -15,7 +15,7 @@ using schema::TypeId;
 using Pointer = Json::json_pointer;
 
 constexpr const char* kBase = R"({
-  "asset": {"version": "2.0"}, "extensionsUsed": ["ACME_other"], "extensionsRequired": ["ACME_other"],
+  "asset": {"version": "2.1"}, "extensionsUsed": ["ACME_other"], "extensionsRequired": ["ACME_other"],
   "accessors": [{"componentType": 5126, "count": 3, "type": "VEC3"}, {"componentType": 5126, "count": 3, "type": "VEC3"}],
   "animations": [
     {"channels": [{"sampler": 0, "target": {"path": "scale"}}], "samplers": [{"input": 0, "output": 1}, {"input": 0, "output": 1}]},
@@ -26,7 +26,9 @@ constexpr const char* kBase = R"({
               {"type": "orthographic", "orthographic": {"xmag": 1, "ymag": 1, "zfar": 2, "znear": 1}}],
   "images": [{"uri": "a.png"}, {"uri": "b.png"}], "materials": [{}, {}],
   "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}, {"primitives": [{"attributes": {"POSITION": 0}}]}],
-  "nodes": [{}, {}], "samplers": [{}, {}], "scenes": [{}, {}], "scene": 0, "skins": [{"joints": [0]}, {"joints": [0]}],
+  "nodes": [{}, {}], "samplers": [{}, {}], "scenes": [{}], "scene": 0, "skins": [{"joints": [0]}, {"joints": [0]}],
+  "files": [{"uri": "a.gltf", "mimeType": "model/gltf+json"}, {"uri": "b.glb", "mimeType": "model/gltf-binary"}],
+  "externalAssets": [{"file": 1}, {"file": 1}], "shapes": [{"type": "ACME_a"}, {"type": "ACME_b"}],
   "textures": [{"source": 0}, {"source": 1}]})";
 
 // How to get from an object to some object of a type: members, "0" for an array's first element,

@@ -75,6 +75,8 @@ INSTANTIATE_TEST_SUITE_P(
     Vocabulary, VocabularyContext,
     testing::Values(Pair{Context::word, meta()["$defs"]["word"]},
                     Pair{Context::extension, meta()["$defs"]["extension"]},
+                    Pair{Context::version, meta()["$defs"]["versionText"]},
+                    Pair{Context::advice, meta()["$defs"]["advice"]},
                     Pair{Context::slot, meta()["$defs"]["slot"]},
                     Pair{Context::attribute, meta()["$defs"]["attribute"]},
                     Pair{Context::generation,

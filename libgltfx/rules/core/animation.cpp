@@ -91,7 +91,9 @@ constexpr model::Format kTimes{model::ElementType::scalar, model::ComponentType:
 class AnimationCheck {
  public:
   explicit AnimationCheck(const Context& context)
-      : context_(context), deformations_(model::read_deformations(context.views.meshes)) {}
+      : context_(context),
+        deformations_(
+            model::read_deformations(context.views.meshes, context.version > schema::kVersion2)) {}
 
   void run() {
     AnimationPaths paths;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The glTF version of an asset, and the minimum version that a reader must support.
-#include <charconv>
 #include <optional>
 
 #include <fmt/format.h>
@@ -13,35 +12,12 @@
 namespace gltfx::validate {
 namespace {
 
-struct Version {
-  std::uint32_t major = 0;
-  std::uint32_t minor = 0;
-  bool operator<(const Version& other) const {
-    return major != other.major ? major < other.major : minor < other.minor;
-  }
-};
-
-std::optional<std::uint32_t> parse_part(std::string_view digits) {
-  if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
-    return std::nullopt;
-  }
-  std::uint32_t number = 0;
-  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), number);
-  return result.ec == std::errc() ? number : UINT32_MAX;
-}
-
-std::optional<Version> parse_version(std::string_view text) {
-  const std::size_t dot = text.find('.');
-  if (dot == std::string_view::npos) return std::nullopt;
-  const auto major = parse_part(text.substr(0, dot));
-  const auto minor = parse_part(text.substr(dot + 1));
-  if (!major || !minor) return std::nullopt;
-  return Version{*major, *minor};
-}
+using schema::Version;
 
 void check_min_version(const Context& context, json::NodeId asset, const Path& path,
                        const Version& version) {
-  const auto least = parse_version(model::string_member(context.document, asset, "minVersion"));
+  const auto least =
+      schema::parse_version(model::string_member(context.document, asset, "minVersion"));
   if (!least || !(version < *least)) return;
   report_member(context.schema_sink, context, path, asset, "minVersion",
                 Code::ASSET_MIN_VERSION_GREATER_THAN_VERSION,
@@ -49,24 +25,30 @@ void check_min_version(const Context& context, json::NodeId asset, const Path& p
                             least->minor, version.major, version.minor));
 }
 
-// glTF 1.0 and the draft of 2.1 are reported by the identity phase, which is an addition.
+void check_minor(const Context& context, json::NodeId asset, const Path& path,
+                 const Version& version) {
+  const Version known = context.deviations.minor_versions_are_unknown
+                            ? schema::kVersion2
+                            : context.schemas.newest_version();
+  if (version <= known) return;
+  report_member(context.schema_sink, context, path, asset, "version",
+                Code::UNKNOWN_ASSET_MINOR_VERSION,
+                fmt::format("The asset has the unknown version {}; it is checked as glTF {}.",
+                            version_text(version), version_text(known)));
+}
+
+// glTF 1.0 and drafts are reported by the identity phase, which is an addition.
 void check_known(const Context& context, json::NodeId asset, const Path& path,
                  const Version& version) {
-  if (version.major != 2) {
-    report_member(context.schema_sink, context, path, asset, "version",
-                  Code::UNKNOWN_ASSET_MAJOR_VERSION,
-                  fmt::format("The asset is glTF {}.{}; only version 2 is supported.",
-                              version.major, version.minor));
-  } else if (version.minor > (context.deviations.minor_versions_are_unknown ? 0U : 1U)) {
-    report_member(context.schema_sink, context, path, asset, "version",
-                  Code::UNKNOWN_ASSET_MINOR_VERSION,
-                  fmt::format("The asset has the unknown version 2.{}; it is checked as glTF 2.0.",
-                              version.minor));
-  }
+  if (version.major == schema::kVersion2.major) return check_minor(context, asset, path, version);
+  report_member(
+      context.schema_sink, context, path, asset, "version", Code::UNKNOWN_ASSET_MAJOR_VERSION,
+      fmt::format("The asset is glTF {}; only version 2 is supported.", version_text(version)));
 }
 
 void check_asset(const Context& context, json::NodeId asset, const Path& path) {
-  const auto version = parse_version(model::string_member(context.document, asset, "version"));
+  const auto version =
+      schema::parse_version(model::string_member(context.document, asset, "version"));
   if (!version) return;
   check_min_version(context, asset, path, *version);
   check_known(context, asset, path, *version);

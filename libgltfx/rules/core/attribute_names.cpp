@@ -63,6 +63,15 @@ bool is_extension_attribute(const Context& context, std::string_view name, bool 
   });
 }
 
+// After version 2.0, other names are advised against, but indices must be right.
+bool may_have_name(const Context& context, std::string_view name) {
+  if (context.version <= schema::kVersion2) return false;
+  static constexpr std::array<std::string_view, 4> kIndexed{"TEXCOORD", "COLOR", "JOINTS",
+                                                            "WEIGHTS"};
+  return std::none_of(kIndexed.begin(), kIndexed.end(),
+                      [&](std::string_view stem) { return name.starts_with(stem); });
+}
+
 void check_name(const Context& context, std::string_view name, json::NodeId value, bool target,
                 const Path& path) {
   const SemanticKind kind = model::parse_semantic(name).kind;
@@ -71,13 +80,13 @@ void check_name(const Context& context, std::string_view name, json::NodeId valu
                         ? is_extension_attribute(context, name, target)
                         : kind != SemanticKind::invalid && !(target && skinning);
   if (good) return;
-  context.schema_sink.report(
-      Path(path, name),
-      finding_on(context, value, Code::MESH_PRIMITIVE_INVALID_ATTRIBUTE,
-                 target && skinning
-                     ? fmt::format("{} is not allowed in a morph target.", quoted(name))
-                     : fmt::format("{} is not a glTF attribute.", quoted(name)),
-                 target && skinning ? std::string() : suggestion(name)));
+  Finding finding = finding_on(
+      context, value, Code::MESH_PRIMITIVE_INVALID_ATTRIBUTE,
+      target && skinning ? fmt::format("{} is not allowed in a morph target.", quoted(name))
+                         : fmt::format("{} is not a glTF attribute.", quoted(name)),
+      target && skinning ? std::string() : suggestion(name));
+  if (may_have_name(context, name)) finding.severity = Severity::warning;
+  context.schema_sink.report(Path(path, name), std::move(finding));
 }
 
 void check_names(const Context& context, const std::vector<Attribute>& attributes, bool target,

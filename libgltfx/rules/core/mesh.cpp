@@ -21,6 +21,18 @@ bool lack_targets(const Context& context, json::NodeId primitive) {
          model::has_broken_targets(context.document, primitive);
 }
 
+// After version 2.0, a primitive without targets counts as one whose targets have no effect.
+bool some_may_lack_targets(const Context& context) { return context.version > schema::kVersion2; }
+
+// The targets that all primitives have which have any.
+std::size_t expected_targets(const Context& context, const std::vector<json::NodeId>& primitives) {
+  for (const json::NodeId primitive : primitives) {
+    const std::size_t count = model::morph_targets(context.document, primitive).size();
+    if (count > 0 || !some_may_lack_targets(context)) return count;
+  }
+  return 0;
+}
+
 void check_target_counts(const Context& context, const std::vector<json::NodeId>& primitives,
                          std::size_t expected, const Path& path) {
   const json::Document& document = context.document;
@@ -28,7 +40,7 @@ void check_target_counts(const Context& context, const std::vector<json::NodeId>
   for (std::size_t i = 1; i < primitives.size(); ++i) {
     if (primitives[i] == json::kNoNode || lack_targets(context, primitives[i])) continue;
     const std::size_t count = model::morph_targets(document, primitives[i]).size();
-    if (count == expected) continue;
+    if (count == expected || (count == 0 && some_may_lack_targets(context))) continue;
     const Path primitive(array, static_cast<std::uint64_t>(i));
     const Path targets(primitive, "targets");
     const json::NodeId place = count > 0 ? document.find(primitives[i], "targets") : primitives[i];
@@ -45,7 +57,7 @@ void check_mesh(const Context& context, json::NodeId mesh, const Path& path) {
   const auto primitives = model::primitives(document, mesh);
   if (primitives.empty() || primitives.front() == json::kNoNode) return;
   if (lack_targets(context, primitives.front())) return;
-  const std::size_t expected = model::morph_targets(document, primitives.front()).size();
+  const std::size_t expected = expected_targets(context, primitives);
   check_target_counts(context, primitives, expected, path);
   const json::NodeId weights = document.find(mesh, "weights");
   if (weights == json::kNoNode || document.kind(weights) != json::Kind::number_array) return;

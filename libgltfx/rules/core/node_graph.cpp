@@ -135,6 +135,14 @@ class GraphCheck {
     return document.object_size(node.extensions) != 0;
   }
 
+  // What nodes have since version 2.1.
+  bool has_later_member(const model::Node& node) const {
+    if (context_.version <= schema::kVersion2) return false;
+    const json::Document& document = context_.document;
+    return document.find(node.object, "externalAsset") != json::kNoNode ||
+           document.find(node.object, "boundingVolume") != json::kNoNode;
+  }
+
   // Such as the end of a joint or the eye of an avatar.
   bool is_named_by_extension(NodeIndex index) const {
     const schema::TargetArray* const nodes = context_.checked.target("/nodes");
@@ -154,7 +162,8 @@ class GraphCheck {
 
   void check_empty(const model::Node& node, NodeIndex index, const Path& path) {
     if (!unseen_.empty() || is_joint_[index] != 0 || node.mesh || node.camera || has_extras(node) ||
-        has_children(node) || has_extension(node) || is_named_by_extension(index)) {
+        has_children(node) || has_extension(node) || is_named_by_extension(index) ||
+        has_later_member(node)) {
       return;
     }
     // The node has a reference that is broken, and reported as such.

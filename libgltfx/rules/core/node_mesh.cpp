@@ -16,7 +16,9 @@ namespace {
 class NodeCheck {
  public:
   explicit NodeCheck(const Context& context)
-      : context_(context), deformations_(model::read_deformations(context.views.meshes)) {}
+      : context_(context),
+        deformations_(
+            model::read_deformations(context.views.meshes, context.version > schema::kVersion2)) {}
 
   void run() {
     const Path root;

@@ -195,9 +195,10 @@ bool move_member(Fixing& fixing, const Subject& member, const schema::Home& home
 
 bool is_misspelt(Fixing& fixing, schema::TypeId type, std::string_view name) {
   if (type == schema::kNone) return false;
+  const schema::Version version = schema::judged_version(fixing.document(), fixing.schemas());
   std::vector<std::string_view> known;
   for (const schema::Property& property : fixing.schemas().type(type).properties) {
-    known.push_back(property.name);
+    if (property.since <= version || !property.draft.empty()) known.push_back(property.name);
   }
   return !nearest(name, known).empty();
 }
@@ -206,6 +207,7 @@ schema::Home home_of(Fixing& fixing, const Subject& member) {
   const graph::Graph& graph = fixing.graph();
   const json::NodeId object = member.owner;
   schema::Neighbourhood around{graph.type(object), object};
+  around.version = schema::judged_version(fixing.document(), fixing.schemas());
   json::NodeId above = fixing.parent(object);
   for (; above != json::kNoNode && graph.type(above) == schema::kNone;
        above = fixing.parent(above)) {

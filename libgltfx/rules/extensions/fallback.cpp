@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "model/buffer_chunk.hpp"
 #include "rules/context.hpp"
 
 namespace gltfx::validate {
@@ -45,8 +46,10 @@ bool buffer_view_lacks_data(const Context& context, json::NodeId view, json::Nod
   const auto index = context.asset.index(view, "buffer", model::RootArray::buffers);
   if (!index) return false;
   const json::NodeId buffer = context.asset.elements(model::RootArray::buffers)[*index];
-  const bool is_bin = *index == 0 && context.container.bin.has_value();
-  return context.document.find(buffer, "uri") == json::kNoNode && !is_bin;
+  const bool is_chunk =
+      model::chunk_of(context.container, context.document, buffer, *index, context.version)
+          .has_value();
+  return context.document.find(buffer, "uri") == json::kNoNode && !is_chunk;
 }
 
 using LacksData = bool (*)(const Context&, json::NodeId, json::NodeId);

@@ -130,7 +130,7 @@ class ImageCheck {
       return;
     }
     const container::Content found = container::name_content(bytes.text());
-    if (is_of_an_extension(found)) return;
+    if (is_of_an_extension(found) || is_only_thumbnail()) return;
     const std::string message = fmt::format(
         "The image is {}; it must be {}.", found.name.empty() ? "in an unknown format" : found.name,
         join_or(std::vector<std::string>(enabled_.begin(), enabled_.end())));
@@ -159,7 +159,7 @@ class ImageCheck {
 
   void check_format(image::Format format) const {
     const std::string_view type = image::media_type(format);
-    if (!contains(enabled_, type)) {
+    if (!contains(enabled_, type) && !is_only_thumbnail()) {
       resource_.find(Code::IMAGE_NON_ENABLED_MIME_TYPE, "",
                      fmt::format("The image is {}, which requires an extension.", type));
     }
@@ -169,6 +169,20 @@ class ImageCheck {
                    resource_.info.storage == "buffer-view" ? "bufferView" : "uri",
                    fmt::format("The declared type of the image is {}, but its data is {}.",
                                gltfx::quoted(said), type));
+  }
+
+  // After version 2.0, the thumbnail of the asset may have any format if no texture uses it.
+  bool is_only_thumbnail() const {
+    const Context& context = resource_.context;
+    if (context.version <= schema::kVersion2) return false;
+    const json::NodeId asset = context.document.find(context.document.root(), "asset");
+    const auto index = context.asset.index(asset, "thumbnail", model::RootArray::images);
+    const auto& images = context.asset.elements(model::RootArray::images);
+    if (!index || images[*index] != resource_.object) return false;
+    const auto& textures = context.asset.elements(model::RootArray::textures);
+    return std::none_of(textures.begin(), textures.end(), [&](json::NodeId texture) {
+      return context.asset.index(texture, "source", model::RootArray::images) == index;
+    });
   }
 
   // The media type of a data URI, or empty.

@@ -5,12 +5,14 @@
 //
 //   gltfx_page_compiler RULES.cpp MEASURES.cpp PAGE...      in the order of enum Code
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "schema/compiler/embed.hpp"
@@ -52,12 +54,27 @@ std::string row(const RulePage& page) {
          text(page.group) + "},\n";  // no page of the project is an own rule
 }
 
+// The row of a rule that depends on the version of glTF.
+std::string later_row(const RulePage& page) {
+  if (page.later_version.empty()) return {};
+  std::string version = page.later_version;
+  std::replace(version.begin(), version.end(), '.', ',');
+  std::string severity = "std::nullopt";
+  constexpr std::array<std::string_view, 4> kNames{"error", "warning", "info", "hint"};
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (page.later_severity == kNames[i]) severity = severity_value(static_cast<gltfx::Severity>(i));
+  }
+  return "  {Code::" + page.code + ", {" + version + "}, " + severity + "},\n";
+}
+
 std::string rule_table(const std::vector<RulePage>& pages) {
   std::string rows;
+  std::string later;
   std::string checks;
   std::string strict;
   for (std::size_t i = 0; i < pages.size(); ++i) {
     rows += row(pages[i]);
+    later += later_row(pages[i]);
     strict += severity_value(pages[i].strict_severity.value_or(pages[i].severity)) + ",\n";
     checks += "static_assert(static_cast<int>(Code::" + pages[i].code +
               ") == " + std::to_string(i) + ");\n";
@@ -67,8 +84,12 @@ std::string rule_table(const std::vector<RulePage>& pages) {
          "#include \"base/codes.hpp\"\n#include \"rules/context.hpp\"\n\n"
          "namespace gltfx {\nnamespace {\n\nusing namespace std::string_view_literals;\n\n"
          "constexpr RuleDescription kRules[]{\n" +
-         rows + "};\n\nconstexpr Severity kStrictSeverities[]{\n" + strict + "};\n\n" + checks +
+         rows + "};\n\nconstexpr Severity kStrictSeverities[]{\n" + strict +
+         "};\n\nconstexpr validate::LaterSeverity kLaterSeverities[]{\n" + later + "};\n\n" +
+         checks +
          "\n}  // namespace\n\nstd::span<const RuleDescription> rules() { return kRules; }\n\n"
+         "std::span<const validate::LaterSeverity> validate::later_severities() {\n"
+         "  return kLaterSeverities;\n}\n\n"
          "Severity validate::strict_severity(Code code) {\n"
          "  return kStrictSeverities[static_cast<std::size_t>(code)];\n}\n\n"
          "}  // namespace gltfx\n";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "schema/compiler/rule_page.hpp"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
@@ -46,6 +47,13 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Page
   } else if (key == "strict") {
     page.strict_severity = severity_from_word(value);
     if (!page.strict_severity) reader.fail("expected one of error, warning, info, hint");
+  } else if (key == "later") {
+    const std::size_t space = std::min(value.find(' '), value.size());
+    page.later_version = value.substr(0, space);
+    page.later_severity = value.substr(std::min(space + 1, value.size()));
+    const bool known = page.later_severity == "none" || severity_from_word(page.later_severity);
+    const bool version = std::count(page.later_version.begin(), page.later_version.end(), '.') == 1;
+    if (!known || !version) reader.fail("expected a version and a severity or none: 2.1 warning");
   } else if (key == "pixels") {
     set(page.pixels, yes_or_no(value), "yes, no", reader);
   } else if (key == "picture") {
@@ -61,7 +69,8 @@ void read_key(RulePage& page, std::string_view key, std::string_view value, Page
     page.link = value;
   } else {
     reader.fail(
-        "expected one of severity, khronos, strict, pixels, picture, fix, group, section, link");
+        "expected one of severity, khronos, strict, later, pixels, picture, fix, group, section, "
+        "link");
   }
 }
 

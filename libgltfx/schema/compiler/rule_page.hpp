@@ -19,6 +19,8 @@ struct RulePage {
   std::optional<Severity> khronos_severity;
   /// Severity in the profile `strict`; nothing: the same.
   std::optional<Severity> strict_severity;
+  /// "2.1" and the severity from that version of glTF on; "none": the rule does not apply.
+  std::string later_version, later_severity;
   bool pixels = false;
   bool picture = true;  ///< an asset with this error is drawn
   Fix fix = Fix::none;

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/buffer_chunk.hpp"
+
+namespace gltfx::model {
+
+json::NodeId chunk_member(const json::Document& document, json::NodeId buffer,
+                          const schema::Version& version) {
+  return version > schema::kVersion2 ? document.find(buffer, "chunk") : json::kNoNode;
+}
+
+std::optional<container::Chunk> chunk_of(const container::Container& container,
+                                         const json::Document& document, json::NodeId buffer,
+                                         std::uint64_t index, const schema::Version& version) {
+  if (document.holds(buffer, "uri")) return std::nullopt;
+  const json::NodeId member = chunk_member(document, buffer, version);
+  if (member == json::kNoNode) return index == 0 ? container.bin : std::nullopt;
+  const auto chunk = document.unsigned_integer(member);
+  if (!chunk || *chunk >= container.chunks.size()) return std::nullopt;
+  const container::Chunk& found = container.chunks[*chunk];
+  if (found.type != container::kChunkBin || found.encoding != 0) return std::nullopt;
+  return found;
+}
+
+}  // namespace gltfx::model
