@@ -21,57 +21,11 @@ constexpr int kParts = 5;  // samples per interval of two keyframes
 // Values that are computed from different keyframes are rounded differently.
 constexpr double kRoundingPart = 1.0 / (1 << 22);
 
-/// The curve of a channel and its interpretation.
-struct Motion {
-  Curve curve;
-  std::uint64_t width = 1;
-  AnimationPath path = AnimationPath::none;
-
-  double time(std::uint64_t keyframe) const {
-    return static_cast<double>(model::element_at(curve.times, keyframe)[0]);
-  }
-  double last() const { return time(curve.times.count() - 1); }
-  std::vector<float> at(double moment) const {
-    return model::value_at(curve, moment, width, path == AnimationPath::rotation);
-  }
-};
-
 std::optional<AccessorData> open(const Side& side, const std::optional<std::uint32_t>& accessor) {
   if (!accessor) return std::nullopt;
   auto data = side.open(*accessor);
   const bool affordable = data && (!data->implied() || side.affords_implied(data->count()));
   return affordable ? std::move(data) : std::nullopt;
-}
-
-/// A channel and its sampler, which are in one animation.
-struct Sampled {
-  const model::AnimationChannel* channel = nullptr;
-  const model::AnimationSampler* sampler = nullptr;
-};
-
-std::optional<Sampled> find_sampled(const Side& side, json::NodeId channel) {
-  const json::NodeId animation = side.tree().root_element(channel);
-  if (animation == json::kNoNode) return std::nullopt;
-  const model::Animation& all = side.views().animations[side.index(animation)];
-  const std::size_t position = side.index(channel);
-  if (position >= all.channels.size() || !all.channels[position].sampler) return std::nullopt;
-  return Sampled{&all.channels[position], &all.samplers[*all.channels[position].sampler]};
-}
-
-std::optional<Motion> open_motion(const Side& side, json::NodeId channel) {
-  const auto found = find_sampled(side, channel);
-  if (!found) return std::nullopt;
-  const model::AnimationSampler& sampler = *found->sampler;
-  if (sampler.interpolation == model::Interpolation::unknown) return std::nullopt;
-  auto times = open(side, sampler.input);
-  auto values = open(side, sampler.output);
-  if (!times || !values || times->components() != 1) return std::nullopt;
-  const std::uint64_t frames = times->count() * values_per_keyframe(sampler.interpolation);
-  const std::uint64_t width = values->count() / frames;
-  if (width == 0) return std::nullopt;
-  Motion motion{
-      {*std::move(times), *std::move(values), sampler.interpolation}, width, found->channel->path};
-  return motion.at(motion.time(0)).empty() ? std::nullopt : std::optional(std::move(motion));
 }
 
 double farthest(const std::vector<float>& a, const std::vector<float>& b, double sign) {
@@ -119,9 +73,7 @@ Worst farthest_apart(const Motion& ours, const Motion& theirs) {
       const double moment = begin + (end - begin) * part / kParts;
       const std::vector<float> a = ours.at(moment);
       const std::vector<float> b = theirs.at(moment);
-      double distance = farthest(a, b, 1);
-      // A quaternion and its negative are the same rotation.
-      if (ours.path == AnimationPath::rotation) distance = std::min(distance, farthest(a, b, -1));
+      const double distance = value_distance(a, b, ours.path == AnimationPath::rotation);
       if (distance > rounding && distance > worst.distance) worst = {distance, moment};
     }
     here = next;
@@ -130,6 +82,41 @@ Worst farthest_apart(const Motion& ours, const Motion& theirs) {
 }
 
 }  // namespace
+
+double Motion::time(std::uint64_t keyframe) const {
+  return static_cast<double>(model::element_at(curve.times, keyframe)[0]);
+}
+
+std::optional<Sampled> find_sampled(const Side& side, json::NodeId channel) {
+  const json::NodeId animation = side.tree().root_element(channel);
+  if (animation == json::kNoNode) return std::nullopt;
+  const model::Animation& all = side.views().animations[side.index(animation)];
+  const std::size_t position = side.index(channel);
+  if (position >= all.channels.size() || !all.channels[position].sampler) return std::nullopt;
+  return Sampled{&all.channels[position], &all.samplers[*all.channels[position].sampler]};
+}
+
+std::optional<Motion> open_motion(const Side& side, json::NodeId channel) {
+  const auto found = find_sampled(side, channel);
+  if (!found) return std::nullopt;
+  const model::AnimationSampler& sampler = *found->sampler;
+  if (sampler.interpolation == model::Interpolation::unknown) return std::nullopt;
+  auto times = open(side, sampler.input);
+  auto values = open(side, sampler.output);
+  if (!times || !values || times->components() != 1) return std::nullopt;
+  const std::uint64_t frames = times->count() * values_per_keyframe(sampler.interpolation);
+  const std::uint64_t width = values->count() / frames;
+  if (width == 0) return std::nullopt;
+  Motion motion{
+      {*std::move(times), *std::move(values), sampler.interpolation}, width, found->channel->path};
+  return motion.at(motion.time(0)).empty() ? std::nullopt : std::optional(std::move(motion));
+}
+
+double value_distance(const std::vector<float>& a, const std::vector<float>& b, bool rotation) {
+  const double distance = farthest(a, b, 1);
+  // A quaternion and its negative are the same rotation.
+  return rotation ? std::min(distance, farthest(a, b, -1)) : distance;
+}
 
 std::string curve_key(const Side& side, json::NodeId channel) {
   const auto found = find_sampled(side, channel);

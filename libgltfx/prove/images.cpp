@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prove/images.hpp"
 
-#include <array>
 #include <cstring>
-#include <variant>
 
 #include <fmt/format.h>
 
@@ -12,41 +10,6 @@
 
 namespace gltfx::prove {
 namespace {
-
-using Texel = std::array<double, 4>;
-
-/// The texels of an image from 0 to 255, or as floats.
-class Texels {
- public:
-  explicit Texels(const codec::Image& image) : image_(image) {}
-
-  Texel at(std::size_t texel) const {
-    const std::size_t first = texel * image_.channels;
-    const std::size_t colors = image_.channels < 3 ? 1 : 3;
-    Texel result{};
-    for (std::size_t i = 0; i < 3; ++i) result[i] = number(first + (colors == 1 ? 0 : i));
-    const double opaque = has_floats() ? 1 : 255;
-    result[3] = image_.has_alpha() ? number(first + colors) : opaque;
-    return result;
-  }
-
- private:
-  bool has_floats() const { return image_.bits == 32; }
-  double number(std::size_t at) const {
-    const std::byte* bytes = image_.pixels.data();
-    if (image_.bits == 8) return static_cast<double>(bytes[at]);
-    if (has_floats()) {
-      float value;
-      std::memcpy(&value, bytes + at * sizeof(value), sizeof(value));
-      return static_cast<double>(value);
-    }
-    std::uint16_t value;
-    std::memcpy(&value, bytes + at * sizeof(value), sizeof(value));
-    return value / 257.0;
-  }
-
-  const codec::Image& image_;
-};
 
 // Also of formats that glTF does not have. Nothing: of no known format.
 std::optional<codec::ImageRequest> request_for(const model::ResourceData& resources,
@@ -63,8 +26,32 @@ std::optional<codec::ImageRequest> request_for(const model::ResourceData& resour
   return request;
 }
 
-// Precondition: the image has bytes.
-std::variant<codec::Image, std::string> decode(const Side& side, std::size_t image) {
+}  // namespace
+
+Texel Texels::at(std::size_t texel) const {
+  const std::size_t first = texel * image_.channels;
+  const std::size_t colors = image_.channels < 3 ? 1 : 3;
+  Texel result{};
+  for (std::size_t i = 0; i < 3; ++i) result[i] = number(first + (colors == 1 ? 0 : i));
+  const double opaque = has_floats() ? 1 : 255;
+  result[3] = image_.has_alpha() ? number(first + colors) : opaque;
+  return result;
+}
+
+double Texels::number(std::size_t at) const {
+  const std::byte* bytes = image_.pixels.data();
+  if (image_.bits == 8) return static_cast<double>(bytes[at]);
+  if (has_floats()) {
+    float value;
+    std::memcpy(&value, bytes + at * sizeof(value), sizeof(value));
+    return static_cast<double>(value);
+  }
+  std::uint16_t value;
+  std::memcpy(&value, bytes + at * sizeof(value), sizeof(value));
+  return value / 257.0;
+}
+
+std::variant<codec::Image, std::string> decode_image(const Side& side, std::size_t image) {
   auto wanted = request_for(side.resources(), image);
   if (!wanted) return "unknown format";
   codec::ImageRequest& request = *wanted;
@@ -73,8 +60,6 @@ std::variant<codec::Image, std::string> decode(const Side& side, std::size_t ima
   if (auto* error = std::get_if<codec::DecodeError>(&result)) return std::move(error->message);
   return std::get<codec::Image>(std::move(result));
 }
-
-}  // namespace
 
 std::optional<TexelDifference> compare_texels(const codec::Image& ours,
                                               const codec::Image& theirs) {
@@ -115,8 +100,8 @@ void compare_images(const Side& before, const Side& after, const Pair& pair,
   if (!theirs) return found.add(place, "no longer has bytes");
   if (container::same_bytes(*ours, *theirs)) return;
   if (comparison == ImageComparison::bytes) return found.add(place, "has other bytes");
-  const auto left = decode(before, here);
-  const auto right = decode(after, there);
+  const auto left = decode_image(before, here);
+  const auto right = decode_image(after, there);
   for (const auto* each : {&left, &right}) {
     if (const auto* why = std::get_if<std::string>(each)) {
       return found.add(place, fmt::format("has other bytes, and {} cannot be decoded ({})",

@@ -2,15 +2,38 @@
 /// Compares the contents of images.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "codec/client.hpp"
 #include "prove/differences.hpp"
 #include "prove/side.hpp"
 
 namespace gltfx::prove {
+
+/// Red, green, blue, alpha.
+using Texel = std::array<double, 4>;
+
+/// The texels of an image from 0 to 255, or as floats. Grey counts as three equal channels, missing
+/// alpha as opaque. Keeps a reference.
+class Texels {
+ public:
+  explicit Texels(const codec::Image& image) : image_(image) {}
+  Texel at(std::size_t texel) const;
+
+ private:
+  bool has_floats() const { return image_.bits == 32; }
+  double number(std::size_t at) const;
+
+  const codec::Image& image_;
+};
+
+/// An image with its pixels, or why there is none. Precondition: it has bytes.
+std::variant<codec::Image, std::string> decode_image(const Side& side, std::size_t image);
 
 /// The greatest difference of two images.
 struct TexelDifference {

@@ -60,7 +60,7 @@ bool is_of_hierarchy(const graph::Tree& tree, const graph::Use& use) {
 }
 
 // What pointers may lead to, and what contains it; nothing: anything.
-std::optional<std::unordered_set<json::NodeId>> pointed(const Side& side) {
+std::optional<std::unordered_set<json::NodeId>> pointed_values(const Side& side) {
   std::unordered_set<json::NodeId> values;
   for (const graph::PointerText& pointer : side.graph().pointers()) {
     if (pointer.varying != json::kNoNode) return std::nullopt;
@@ -95,7 +95,7 @@ bool moves_only_its_mesh(const Side& side, json::NodeId node,
 }  // namespace
 
 void PlacedMeshes::find_movable(const Side& before, const NodePairs& nodes) {
-  const auto unmoved = pointed(before);
+  const auto unmoved = pointed_values(before);
   const auto weights = weight_targets(before);
   for (const Pair& pair : nodes.all()) {
     const model::Node& node = before.views().nodes[before.index(pair.ours)];
@@ -131,7 +131,7 @@ PlacedMeshes::PlacedMeshes(const Side& before, const Side& after, const NodePair
     return before.graph().users(mesh.ours->node).size() !=
            users[static_cast<std::size_t>(mesh.ours - first)];
   });
-  const auto unmoved = pointed(before);
+  const auto unmoved = pointed_values(before);
   const auto weights = weight_targets(before);
   for (const PlacedMesh& mesh : all_) {
     for (const model::Primitive& primitive : mesh.ours->primitives) {

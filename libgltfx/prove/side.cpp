@@ -62,7 +62,7 @@ Side::Side(const model::OpenedAsset& opened, const schema::Set& set, Scope scope
   if (scope == Scope::meshes) {
     tree_.emplace(opened.document());
   } else {
-    graph_.emplace(opened.document(), set);
+    graph_.emplace(opened.document(), set, scope == Scope::all);
     links_ = read_links(*graph_);
     tables_ = find_tables(*graph_);
   }

@@ -38,6 +38,7 @@ const std::map<std::string, std::string, std::less<>> kPublicHeaders{
     {"gltfx/validate.hpp", "rules"},
     {"gltfx/own_rules.hpp", "rules"},
     {"gltfx/upgrade.hpp", "steps"},
+    {"gltfx/compare.hpp", "prove"},
     {"gltfx/convert.hpp", "steps"},
     {"gltfx/edited_file.hpp", "change"},
     {"gltfx/fix.hpp", "rules"},

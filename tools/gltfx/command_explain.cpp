@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <gltfx/compare.hpp>
 #include <gltfx/pipeline.hpp>
 
 #include <memory>
@@ -101,6 +102,11 @@ ExitCode run(const ExplainRequest& request) {
   std::string text;
   for (const std::string& name : request.codes) {
     const RuleDescription* rule = rule_from_user(name, request.own_rules.get());
+    if (const ChangeKind* kind = rule == nullptr ? find_change_kind(name) : nullptr) {
+      text +=
+          fmt::format("{}: a change that 'gltfx compare' tells: {}.\n", kind->name, kind->meaning);
+      continue;
+    }
     if (rule == nullptr) {
       complain(fmt::format("explain: there is no rule {}.{} 'gltfx rules' lists them all.",
                            gltfx::quoted(name), suggest_code(name, request.own_rules.get())));

@@ -98,6 +98,7 @@ class Declaration {
     verb("edit", "Delete objects and renumber what refers to others", declare_edit, read_edit);
     verb("convert", "Store assets as GLB, with files or with data URIs", declare_convert,
          read_convert);
+    verb("compare", "Tell what changed between two assets", declare_compare, read_compare);
     add_hook();
     verb("bake", "Render previews of assets", declare_bake, read_bake);
     verb("report", "Write an HTML page: findings, previews, sizes", declare_report, read_report);

@@ -62,6 +62,7 @@ ExitCode run(const FixRequest& request);
 ExitCode run(const UpgradeRequest& request);
 ExitCode run(const DeleteRequest& request);
 ExitCode run(const ConvertRequest& request);
+ExitCode run(const CompareRequest& request);
 ExitCode run(const HookRequest& request);
 ExitCode run(const BakeRequest& request);
 ExitCode run(const PageRequest& request);

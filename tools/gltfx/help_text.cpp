@@ -74,6 +74,13 @@ constexpr std::string_view kConvertExamples = R"(Examples:
   gltfx convert assets/ -o packed/ --to glb --jobs 4
 )";
 
+constexpr std::string_view kCompareExamples = R"(Examples:
+  gltfx compare old.glb new.glb              what changed; exit 1 if anything did
+  gltfx compare in.glb out.glb --bounds      within the bounds of an optimizer
+  gltfx compare in.glb out.glb --drawn --bounds position=0.1%,normal=2deg
+  gltfx compare old/ new/ --format markdown  folders, paired by path
+)";
+
 constexpr std::string_view kBakeExamples = R"(Examples:
   gltfx bake model.glb -o model.png
   gltfx bake assets/ -o thumbnails/ --size 256      previews and a contact sheet
@@ -169,6 +176,7 @@ std::string_view help_examples(std::string_view verb) {
   if (verb == "upgrade") return kUpgradeExamples;
   if (verb == "edit") return kEditExamples;
   if (verb == "convert") return kConvertExamples;
+  if (verb == "compare") return kCompareExamples;
   if (verb == "bake") return kBakeExamples;
   if (verb == "report") return kReportExamples;
   if (verb == "inspect") return kInspectExamples;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <gltfx/bake.hpp>
+#include <gltfx/compare.hpp>
 #include <gltfx/pipeline.hpp>
 #include <gltfx/report.hpp>
 #include <gltfx/upgrade.hpp>
@@ -149,6 +150,23 @@ struct ConvertRequest : EditRequest {
   ConvertOptions convert;  ///< likewise
 };
 
+/// How changes are printed.
+enum class CompareFormat : std::uint8_t { text, json, markdown };
+
+struct CompareRequest {
+  CommonOptions common;
+  std::vector<std::string> paths;  ///< the old one, the new one
+  /// All except `schemas`, which comes from the files below.
+  CompareOptions compare;
+  /// Up to which level the exit code is 0; nothing: storage, or bounds if those were given.
+  std::optional<CompareLevel> allow;
+  bool has_bounds = false;
+  bool all = false;  ///< text lists all changes
+  CompareFormat format = CompareFormat::text;
+  std::vector<std::string> schema_files;
+  std::vector<std::string> schema_folders;
+};
+
 struct BakeRequest {
   CommonOptions common;
   NamedPaths paths;
@@ -235,10 +253,11 @@ struct ConfigRequest {
   std::string import_file;  ///< not empty: a file of the Khronos validator or asset auditor
 };
 
-using Request = std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest,
-                             DeleteRequest, ConvertRequest, BakeRequest, InspectRequest,
-                             PageRequest, HookRequest, ExplainRequest, RulesRequest, TargetsRequest,
-                             SchemaRequest, MeasuresRequest, PresetsRequest, ConfigRequest>;
+using Request =
+    std::variant<ValidateRequest, MergeRequest, FixRequest, UpgradeRequest, DeleteRequest,
+                 ConvertRequest, CompareRequest, BakeRequest, InspectRequest, PageRequest,
+                 HookRequest, ExplainRequest, RulesRequest, TargetsRequest, SchemaRequest,
+                 MeasuresRequest, PresetsRequest, ConfigRequest>;
 
 // Parse words of the command line. Each Error is a sentence that names the option, the given value
 // and the allowed ones.

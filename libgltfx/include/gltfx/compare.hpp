@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+/// @file
+/// What changed between two assets: each change with its place, a sentence and a measure.
+#pragma once
+
+#include <gltfx/memory_asset.hpp>
+#include <gltfx/schema.hpp>
+#include <gltfx/searched_folders.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gltfx {
+
+/// How much two assets differ. Each level includes those before it.
+enum class CompareLevel : std::uint8_t {
+  identical,  ///< the same bytes, of all files that the assets refer to, too
+  storage,    ///< each value that a reader can get is the same, stored differently
+  bounds,     ///< each difference is within the bound of its kind
+  differs,    ///< at least one is not
+};
+/// "storage".
+std::string_view compare_level_name(CompareLevel level);
+
+/// Up to which distances values count as `CompareLevel::bounds`.
+struct CompareBounds {
+  double position = 1e-4;     ///< in the scene, as part of the smaller diagonal of both scenes
+  double normal = 0.5;        ///< degrees, for NORMAL, TANGENT and texels of normal maps
+  double texcoord = 0.25;     ///< texels of the largest image that the material reads
+  double color = 0.5 / 255;   ///< for COLOR_n
+  double weight = 5e-4;       ///< for the influence of a joint on a vertex
+  double animation = 1e-4;    ///< part of the diagonal, radians, or a plain number
+  double factor = 0.5 / 255;  ///< for numbers of materials, lights and cameras
+  double image = 1.0 / 255;   ///< mean distance of texels
+};
+
+/// A kind of change: what `--ignore`, `--count` and reports name.
+struct ChangeKind {
+  std::string_view name;     ///< "material.value"
+  std::string_view meaning;  ///< half a sentence
+};
+/// All kinds, sorted by name. Static storage.
+std::span<const ChangeKind> change_kinds();
+/// The kind with that name, or null.
+const ChangeKind* find_change_kind(std::string_view name);
+
+/// Options of a comparison.
+struct CompareOptions {
+  /// Folder that both assets and their files must be in; empty: the folder of each asset.
+  std::string root;
+  /// Folders in which assets were searched (see SearchedFolders); null: none.
+  std::shared_ptr<const SearchedFolders> searched;
+  /// Null: the built-in schemas.
+  std::shared_ptr<const schema::Set> schemas;
+  CompareBounds bounds;
+  /// Only what is drawn counts: no names, hierarchy, extras, unused objects and attributes,
+  /// unknown extensions and lists of extensions.
+  bool drawn = false;
+  std::set<std::string, std::less<>> ignore;  ///< names of kinds that do not count
+  std::set<std::string, std::less<>> count;   ///< kinds that count although they do not by default
+  unsigned jobs = 1;                          ///< threads for decoding; results do not depend on it
+};
+
+/// A measured distance.
+struct CompareMeasure {
+  std::string_view quantity;  ///< "position", static storage
+  double value = 0;           ///< in `unit`
+  std::string_view unit;      ///< "%", "deg", "texel", static storage; empty: a plain number
+  double bound = 0;           ///< of the level `bounds`, in the same unit
+};
+
+/// One change. Owns its text, which may contain any characters of the assets.
+struct Change {
+  std::string_view kind;  ///< name of a ChangeKind
+  CompareLevel level = CompareLevel::differs;
+  std::optional<std::string> old_pointer;  ///< JSON pointer to the value; nothing: it was added
+  std::optional<std::string> new_pointer;  ///< likewise; nothing: it was removed
+  std::string name;                        ///< of the object; empty: it has none
+  std::string what;                        ///< the change, half a sentence
+  std::string before;  ///< the old value, cut; empty: there is none, or it is not short
+  std::string after;   ///< likewise, the new one
+  std::optional<CompareMeasure> measure;
+  /// Pointers to further values that differ for the same cause; at most 100.
+  std::vector<std::string> also;
+};
+
+/// Result for a pair of assets. Owns its text.
+struct CompareReport {
+  std::string old_path;                          ///< empty: the asset was added
+  std::string new_path;                          ///< empty: the asset was removed
+  CompareLevel level = CompareLevel::identical;  ///< of all that counts
+  std::vector<Change> changes;        ///< in the order of the old asset, then of the new one
+  std::vector<std::string> storage;   ///< what is stored differently, half sentences
+  std::vector<std::string> unproven;  ///< what could not be compared, sentences
+  /// Why there is no comparison, with the name of the asset; empty: there is one.
+  std::string error;
+
+  /// Whether the assets are equal up to a level, and nothing is unproven.
+  bool is_within(CompareLevel allowed) const {
+    return error.empty() && level <= allowed && unproven.empty();
+  }
+};
+
+/// Compares two files. Reads both, and the files that they refer to. Does not throw; writes
+/// nothing. Time grows with the size of the assets, n log n; memory holds both texts, their
+/// buffers (mapped) and one surface or image of each at a time.
+CompareReport compare_files(const std::string& old_path, const std::string& new_path,
+                            const CompareOptions& options = {});
+
+/// The same for assets in memory. `root` and `searched` of the options must be empty.
+CompareReport compare_bytes(MemoryAsset old_asset, MemoryAsset new_asset,
+                            const CompareOptions& options = {});
+
+/// The JSON Schema of what `gltfx compare --format json` writes.
+std::string_view compare_report_schema();
+
+}  // namespace gltfx

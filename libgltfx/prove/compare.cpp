@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prove/compare.hpp"
+
+#include <algorithm>
+
+#include "prove/compare_drawn.hpp"
+#include "prove/compare_motion.hpp"
+#include "prove/compare_nodes.hpp"
+#include "prove/compare_texels.hpp"
+#include "prove/compare_values.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+bool same_optional(const std::optional<container::Bytes>& a,
+                   const std::optional<container::Bytes>& b) {
+  return a.has_value() == b.has_value() && (!a || container::same_bytes(*a, *b));
+}
+
+// Of equal texts: all files that both refer to.
+bool same_resources(const model::OpenedAsset& ours, const model::OpenedAsset& theirs,
+                    unsigned jobs) {
+  const auto load = [&](const model::OpenedAsset& opened) {
+    container::OpenedFiles files(opened.resolver());
+    const model::Asset asset(opened.document());
+    return model::load_resources(opened.container(), files, asset, opened.views(), jobs).data;
+  };
+  const model::ResourceData here = load(ours);
+  const model::ResourceData there = load(theirs);
+  bool same = here.buffers.size() == there.buffers.size();
+  for (std::size_t i = 0; same && i < here.buffers.size(); ++i) {
+    same = same_optional(here.buffers[i], there.buffers[i]);
+  }
+  same = same && here.images.size() == there.images.size();
+  for (std::size_t i = 0; same && i < here.images.size(); ++i) {
+    same = same_optional(here.images[i].bytes, there.images[i].bytes);
+  }
+  return same;
+}
+
+}  // namespace
+
+void compare_assets(const model::OpenedAsset& ours, const model::OpenedAsset& theirs,
+                    const schema::Set& schemas, const CompareOptions& options,
+                    CompareReport& report) {
+  const bool same_bytes = container::same_bytes(ours.container().bytes, theirs.container().bytes);
+  if (same_bytes && same_resources(ours, theirs, options.jobs)) {
+    report.level = CompareLevel::identical;
+    return;
+  }
+  const Side here(ours, schemas, Scope::all, options.jobs);
+  const Side there(theirs, schemas, Scope::all, options.jobs);
+  const Content before(here);
+  const Content after(there);
+  const NodeTree our_nodes(before);
+  const NodeTree their_nodes(after);
+  const Matching match(before, our_nodes, after, their_nodes, !options.drawn);
+  const std::vector<TextureUse> uses = texture_uses(before);
+  ChangeLog log(options);
+  const double one = our_nodes.diagonal();
+  const double other = their_nodes.diagonal();
+  const double diagonal = one > 0 && other > 0 ? std::min(one, other) : std::max(one, other);
+  const Comparison all{before, after, our_nodes, their_nodes, match, options, log, uses, diagonal};
+  const Helpers helpers = find_helpers(all);
+  compare_values(all, helpers);
+  compare_presence(all, helpers);
+  compare_nodes(all, helpers);
+  if (options.drawn && log.differs()) forget_static_surfaces(all);
+  compare_motion(all);
+  compare_image_texels(all);
+  compare_stored_objects(all);
+  if (match.is_renumbered()) log.note_storage("objects have other numbers");
+  log.take(report);
+}
+
+}  // namespace gltfx::prove

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Compares animations: what their channels move, and the values at all times.
+#pragma once
+
+#include "prove/changes.hpp"
+
+namespace gltfx::prove {
+
+void compare_motion(const Comparison& comparison);
+
+}  // namespace gltfx::prove

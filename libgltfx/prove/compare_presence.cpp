@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <unordered_set>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "prove/compare_values.hpp"
+#include "prove/hash_sum.hpp"
+#include "prove/leaf_reader.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+/// One of the two assets, to be asked for what the other one lacks.
+struct Half {
+  const Content& content;
+  const NodeTree& nodes;
+  const std::set<std::uint32_t>& helpers;
+  bool ours = true;
+};
+
+ItemId partner(const Comparison& all, const Half& half, ItemId item) {
+  return half.ours ? all.match.theirs(item) : all.match.ours(item);
+}
+
+// Nothing but a transform and a mesh.
+bool only_carries(const Content& content, const Item& node) {
+  const json::Document& document = content.side().document();
+  for (const auto member : document.members(node.node)) {
+    const std::string_view name = document.key(member.key_id);
+    if (name != "mesh" && name != "matrix" && name != "translation" && name != "rotation" &&
+        name != "scale") {
+      return false;
+    }
+  }
+  return true;
+}
+
+void find_helpers_of(const Comparison& all, const Half& half, std::vector<std::uint32_t>& by_node,
+                     std::set<std::uint32_t>& found) {
+  const std::uint32_t list = half.content.list("/nodes");
+  by_node.assign(half.nodes.size(), kNoItem);
+  if (list == kNoItem) return;
+  const auto& here = half.content.side().views().nodes;
+  const auto& there = (half.ours ? all.theirs : all.ours).side().views().nodes;
+  for (std::uint32_t node = 0; node < half.nodes.size(); ++node) {
+    const model::NodeIndex above = half.nodes.parent(node);
+    if (above == model::kNoNodeIndex || !here[node].mesh || here[above].mesh) continue;
+    if (partner(all, half, {list, node}) || by_node[above] != kNoItem) continue;
+    const ItemId other = partner(all, half, {list, above});
+    if (!other || !there[other.index].mesh) continue;
+    if (!only_carries(half.content, half.content.item({list, node}))) continue;
+    by_node[above] = node;
+    found.insert(node);
+  }
+}
+
+enum class ItemUse : std::uint8_t { none, by_lost, by_kept };
+
+/// By list and item: whether an item that has a partner refers to it, or only others.
+std::vector<std::vector<ItemUse>> find_uses(const Comparison& all, const Half& half) {
+  std::vector<std::vector<ItemUse>> uses;
+  for (const ItemList& list : half.content.lists()) {
+    uses.emplace_back(list.items.size(), ItemUse::none);
+  }
+  for (std::uint32_t list = 0; list < uses.size(); ++list) {
+    for (std::uint32_t i = 0; i < uses[list].size(); ++i) {
+      const Item& item = half.content.item({list, i});
+      const bool lost = !partner(all, half, {list, i});
+      for (std::uint32_t k = item.first; k < item.last; ++k) {
+        const ItemId target = half.content.leaves()[k].target;
+        if (!target) continue;
+        ItemUse& use = uses[target.list][target.index];
+        use = std::max(use, lost ? ItemUse::by_lost : ItemUse::by_kept);
+      }
+    }
+  }
+  return uses;
+}
+
+Hash128 identity_of(const Item& item) { return hash_of_all(item.content, item.label); }
+
+std::unordered_set<Hash128, HashHasher> identities(const Content& content,
+                                                   std::string_view pointer) {
+  std::unordered_set<Hash128, HashHasher> all;
+  const std::uint32_t list = content.list(pointer);
+  if (list == kNoItem) return all;
+  for (const Item& item : content.lists()[list].items) all.insert(identity_of(item));
+  return all;
+}
+
+void tell_lost(const Comparison& all, const Half& half) {
+  const auto uses = find_uses(all, half);
+  const std::uint32_t nodes = half.content.list("/nodes");
+  const Content& other = half.ours ? all.theirs : all.ours;
+  for (std::uint32_t list = 0; list < uses.size(); ++list) {
+    const std::string& pointer = half.content.lists()[list].pointer;
+    const auto others = identities(other, pointer);
+    for (std::uint32_t i = 0; i < uses[list].size(); ++i) {
+      const ItemId id{list, i};
+      if (partner(all, half, id)) continue;
+      if (list == nodes) {
+        const model::NodeIndex above = half.nodes.parent(i);
+        if (half.helpers.contains(i)) continue;
+        if (above != model::kNoNodeIndex && !partner(all, half, {nodes, above})) continue;
+      } else if (uses[list][i] == ItemUse::by_lost) {
+        continue;  // it came or went with its user
+      }
+      const Item& item = half.content.item(id);
+      const bool repeated = list != nodes && others.contains(identity_of(item));
+      if (repeated && pointer == "/textures") {
+        all.log.note_storage("equal textures are stored once, or several times");
+        continue;
+      }
+      Change change;
+      change.kind = kind_of(pointer, half.ours ? "removed" : "added");
+      change.name = Comparison::name(half.content, id);
+      (half.ours ? change.old_pointer : change.new_pointer) =
+          half.content.side().pointer(item.node);
+      change.what =
+          fmt::format("the {} {} was {}", subject_of(pointer), Comparison::called(half.content, id),
+                      half.ours ? "removed" : "added");
+      if (repeated) change.what += "; an equal one remains";
+      all.log.add(std::move(change));
+    }
+  }
+}
+
+/// An object that only stores data, with a hash of what else it says.
+struct StoredObject {
+  Hash128 hash;
+  json::NodeId node = json::kNoNode;
+};
+
+void add_stored(const Side& side, json::NodeId object, std::vector<StoredObject>& to) {
+  const json::Document& document = side.document();
+  if (object == json::kNoNode || !document.is_object(object)) return;
+  for (const auto member : document.members(object)) {
+    const std::string_view name = document.key(member.key_id);
+    if (name != "name" && name != "extras") continue;
+    to.push_back(
+        {hash_of_all(hash_content(name), hash_json(document, member.value)), member.value});
+  }
+}
+
+std::vector<StoredObject> stored_objects(const Side& side) {
+  std::vector<StoredObject> objects;
+  for (const auto array :
+       {model::RootArray::accessors, model::RootArray::buffer_views, model::RootArray::buffers}) {
+    for (const json::NodeId object : side.asset().elements(array)) {
+      add_stored(side, object, objects);
+    }
+  }
+  for (const model::Animation& animation : side.views().animations) {
+    for (const auto& channel : animation.channels) add_stored(side, channel.object, objects);
+    for (const auto& sampler : animation.samplers) add_stored(side, sampler.object, objects);
+  }
+  return objects;
+}
+
+}  // namespace
+
+Helpers find_helpers(const Comparison& all) {
+  Helpers helpers;
+  const std::set<std::uint32_t> none;
+  find_helpers_of(all, {all.ours, all.our_nodes, none, true}, helpers.ours, helpers.our_nodes);
+  find_helpers_of(all, {all.theirs, all.their_nodes, none, false}, helpers.theirs,
+                  helpers.their_nodes);
+  return helpers;
+}
+
+void compare_presence(const Comparison& all, const Helpers& helpers) {
+  tell_lost(all, {all.ours, all.our_nodes, helpers.our_nodes, true});
+  tell_lost(all, {all.theirs, all.their_nodes, helpers.their_nodes, false});
+}
+
+void compare_stored_objects(const Comparison& all) {
+  const auto sorted = [](const Side& side) {
+    std::vector<StoredObject> objects = stored_objects(side);
+    std::stable_sort(
+        objects.begin(), objects.end(),
+        [](const StoredObject& a, const StoredObject& b) { return hash_less(a.hash, b.hash); });
+    return objects;
+  };
+  const auto without = [](const std::vector<StoredObject>& these,
+                          const std::vector<StoredObject>& those) {
+    std::vector<json::NodeId> only;
+    std::size_t k = 0;
+    for (const StoredObject& each : these) {
+      while (k < those.size() && hash_less(those[k].hash, each.hash)) ++k;
+      if (k < those.size() && those[k].hash == each.hash) {
+        ++k;
+      } else {
+        only.push_back(each.node);
+      }
+    }
+    std::sort(only.begin(), only.end());
+    return only;
+  };
+  const std::vector<StoredObject> here = sorted(all.ours.side());
+  const std::vector<StoredObject> there = sorted(all.theirs.side());
+  const std::vector<json::NodeId> gone = without(here, there);
+  const std::vector<json::NodeId> come = without(there, here);
+  const auto at = [](const Side& side, const std::vector<json::NodeId>& nodes, std::size_t i) {
+    return i < nodes.size() ? std::optional(side.pointer(nodes[i])) : std::nullopt;
+  };
+  for (std::size_t i = 0; i < std::max(gone.size(), come.size()); ++i) {
+    Change change;
+    change.kind = "stored.name";
+    change.old_pointer = at(all.ours.side(), gone, i);
+    change.new_pointer = at(all.theirs.side(), come, i);
+    if (i < gone.size()) change.before = short_value(all.ours.side().document(), gone[i]);
+    if (i < come.size()) change.after = short_value(all.theirs.side().document(), come[i]);
+    change.what = fmt::format("{} -> {}", change.before.empty() ? "none" : change.before,
+                              change.after.empty() ? "none" : change.after);
+    all.log.add(std::move(change));
+  }
+}
+
+}  // namespace gltfx::prove

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prove/compare_surfaces.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "prove/hash_sum.hpp"
+#include "prove/stream_change.hpp"
+#include "prove/texture_use.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+using model::SemanticKind;
+
+/// A piece with the hash of what it shows where it is placed.
+struct Shown {
+  const SurfacePiece* piece = nullptr;
+  Hash128 sum;
+  unsigned arity = 3;
+  bool readable = true;
+  bool done = false;
+};
+
+const std::vector<double> kNoJoints;
+
+Soup soup_of(const SurfacePiece& piece) {
+  Soup soup = read_soup(piece.content->side(), piece.primitive,
+                        piece.joints != nullptr ? *piece.joints : kNoJoints);
+  place_soup(soup, piece.place);
+  return soup;
+}
+
+Shown show(const SurfacePiece& piece) {
+  Shown shown;
+  shown.piece = &piece;
+  const bool in_place = piece.place == model::Affine{};
+  if (in_place && piece.joints == nullptr && piece.known != nullptr) {
+    shown.sum = piece.known->sum;
+    shown.readable = piece.known->readable;
+    return shown;
+  }
+  const Soup soup = soup_of(piece);
+  Hash128 layout;
+  for (const SoupStream& stream : soup.streams) {
+    layout = hash_of_all(layout, hash_content(stream.name), stream.width);
+  }
+  const Hash128 sum = sum_of(hash_elements(soup));
+  if (sum != Hash128{}) shown.sum = hash_of_all(layout, sum);
+  shown.readable = soup.readable;
+  return shown;
+}
+
+/// Pieces of both sides with one material.
+struct Group {
+  std::vector<Shown*> ours, theirs;
+
+  bool equal() const {
+    const auto sum = [](const std::vector<Shown*>& pieces) {
+      Hash128 all;
+      for (const Shown* piece : pieces) {
+        if (piece->sum != Hash128{}) add_to_sum(all, piece->sum);
+      }
+      return all;
+    };
+    return sum(ours) == sum(theirs);
+  }
+};
+
+class SurfaceComparison {
+ public:
+  SurfaceComparison(const Comparison& all, const SurfacePair& pair) : all_(all), pair_(pair) {}
+
+  SurfaceChanges run() {
+    for (const SurfacePiece& piece : pair_.ours) here_.push_back(show(piece));
+    for (const SurfacePiece& piece : pair_.theirs) there_.push_back(show(piece));
+    leave_out_unread();
+    std::map<std::uint64_t, Group> groups = grouped();
+    std::erase_if(groups, [](const auto& group) { return group.second.equal(); });
+    if (groups.empty()) return std::move(result_);
+    find_other_materials(groups);
+    groups = grouped();
+    std::erase_if(groups, [](const auto& group) { return group.second.equal(); });
+    join_lone_groups(groups);
+    for (auto& [material, group] : groups) compare_group(material, group);
+    return std::move(result_);
+  }
+
+ private:
+  // Materials of our side by number, those of the other side by their partner.
+  std::uint64_t material_of(const SurfacePiece& piece, bool ours) {
+    if (!piece.material) return UINT64_MAX;
+    if (ours) return *piece.material;
+    const auto [at, is_new] = materials_.try_emplace(*piece.material);
+    if (is_new) at->second = find_material(*piece.material);
+    return at->second;
+  }
+
+  std::uint64_t find_material(std::uint32_t material) const {
+    const ItemId theirs{all_.theirs.list("/materials"), material};
+    if (const ItemId partner = all_.match.ours(theirs)) return partner.index;
+    // One of several equal ones.
+    for (const Shown& each : here_) {
+      if (!each.piece->material) continue;
+      const ItemId one{all_.ours.list("/materials"), *each.piece->material};
+      if (all_.match.same(one, theirs)) return one.index;
+    }
+    return (std::uint64_t{1} << 32U) + material;
+  }
+
+  const TextureUse& use_of(std::uint64_t material) const {
+    const auto& uses = all_.texture_uses;
+    return material + 1 < uses.size() ? uses[material] : uses.back();
+  }
+
+  std::map<std::uint64_t, Group> grouped() {
+    std::map<std::uint64_t, Group> groups;
+    for (Shown& each : here_) {
+      if (!each.done) groups[material_of(*each.piece, true)].ours.push_back(&each);
+    }
+    for (Shown& each : there_) {
+      if (!each.done) groups[material_of(*each.piece, false)].theirs.push_back(&each);
+    }
+    return groups;
+  }
+
+  void leave_out_unread() {
+    const auto unread = [](const Shown& each) { return !each.readable; };
+    const bool ours = std::any_of(here_.begin(), here_.end(), unread);
+    const bool theirs = std::any_of(there_.begin(), there_.end(), unread);
+    result_.unread = ours || theirs;
+    if (!ours && !theirs) return;
+    if (ours && theirs) {
+      all_.log.leave_out(fmt::format("{} cannot be read in both assets.", pair_.our_place));
+    } else {
+      add("geometry.elements",
+          fmt::format("can be read in the {} asset only", ours ? "new" : "old"));
+    }
+  }
+
+  Change& add(std::string_view kind, std::string what) {
+    Change& change = result_.changes.emplace_back();
+    change.kind = kind;
+    change.old_pointer = pair_.our_place;
+    change.new_pointer = pair_.their_place;
+    change.name = pair_.name;
+    change.what = std::move(what);
+    return change;
+  }
+
+  static std::string pointer_of(const SurfacePiece& piece, std::string_view member) {
+    const Side& side = piece.content->side();
+    const json::NodeId value = side.document().find(piece.primitive, member);
+    return side.pointer(value == json::kNoNode ? piece.primitive : value);
+  }
+
+  // Equal shapes with other materials: the material of the primitive is what changed.
+  void find_other_materials(std::map<std::uint64_t, Group>& groups) {
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<Shown*>> waiting;
+    for (auto& [material, group] : groups) {
+      for (Shown* each : group.theirs) {
+        if (each->sum != Hash128{}) waiting[{each->sum.high, each->sum.low}].push_back(each);
+      }
+    }
+    const auto take = [&](Shown& ours, bool same_material, std::uint64_t material) {
+      const auto found = waiting.find({ours.sum.high, ours.sum.low});
+      if (found == waiting.end()) return;
+      for (Shown* other : found->second) {
+        if (other->done) continue;
+        if ((material_of(*other->piece, false) == material) != same_material) continue;
+        ours.done = other->done = true;
+        if (!same_material) tell_material(*ours.piece, *other->piece);
+        return;
+      }
+    };
+    for (const bool same_material : {true, false}) {
+      for (auto& [material, group] : groups) {
+        for (Shown* each : group.ours) {
+          if (!each->done) take(*each, same_material, material);
+        }
+      }
+    }
+  }
+
+  void tell_material(const SurfacePiece& ours, const SurfacePiece& theirs) {
+    const auto called = [](const Content& content, const std::optional<std::uint32_t>& material) {
+      return material ? Comparison::called(content, {content.list("/materials"), *material})
+                      : std::string("no material");
+    };
+    const std::string before = called(all_.ours, ours.material);
+    const std::string after = called(all_.theirs, theirs.material);
+    Change& change = add("geometry.material", fmt::format("uses {} instead of {}", after, before));
+    change.old_pointer = pointer_of(ours, "material");
+    change.new_pointer = pointer_of(theirs, "material");
+    change.before = before;
+    change.after = after;
+  }
+
+  // If one material is left on each side, shape and material changed.
+  void join_lone_groups(std::map<std::uint64_t, Group>& groups) {
+    std::vector<std::uint64_t> lost, found;
+    for (const auto& [material, group] : groups) {
+      if (group.theirs.empty()) lost.push_back(material);
+      if (group.ours.empty()) found.push_back(material);
+    }
+    if (lost.size() != 1 || found.size() != 1) return;
+    Group& group = groups[lost.front()];
+    group.theirs = groups[found.front()].theirs;
+    groups.erase(found.front());
+    tell_material(*group.ours.front()->piece, *group.theirs.front()->piece);
+  }
+
+  void compare_group(std::uint64_t material, const Group& group) {
+    std::map<unsigned, std::pair<std::vector<Soup>, std::vector<Soup>>> by_arity;
+    const auto read = [&](const std::vector<Shown*>& pieces, bool ours) {
+      for (const Shown* each : pieces) {
+        Soup soup = soup_of(*each->piece);
+        if (soup.elements() == 0) continue;
+        auto& both = by_arity[soup.arity];
+        (ours ? both.first : both.second).push_back(std::move(soup));
+      }
+    };
+    read(group.ours, true);
+    read(group.theirs, false);
+    const SurfacePiece* one = group.ours.empty() ? nullptr : group.ours.front()->piece;
+    const SurfacePiece* other = group.theirs.empty() ? nullptr : group.theirs.front()->piece;
+    const bool lone = group.ours.size() == 1 && group.theirs.size() == 1;
+    for (auto& [arity, both] : by_arity) {
+      if (both.first.empty() || both.second.empty()) {
+        tell_elements(both, arity, one, other, !both.first.empty());
+      } else {
+        compare_soup_lists(material, both.first, both.second, one, other, lone);
+      }
+    }
+  }
+
+  void tell_elements(const std::pair<std::vector<Soup>, std::vector<Soup>>& both, unsigned arity,
+                     const SurfacePiece* one, const SurfacePiece* other, bool lost) {
+    std::uint64_t count = 0;
+    for (const Soup& soup : lost ? both.first : both.second) count += soup.elements();
+    Change& change = add("geometry.elements", fmt::format("{} {}", counted_elements(count, arity),
+                                                          lost ? "fewer" : "more"));
+    const SurfacePiece* piece = lost ? one : other;
+    if (piece == nullptr) return;
+    const std::string pointer = piece->content->side().pointer(piece->primitive);
+    (lost ? change.old_pointer : change.new_pointer) = pointer;
+  }
+
+  static std::map<std::string, SoupStream> streams_of(const std::vector<Soup>& soups) {
+    std::map<std::string, SoupStream> streams;
+    for (const Soup& soup : soups) {
+      for (const SoupStream& stream : soup.streams) {
+        const auto [at, is_new] = streams.try_emplace(stream.name, stream);
+        if (!is_new) at->second.width = std::max(at->second.width, stream.width);
+      }
+    }
+    return streams;
+  }
+
+  static Soup joined(const std::vector<Soup>& soups, const std::vector<SoupStream>& streams) {
+    Soup all;
+    all.arity = soups.front().arity;
+    for (SoupStream stream : streams) {
+      stream.offset = all.width;
+      all.width += stream.width;
+      all.streams.push_back(std::move(stream));
+    }
+    for (const Soup& soup : soups) append_soup(all, soup);
+    return all;
+  }
+
+  void tell_attribute(const SoupStream& stream, const Side& side, std::uint64_t material,
+                      bool lost) {
+    const TextureUse& use = use_of(material);
+    const bool read = use.reads(stream);
+    if (!read && all_.options.drawn) return;
+    Change& change = add("geometry.attribute", fmt::format("{}{} was {}", printable(stream.name),
+                                                           read ? "" : ", which nothing reads,",
+                                                           lost ? "removed" : "added"));
+    (lost ? change.old_pointer : change.new_pointer) = side.pointer(stream.value);
+  }
+
+  void compare_soup_lists(std::uint64_t material, const std::vector<Soup>& ours,
+                          const std::vector<Soup>& theirs, const SurfacePiece* one,
+                          const SurfacePiece* other, bool lone) {
+    std::map<std::string, SoupStream> here = streams_of(ours);
+    std::map<std::string, SoupStream> there = streams_of(theirs);
+    std::vector<SoupStream> common;
+    std::map<std::string, json::NodeId> values;
+    for (auto& [name, stream] : here) {
+      const auto found = there.find(name);
+      const bool fits = found != there.end() && (found->second.width == stream.width ||
+                                                 stream.kind == SemanticKind::weights ||
+                                                 stream.kind == SemanticKind::color);
+      if (!fits) {
+        tell_attribute(stream, all_.ours.side(), material, true);
+        continue;
+      }
+      stream.width = std::max(stream.width, found->second.width);
+      values[name] = found->second.value;
+      common.push_back(stream);
+    }
+    for (const auto& [name, stream] : there) {
+      if (!values.contains(name)) tell_attribute(stream, all_.theirs.side(), material, false);
+    }
+    if (common.empty()) return;
+    const Soup a = joined(ours, common);
+    const Soup b = joined(theirs, common);
+    const TextureUse& use = use_of(material);
+    SoupScale scale;
+    scale.texels = use.texels;
+    scale.position = all_.options.bounds.position * all_.diagonal / std::max(pair_.scale, 1e-30);
+    tell_difference(compare_soups(a, b, scale), a.arity, values, one, other, lone);
+  }
+
+  void tell_difference(const SoupDifference& found, unsigned arity,
+                       const std::map<std::string, json::NodeId>& values, const SurfacePiece* one,
+                       const SurfacePiece* other, bool lone) {
+    const auto at = [&](Change& change) {
+      if (!lone) return;
+      change.old_pointer = one->content->side().pointer(one->primitive);
+      change.new_pointer = other->content->side().pointer(other->primitive);
+    };
+    if (found.reversed) at(add("geometry.winding", "the winding of triangles is reversed"));
+    if (found.fewer > 0 || found.more > 0) {
+      std::vector<std::string> parts;
+      if (found.fewer > 0) parts.push_back(counted_elements(found.fewer, arity) + " fewer");
+      if (found.more > 0) parts.push_back(counted_elements(found.more, arity) + " more");
+      at(add("geometry.elements", fmt::format("{}", fmt::join(parts, ", "))));
+      // Pairs by place are no evidence of a change of values beside it.
+      if (found.fewer + found.more > 0) return;
+    }
+    for (const StreamDistance& distance : found.distances) {
+      tell_stream(distance, arity, values, lone);
+    }
+  }
+
+  void tell_stream(const StreamDistance& distance, unsigned arity,
+                   const std::map<std::string, json::NodeId>& values, bool lone) {
+    const SoupStream& stream = *distance.stream;
+    Change change = describe_stream(all_, distance, arity, pair_.scale);
+    Change& added = add(change.kind, std::move(change.what));
+    added.measure = change.measure;
+    added.level = change.level;
+    if (!lone) return;
+    added.old_pointer = all_.ours.side().pointer(stream.value);
+    added.new_pointer = all_.theirs.side().pointer(values.at(stream.name));
+  }
+
+  const Comparison& all_;
+  const SurfacePair& pair_;
+  std::vector<Shown> here_, there_;
+  std::map<std::uint32_t, std::uint64_t> materials_;  ///< of the other side, by number
+  SurfaceChanges result_;
+};
+
+}  // namespace
+
+SurfaceChanges compare_surfaces(const Comparison& comparison, const SurfacePair& pair) {
+  return SurfaceComparison(comparison, pair).run();
+}
+
+}  // namespace gltfx::prove

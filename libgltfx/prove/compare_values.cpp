@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prove/compare_values.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "prove/column.hpp"
+#include "prove/hash_sum.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+bool is_plain(LeafKind kind) { return kind <= LeafKind::foreign; }
+
+/// Where a value stands, or would stand.
+struct Stand {
+  std::string pointer;
+  bool there = false;
+  json::NodeId value = json::kNoNode;
+};
+
+/// The steps from an object down to a value.
+std::vector<std::string> steps_to(const Side& side, json::NodeId object, json::NodeId value) {
+  std::vector<std::string> steps;
+  const graph::Tree& tree = side.tree();
+  while (value != object && value != json::kNoNode && value != 0) {
+    steps.push_back(tree.is_member(value) ? std::string(tree.name(value))
+                                          : std::to_string(tree.position(value)));
+    value = tree.parent(value);
+  }
+  if (value != object) steps.clear();
+  std::reverse(steps.begin(), steps.end());
+  return steps;
+}
+
+/// Compares the leaves of two objects.
+class ValuePair {
+ public:
+  ValuePair(const Comparison& all, const Item& ours, const Item& theirs, std::string_view list,
+            std::string name)
+      : all_(all), ours_(ours), theirs_(theirs), list_(list), name_(std::move(name)) {}
+
+  /// `skipped`: a leaf with that path does not count.
+  void run(const Hash128* skipped) {
+    const auto collect = [&](const Content& content, const Item& item) {
+      std::vector<const Leaf*> leaves;
+      for (std::uint32_t i = item.first; i < item.last; ++i) {
+        const Leaf& leaf = content.leaves()[i];
+        if (!is_plain(leaf.kind) || (skipped != nullptr && leaf.path == *skipped)) continue;
+        leaves.push_back(&leaf);
+      }
+      std::stable_sort(leaves.begin(), leaves.end(),
+                       [](const Leaf* a, const Leaf* b) { return hash_less(a->path, b->path); });
+      return leaves;
+    };
+    const auto here = collect(all_.ours, ours_);
+    const auto there = collect(all_.theirs, theirs_);
+    auto other = there.begin();
+    for (const Leaf* leaf : here) {
+      for (; other != there.end() && hash_less((*other)->path, leaf->path); ++other) {
+        only_one(**other, false);
+      }
+      if (other != there.end() && (*other)->path == leaf->path) {
+        both(*leaf, **other++);
+      } else {
+        only_one(*leaf, true);
+      }
+    }
+    for (; other != there.end(); ++other) only_one(**other, false);
+  }
+
+ private:
+  std::string_view kind(const Side& side, const Leaf& leaf) const {
+    if (leaf.kind == LeafKind::extras) return "extras";
+    if (leaf.kind == LeafKind::foreign) return "extension.unknown";
+    if (!list_.empty()) return kind_of(list_, "value");
+    return side.pointer(leaf.at) == "/asset/generator" ? "generator" : "asset.value";
+  }
+
+  void both(const Leaf& ours, const Leaf& theirs) {
+    if (ours.value == theirs.value && all_.match.same(ours.target, theirs.target)) return;
+    const Side& here = all_.ours.side();
+    const Side& there = all_.theirs.side();
+    Change change;
+    change.kind = kind(here, ours);
+    const bool renamed =
+        ours.kind == LeafKind::name && !list_.empty() && here.tree().parent(ours.at) == ours_.node;
+    if (renamed) change.kind = kind_of(list_, "renamed");
+    change.old_pointer = here.pointer(ours.at);
+    change.new_pointer = there.pointer(theirs.at);
+    change.name = name_;
+    change.before = short_value(here.document(), ours.at);
+    change.after = short_value(there.document(), theirs.at);
+    change.what = fmt::format("{} {} -> {}", label(here, ours.at), change.before, change.after);
+    if (ours.target || theirs.target) {
+      change.what = fmt::format("{} refers to {}, not {}", label(here, ours.at),
+                                Comparison::called(all_.theirs, theirs.target),
+                                Comparison::called(all_.ours, ours.target));
+    } else if (ours.kind == LeafKind::value) {
+      measure(ours, theirs, change);
+    }
+    if (is_of_sampler(here, ours_, ours)) {
+      change.also.push_back(here.pointer(ours_.node) + "/sampler");
+    }
+    if (renamed) change.what = fmt::format("renamed {} -> {}", change.before, change.after);
+    all_.log.add(std::move(change));
+  }
+
+  // The name of a member, or of the array with the value.
+  static std::string label(const Side& side, json::NodeId value) {
+    const graph::Tree& tree = side.tree();
+    while (value != 0 && !tree.is_member(value)) value = tree.parent(value);
+    return value == 0 ? std::string("value")
+                      : printable(std::string(tree.name(value)).substr(0, 80));
+  }
+
+  // Numbers of materials, lights and cameras have a bound.
+  void measure(const Leaf& ours, const Leaf& theirs, Change& change) const {
+    const json::Document& here = all_.ours.side().document();
+    const json::Document& there = all_.theirs.side().document();
+    double apart_most = 0;
+    std::size_t differing = 0, which = 0;
+    if (here.is_number(ours.at) && there.is_number(theirs.at)) {
+      apart_most = std::fabs(here.number(ours.at).value - there.number(theirs.at).value);
+      differing = 1;
+    } else if (here.kind(ours.at) == json::Kind::number_array &&
+               there.kind(theirs.at) == json::Kind::number_array &&
+               here.array_size(ours.at) == there.array_size(theirs.at)) {
+      json::NumberCursor one(here, ours.at);
+      json::NumberCursor two(there, theirs.at);
+      for (std::size_t i = 0; one.valid() && two.valid(); one.advance(), two.advance(), ++i) {
+        const double distance = apart(one.number().value, two.number().value);
+        if (distance == 0) continue;
+        ++differing;
+        which = i;
+        apart_most = std::max(apart_most, distance);
+      }
+      if (differing == 1) {
+        *change.old_pointer += fmt::format("/{}", which);
+        *change.new_pointer += fmt::format("/{}", which);
+      }
+    }
+    const bool bounded = list_ == "/materials" || list_ == "/cameras" ||
+                         (list_.starts_with("/extensions/") && list_.size() > 12);
+    if (differing == 0 || !bounded) return;
+    const double bound = all_.options.bounds.factor;
+    change.measure = CompareMeasure{"factor", apart_most, "", bound};
+    if (apart_most <= bound) change.level = CompareLevel::bounds;
+  }
+
+  // Finds where the value of the other side stands, or the last object above it that exists.
+  static Stand find_stand(const Side& side, json::NodeId object, const Side& other,
+                          json::NodeId other_object, json::NodeId value, std::string& own) {
+    const std::vector<std::string> steps = steps_to(side, object, value);
+    json::NodeId at = other_object;
+    json::NodeId mine = object;
+    for (const std::string& step : steps) {
+      const graph::Place next = other.tree().step(at, step);
+      mine = side.tree().step(mine, step).node;
+      if (next.node == json::kNoNode || next.element) {
+        own = side.pointer(mine);
+        return {other.pointer(at), false, at};
+      }
+      at = next.node;
+    }
+    own = side.pointer(value);
+    return {other.pointer(at), !steps.empty(), at};
+  }
+
+  void only_one(const Leaf& leaf, bool ours) {
+    const Side& side = ours ? all_.ours.side() : all_.theirs.side();
+    const Side& other = ours ? all_.theirs.side() : all_.ours.side();
+    const Item& item = ours ? ours_ : theirs_;
+    const Item& partner = ours ? theirs_ : ours_;
+    std::string own = side.pointer(leaf.at);
+    const Stand stand = find_stand(side, item.node, other, partner.node, leaf.at, own);
+    const bool in_sampler = is_of_sampler(side, item, leaf);
+    if (in_sampler && !other.asset().index(partner.node, "sampler", model::RootArray::samplers)) {
+      own = side.pointer(item.node) + "/sampler";
+    }
+    Change change;
+    change.kind = kind(side, leaf);
+    const bool is_name = leaf.kind == LeafKind::name && side.tree().parent(leaf.at) == item.node;
+    if (is_name && !list_.empty()) change.kind = kind_of(list_, "renamed");
+    change.name = name_;
+    std::string& text = ours ? change.before : change.after;
+    text = short_value(side.document(), leaf.at);
+    auto& pointer = ours ? change.old_pointer : change.new_pointer;
+    auto& other_pointer = ours ? change.new_pointer : change.old_pointer;
+    pointer = own;
+    const std::string what = label(side, leaf.at);
+    if (stand.there) {
+      other_pointer = stand.pointer;
+      (ours ? change.after : change.before) = short_value(other.document(), stand.value);
+      change.what = fmt::format("{} {} -> {}", what, change.before, change.after);
+    } else {
+      const std::size_t slash = own.rfind('/');
+      change.what =
+          fmt::format("{} was {}", printable(own.substr(slash + 1)), ours ? "removed" : "added");
+    }
+    if (in_sampler) change.also.push_back(side.pointer(item.node) + "/sampler");
+    all_.log.add(std::move(change));
+  }
+
+  // The sampler of a texture is part of it, but another object.
+  static bool is_of_sampler(const Side& side, const Item& item, const Leaf& leaf) {
+    const graph::Tree& tree = side.tree();
+    const json::NodeId object = tree.root_element(leaf.at);
+    return object != json::kNoNode && object != item.node && item.node != 0 &&
+           tree.root_element(item.node) == item.node;
+  }
+
+  const Comparison& all_;
+  const Item& ours_;
+  const Item& theirs_;
+  const std::string_view list_;
+  const std::string name_;
+};
+
+std::set<std::string> declared(const Side& side, std::string_view list,
+                               const std::set<std::string, std::less<>>& storage) {
+  std::set<std::string> names;
+  const json::Document& document = side.document();
+  const json::NodeId array = document.find(document.root(), list);
+  if (array == json::kNoNode || document.kind(array) != json::Kind::array) return names;
+  for (const json::NodeId element : document.elements(array)) {
+    if (!document.is_string(element)) continue;
+    std::string name = document.string(element);
+    if (!storage.contains(name)) names.insert(std::move(name));
+  }
+  return names;
+}
+
+// An extension that only one of both assets has is no change of the list.
+void compare_lists_of_extensions(const Comparison& all) {
+  const Side& here = all.ours.side();
+  const Side& there = all.theirs.side();
+  const auto storage = storage_extensions(here.graph().set(), Types(here.graph().set()));
+  const auto seen = [](const Side& side) {
+    const auto& names = side.graph().checked().extensions_seen;
+    return std::set<std::string>(names.begin(), names.end());
+  };
+  const auto seen_here = seen(here);
+  const auto seen_there = seen(there);
+  for (const std::string_view list : {"extensionsUsed", "extensionsRequired"}) {
+    const auto ours = declared(here, list, storage);
+    const auto theirs = declared(there, list, storage);
+    const auto tell = [&](const std::string& name, bool removed) {
+      if (seen_here.contains(name) != seen_there.contains(name)) return;
+      Change change;
+      change.kind = "extension.list";
+      (removed ? change.old_pointer : change.new_pointer) = fmt::format("/{}", list);
+      change.what = fmt::format("{} {} {}", list, removed ? "no longer has" : "has a new",
+                                gltfx::quoted(name));
+      all.log.add(std::move(change));
+    };
+    for (const std::string& name : ours) {
+      if (!theirs.contains(name)) tell(name, true);
+    }
+    for (const std::string& name : theirs) {
+      if (!ours.contains(name)) tell(name, false);
+    }
+  }
+}
+
+bool has_integers(const json::Document& document, json::NodeId value) {
+  for (json::NodeId at = value; at < document.next(value); ++at) {
+    if (document.kind(at) == json::Kind::number && document.number(at).is_integer()) return true;
+    if (document.kind(at) != json::Kind::number_array) continue;
+    for (json::NumberCursor number(document, at); number.valid(); number.advance()) {
+      if (number.number().is_integer()) return true;
+    }
+  }
+  return false;
+}
+
+// Integers of unknown extensions may be indices: where objects have other numbers, nobody knows.
+void find_unknown_indices(const Comparison& all) {
+  if (!all.match.is_renumbered() || all.options.drawn) return;
+  const Side& side = all.ours.side();
+  for (const json::NodeId object : side.graph().unknown_extensions()) {
+    if (!has_integers(side.document(), object)) continue;
+    all.log.leave_out(fmt::format(
+        "{} has integers, which may be indices, and objects have other numbers; give its schema "
+        "with --schema.",
+        side.pointer(object)));
+  }
+}
+
+}  // namespace
+
+void compare_values(const Comparison& all, const Helpers& helpers) {
+  const Hash128 mesh = hash_of_all(Hash128{}, hash_content("mesh"));
+  for (std::uint32_t list = 0; list < all.ours.lists().size(); ++list) {
+    const ItemList& items = all.ours.lists()[list];
+    const bool nodes = items.pointer == "/nodes";
+    for (std::uint32_t i = 0; i < items.items.size(); ++i) {
+      const ItemId ours{list, i};
+      const ItemId theirs = all.match.theirs(ours);
+      if (!theirs) continue;
+      const bool helped =
+          nodes && (helpers.ours[i] != kNoItem || helpers.theirs[theirs.index] != kNoItem);
+      ValuePair(all, all.ours.item(ours), all.theirs.item(theirs), items.pointer,
+                all.our_name(ours))
+          .run(helped ? &mesh : nullptr);
+    }
+  }
+  ValuePair(all, all.ours.root(), all.theirs.root(), "", "").run(nullptr);
+  compare_lists_of_extensions(all);
+  find_unknown_indices(all);
+}
+
+}  // namespace gltfx::prove

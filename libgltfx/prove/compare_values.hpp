@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Compares the values of matched objects, and names objects without a partner.
+#pragma once
+
+#include "prove/changes.hpp"
+
+namespace gltfx::prove {
+
+/// Nodes that only carry a mesh for their parent: with the transform that restores its positions.
+struct Helpers {
+  /// By node: the child that has its mesh, or kNoItem.
+  std::vector<std::uint32_t> ours, theirs;
+  /// Such children.
+  std::set<std::uint32_t> our_nodes, their_nodes;
+};
+
+/// Nodes without a partner that only carry a mesh, below a node whose partner has a mesh itself.
+Helpers find_helpers(const Comparison& comparison);
+
+/// Values of objects and of the asset, extras, extensions and their lists.
+void compare_values(const Comparison& comparison, const Helpers& helpers);
+
+/// Objects that were added or removed. An object that only removed objects use is not named.
+void compare_presence(const Comparison& comparison, const Helpers& helpers);
+
+/// Names, extras and unknown extensions of what stores data: accessors, views, buffers, samplers.
+void compare_stored_objects(const Comparison& comparison);
+
+}  // namespace gltfx::prove

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prove/leaf_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "json/parse.hpp"
+#include "model/texture.hpp"
+#include "prove/hash_sum.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+Hash128 below(const Hash128& path, std::string_view name) {
+  return hash_of_all(path, hash_content(name));
+}
+Hash128 below(const Hash128& path, std::uint64_t position) { return hash_of_all(path, position); }
+
+Hash128 hash_number(double value) {
+  if (value == 0) value = 0;  // both zeros
+  return hash_of_all('n', value);
+}
+
+bool is_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+Hash128 hash_json(const json::Document& document, json::NodeId value) {
+  Hash128 sum;
+  switch (document.kind(value)) {
+    case json::Kind::number:
+      return hash_number(document.number(value).value);
+    case json::Kind::string: {
+      std::string buffer;
+      return hash_of_all('s', hash_content(document.string(value, buffer)));
+    }
+    case json::Kind::number_array: {
+      std::uint64_t position = 0;
+      for (json::NumberCursor at(document, value); at.valid(); at.advance()) {
+        add_to_sum(sum, hash_of_all(position++, hash_number(at.number().value)));
+      }
+      return hash_of_all('a', sum);
+    }
+    case json::Kind::array: {
+      std::uint64_t position = 0;
+      for (const json::NodeId element : document.elements(value)) {
+        add_to_sum(sum, hash_of_all(position++, hash_json(document, element)));
+      }
+      return hash_of_all('a', sum);
+    }
+    case json::Kind::object:
+      for (const auto member : document.members(value)) {
+        add_to_sum(sum, hash_of_all(hash_content(document.key(member.key_id)),
+                                    hash_json(document, member.value)));
+      }
+      return hash_of_all('o', sum);
+    default:
+      return hash_content(document.raw(value));
+  }
+}
+
+LeafReader::LeafReader(const Content& content, std::vector<Leaf>& leaves)
+    : content_(content),
+      side_(content.side()),
+      document_(side_.document()),
+      types_(side_.graph().set()),
+      storage_(storage_extensions(side_.graph().set(), types_)),
+      mesh_(side_.graph().set().find_type("mesh")),
+      skin_(side_.graph().set().find_type("skin")),
+      animation_(side_.graph().set().find_type("animation")),
+      scene_(side_.graph().set().find_type("scene")),
+      leaves_(leaves) {}
+
+void LeafReader::add(json::NodeId at, const Hash128& path, const Hash128& value, LeafKind kind) {
+  leaves_.push_back({path, value, at, {}, kind});
+}
+
+void LeafReader::read(json::NodeId object) {
+  if (side_.type(object) == types_.texture) read_texture(object, {});
+  read_object(object, {});
+}
+
+void LeafReader::read_root() { read_object(document_.root(), {}); }
+
+// What other comparisons cover, and what only describes storage.
+bool LeafReader::is_left_out(schema::TypeId type, std::string_view name, json::NodeId value) const {
+  if (content_.is_list(value)) return true;
+  if (type == types_.root) {
+    return is_of(name, {"extensionsUsed", "extensionsRequired", "accessors", "buffers",
+                        "bufferViews", "samplers"});
+  }
+  if (type == types_.node) {
+    return is_of(name, {"children", "matrix", "translation", "rotation", "scale"});
+  }
+  if (type == types_.primitive) {
+    return is_of(name, {"attributes", "indices", "mode", "targets", "material"});
+  }
+  if (type == types_.texture) return is_of(name, {"source", "sampler"});
+  if (type == types_.image) return is_of(name, {"uri", "bufferView", "mimeType"});
+  if (type == skin_) return is_of(name, {"joints", "inverseBindMatrices"});
+  if (type == animation_) return is_of(name, {"channels", "samplers"});
+  if (type == types_.channel) return name == "sampler";
+  return type == scene_ && name == "nodes";
+}
+
+bool LeafReader::is_default(schema::TypeId type, std::string_view name, json::NodeId value) {
+  const schema::Property* property = side_.graph().set().find_property(type, name);
+  if (property == nullptr || property->default_json.empty()) return false;
+  const auto [at, is_new] = defaults_.try_emplace(property);
+  if (is_new) {
+    const json::Parsed parsed = json::parse(std::string_view(property->default_json));
+    if (!parsed.document.empty()) at->second = hash_json(parsed.document, 0);
+  }
+  return at->second == hash_json(document_, value);
+}
+
+void LeafReader::read_object(json::NodeId object, const Hash128& path) {
+  const schema::TypeId type = side_.graph().type(object);
+  const schema::TypeId origin = side_.type(object);
+  for (const auto member : document_.members(object)) {
+    const std::string_view name = document_.key(member.key_id);
+    if (type == schema::kNone) {
+      read_value(member.value, below(path, name), LeafKind::value);
+    } else if (!is_left_out(origin, name, member.value)) {
+      read_member(type, name, member.value, below(path, name));
+    }
+  }
+}
+
+void LeafReader::read_member(schema::TypeId type, std::string_view name, json::NodeId value,
+                             const Hash128& path) {
+  if (name == "extras") return read_plain(value, path, LeafKind::extras);
+  if (name == "extensions" && document_.is_object(value)) return read_extensions(value, path);
+  const bool is_name = name == "name" && document_.is_string(value);
+  if (is_name) return add(value, path, hash_json(document_, value), LeafKind::name);
+  if (side_.link(value) == nullptr && is_default(type, name, value)) return;
+  read_value(value, path, LeafKind::value);
+}
+
+void LeafReader::read_extensions(json::NodeId list, const Hash128& path) {
+  for (const auto member : document_.members(list)) {
+    const std::string_view name = document_.key(member.key_id);
+    if (storage_.contains(name)) continue;
+    const Hash128 place = below(path, name);
+    const bool known =
+        document_.is_object(member.value) && side_.graph().type(member.value) != schema::kNone;
+    if (!known) {
+      read_plain(member.value, place, LeafKind::foreign);
+      continue;
+    }
+    add(member.value, place, hash_content("present"), LeafKind::present);
+    read_object(member.value, place);
+  }
+}
+
+void LeafReader::read_value(json::NodeId value, const Hash128& path, LeafKind kind) {
+  if (content_.is_list(value)) return;
+  if (document_.kind(value) != json::Kind::number_array && add_link(value, 0, path)) return;
+  switch (document_.kind(value)) {
+    case json::Kind::object:
+      return read_object(value, path);
+    case json::Kind::number_array:
+      return read_numbers(value, path);
+    case json::Kind::array: {
+      std::uint64_t position = 0;
+      for (const json::NodeId element : document_.elements(value)) {
+        read_value(element, below(path, position++), kind);
+      }
+      return;
+    }
+    default:
+      add(value, path, hash_json(document_, value), kind);
+  }
+}
+
+void LeafReader::read_numbers(json::NodeId array, const Hash128& path) {
+  if (!side_.graph().is_list_of_references(array)) {
+    return add(array, path, hash_json(document_, array), LeafKind::value);
+  }
+  std::uint64_t position = 0;
+  for (json::NumberCursor at(document_, array); at.valid(); at.advance(), ++position) {
+    if (!add_link(array, position, below(path, position))) {
+      add(array, below(path, position), hash_number(at.number().value), LeafKind::value);
+    }
+  }
+}
+
+// Values that no schema describes.
+void LeafReader::read_plain(json::NodeId value, const Hash128& path, LeafKind kind) {
+  std::uint64_t position = 0;
+  if (document_.kind(value) == json::Kind::object) {
+    bool empty = true;
+    for (const auto member : document_.members(value)) {
+      read_plain(member.value, below(path, document_.key(member.key_id)), kind);
+      empty = false;
+    }
+    if (!empty) return;
+  } else if (document_.kind(value) == json::Kind::array) {
+    for (const json::NodeId element : document_.elements(value)) {
+      read_plain(element, below(path, position++), kind);
+    }
+    if (position > 0) return;
+  }
+  add(value, path, hash_json(document_, value), kind);
+}
+
+bool LeafReader::add_link(json::NodeId at, std::uint64_t element, const Hash128& path) {
+  const Link* link = side_.link(at, element);
+  if (link == nullptr || link->target == json::kNoNode) return false;
+  Leaf leaf{path, {}, at, {}, LeafKind::value};
+  if (link->pointer == nullptr) {
+    leaf.target = content_.find(link->target);
+    if (!leaf.target) {
+      const schema::TypeId type = side_.type(link->target);
+      bool readable = false;
+      if (type == types_.accessor) {
+        leaf.value = content_.elements(side_.index(link->target), readable);
+      } else if (type == types_.buffer_view) {
+        leaf.value = content_.bytes(side_.index(link->target));
+      } else {
+        leaf.value = hash_of_all('i', std::uint64_t{side_.tree().position(link->target)});
+      }
+    }
+  } else {
+    // The first object of a list on the way, and the steps after it.
+    const graph::PointerText& pointer = *link->pointer;
+    std::size_t after = 0;
+    for (std::size_t i = 0; i < pointer.way.size() && !leaf.target; ++i) {
+      leaf.target = content_.find(pointer.way[i]);
+      if (leaf.target) after = i + 1;
+    }
+    Hash128 rest;
+    for (std::size_t i = after; i < pointer.steps.size(); ++i) rest = below(rest, pointer.steps[i]);
+    leaf.value = rest;
+  }
+  leaves_.push_back(leaf);
+  return true;
+}
+
+// The image that a reader of all formats shows, and the values of the sampler.
+void LeafReader::read_texture(json::NodeId texture, const Hash128& path) {
+  const auto& images = side_.asset().elements(model::RootArray::images);
+  const auto shown = model::read_texture(side_.asset(), texture).images;
+  if (!shown.empty()) {
+    leaves_.push_back({below(path, "source"),
+                       {},
+                       texture,
+                       content_.find(images[shown.front()]),
+                       LeafKind::value});
+  }
+  const auto sampler = side_.asset().index(texture, "sampler", model::RootArray::samplers);
+  if (!sampler) {
+    const json::NodeId broken = document_.find(texture, "sampler");
+    if (broken != json::kNoNode) read_plain(broken, below(path, "sampler"), LeafKind::value);
+    return;
+  }
+  read_object(side_.asset().elements(model::RootArray::samplers)[*sampler], below(path, "sampler"));
+}
+
+}  // namespace gltfx::prove

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prove/skin_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/skin.hpp"
+#include "prove/column.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+/// The joints of a skin with their matrices.
+struct ReadSkin {
+  model::Skin skin;
+  std::vector<model::Affine> matrices;
+};
+
+ReadSkin read_skin_of(const Content& content, std::uint32_t index) {
+  const Side& side = content.side();
+  ReadSkin read;
+  read.skin = model::read_skin(side.asset(), side.asset().elements(model::RootArray::skins)[index]);
+  const auto column = read.skin.inverse_bind_matrices
+                          ? Column::open(side, *read.skin.inverse_bind_matrices)
+                          : std::nullopt;
+  for (std::size_t i = 0; i < read.skin.joint_nodes.size(); ++i) {
+    model::Affine matrix;
+    if (column && column->components() == 16 && i < column->count()) {
+      const Element element = column->at(i);
+      for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t m = 0; m < 3; ++m) matrix.columns[k][m] = element[4 * k + m];
+      }
+    }
+    read.matrices.push_back(matrix);
+  }
+  return read;
+}
+
+std::optional<model::Affine> inverse(const model::Affine& a) {
+  const double determinant = a.determinant();
+  if (!std::isfinite(determinant) || determinant == 0) return std::nullopt;
+  const auto& c = a.columns;
+  const std::array<model::Vector3, 3> rows{model::cross(c[1], c[2]), model::cross(c[2], c[0]),
+                                           model::cross(c[0], c[1])};
+  model::Affine result;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) result.columns[k][i] = rows[i][k] / determinant;
+  }
+  model::Vector3 origin{};
+  for (std::size_t k = 0; k < 3; ++k) origin[k] = -c[3][k];
+  result.columns[3] = {0, 0, 0};
+  result.columns[3] = result.vector(origin);
+  return result;
+}
+
+double farthest_of(const model::Affine& a, const model::Affine& b) {
+  double farthest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      farthest = std::max(farthest, apart(a.columns[i][k], b.columns[i][k]));
+    }
+  }
+  return farthest;
+}
+
+}  // namespace
+
+const SkinPair& SkinPairs::get(std::uint32_t ours, std::uint32_t theirs) {
+  const auto [at, is_new] = pairs_.try_emplace({ours, theirs});
+  if (is_new) compare(ours, theirs);
+  return at->second;
+}
+
+void SkinPairs::compare(std::uint32_t ours, std::uint32_t theirs) {
+  SkinPair& pair = pairs_[{ours, theirs}];
+  const ReadSkin here = read_skin_of(all_.ours, ours);
+  const ReadSkin there = read_skin_of(all_.theirs, theirs);
+  const std::uint32_t list = all_.theirs.list("/nodes");
+  std::map<model::NodeIndex, std::size_t> positions;
+  for (std::size_t i = 0; i < here.skin.joint_nodes.size(); ++i) {
+    const model::NodeIndex node = here.skin.joint_nodes[i];
+    positions.try_emplace(node, i);
+    pair.our_joints.push_back(node);
+    const double scale =
+        greatest_scale_of(all_.our_nodes.world(node)) * greatest_scale_of(here.matrices[i]);
+    pair.scale = i == 0 ? scale : std::max(pair.scale, scale);
+  }
+  constexpr double kUnmatched = 1e10;
+  std::optional<model::Affine> place;
+  bool one_place = true;
+  bool differs = false;
+  for (std::size_t i = 0; i < there.skin.joint_nodes.size(); ++i) {
+    const ItemId partner = all_.match.ours({list, there.skin.joint_nodes[i]});
+    pair.their_joints.push_back(partner ? partner.index : kUnmatched + there.skin.joint_nodes[i]);
+    const auto found = partner ? positions.find(partner.index) : positions.end();
+    if (found == positions.end()) continue;
+    const model::Affine& before = here.matrices[found->second];
+    const model::Affine& after = there.matrices[i];
+    differs |= farthest_of(before, after) > 0;
+    if (!place) {
+      const auto undone = inverse(before);
+      if (undone) place = *undone * after;
+    }
+    constexpr double kNear = 1e-5;
+    one_place = one_place && place && farthest_of(before * *place, after) <= kNear;
+  }
+  pair.has_place = differs && one_place && place;
+  if (pair.has_place) pair.place = *place;
+}
+
+void SkinPairs::tell_rest() {
+  const std::uint32_t skins = all_.ours.list("/skins");
+  const std::uint32_t nodes = all_.ours.list("/nodes");
+  if (skins == kNoItem) return;
+  for (std::uint32_t i = 0; i < all_.ours.lists()[skins].items.size(); ++i) {
+    const ItemId one{skins, i};
+    const ItemId other = all_.match.theirs(one);
+    if (!other) continue;
+    const ReadSkin here = read_skin_of(all_.ours, i);
+    const ReadSkin there = read_skin_of(all_.theirs, other.index);
+    std::map<model::NodeIndex, std::size_t> positions;
+    for (std::size_t k = 0; k < there.skin.joint_nodes.size(); ++k) {
+      positions.try_emplace(there.skin.joint_nodes[k], k);
+    }
+    const auto add = [&](std::string_view kind, std::string_view member,
+                         std::string what) -> Change {
+      Change change;
+      change.kind = kind;
+      change.name = all_.our_name(one);
+      change.what = std::move(what);
+      const auto at = [&](const Side& side, json::NodeId object) {
+        const json::NodeId value = side.document().find(object, member);
+        return side.pointer(value == json::kNoNode ? object : value);
+      };
+      change.old_pointer = at(all_.ours.side(), here.skin.object);
+      change.new_pointer = at(all_.theirs.side(), there.skin.object);
+      return change;
+    };
+    std::size_t shared = 0;
+    std::string lost;
+    double farthest = 0;
+    std::string worst;
+    for (std::size_t k = 0; k < here.skin.joint_nodes.size(); ++k) {
+      const ItemId joint{nodes, here.skin.joint_nodes[k]};
+      const ItemId partner = all_.match.theirs(joint);
+      const auto found = partner ? positions.find(partner.index) : positions.end();
+      if (found == positions.end()) {
+        if (lost.empty()) lost = Comparison::called(all_.ours, joint);
+        continue;
+      }
+      ++shared;
+      const double distance = farthest_of(here.matrices[k], there.matrices[found->second]);
+      if (distance <= farthest) continue;
+      farthest = distance;
+      worst = Comparison::called(all_.ours, joint);
+    }
+    if (shared != here.skin.joint_nodes.size() || shared != there.skin.joint_nodes.size()) {
+      all_.log.add(add(
+          "skin.joints", "joints",
+          lost.empty() ? fmt::format("has {} joints in place of {}", there.skin.joint_nodes.size(),
+                                     here.skin.joint_nodes.size())
+                       : fmt::format("{} is no joint any more", lost)));
+    }
+    if (farthest == 0 || explained_.contains({i, other.index})) continue;
+    Change change = add(
+        "skin.bind", "inverseBindMatrices",
+        fmt::format("the inverse bind matrix of {} differs by at most {:.4g}", worst, farthest));
+    const double bound = 100 * all_.options.bounds.position;
+    const double part = all_.diagonal > 0 ? 100 * farthest / all_.diagonal
+                                          : std::numeric_limits<double>::infinity();
+    change.measure = CompareMeasure{"position", part, "%", bound};
+    change.level = part <= bound / 4 ? CompareLevel::bounds : CompareLevel::differs;
+    all_.log.add(std::move(change));
+  }
+}
+
+}  // namespace gltfx::prove

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a material reads of vertices and images.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <vector>
+
+#include "prove/content.hpp"
+#include "prove/soup.hpp"
+
+namespace gltfx::prove {
+
+struct TextureUse {
+  std::set<std::uint64_t> sets;  ///< the n of each TEXCOORD_n
+  bool normals_mapped = false;   ///< a texture needs tangents
+  double texels = 2048;          ///< the longest side of its images; without images a usual one
+
+  /// Whether anything is drawn with that attribute.
+  bool reads(const SoupStream& stream) const;
+};
+/// By material; the last one is that of no material.
+std::vector<TextureUse> texture_uses(const Content& content);
+
+/// The channels of an image that materials read, and as what.
+struct ImageUse {
+  bool color = false, normal = false, data = false;
+  bool channels[4] = {false, false, false, false};
+  bool used() const { return channels[0] || channels[1] || channels[2] || channels[3]; }
+};
+/// By image.
+std::vector<ImageUse> image_uses(const Content& content);
+
+}  // namespace gltfx::prove

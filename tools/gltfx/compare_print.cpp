@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare_print.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "report/safe_text.hpp"
+#include "report/wording.hpp"
+
+namespace gltfx::tool {
+namespace {
+
+using report::counted;
+
+std::string pair_name(const CompareReport& report) {
+  if (report.old_path.empty()) return report::safe(report.new_path);
+  if (report.new_path.empty()) return report::safe(report.old_path);
+  return fmt::format("{} -> {}", report::safe(report.old_path), report::safe(report.new_path));
+}
+
+std::string place_of(const Change& change) {
+  if (!change.old_pointer) return fmt::format("+ {}", *change.new_pointer);
+  if (!change.new_pointer) return fmt::format("- {}", *change.old_pointer);
+  if (*change.old_pointer == *change.new_pointer) return *change.old_pointer;
+  return fmt::format("{} -> {}", *change.old_pointer, *change.new_pointer);
+}
+
+std::string measure_of(const Change& change) {
+  if (!change.measure) return {};
+  const CompareMeasure& measure = *change.measure;
+  return fmt::format(
+      " ({} {:.3g}{}{}, bound {:.3g}{})", measure.quantity, measure.value,
+      measure.unit.empty() || measure.unit == "%" || measure.unit == "/255" ? "" : " ",
+      measure.unit, measure.bound, measure.unit);
+}
+
+std::string sentence_of(const Change& change) {
+  const std::string name = change.name.empty() ? std::string() : gltfx::quoted(change.name) + " ";
+  return name + change.what + measure_of(change);
+}
+
+// "2 nodes moved" is what a kind is called in a headline.
+std::string count_by_kind(const CompareReport& report) {
+  std::map<std::string_view, std::uint64_t> kinds;
+  for (const Change& change : report.changes) ++kinds[change.kind];
+  std::vector<std::string> parts;
+  for (const auto& [kind, count] : kinds) parts.push_back(fmt::format("{} {}", count, kind));
+  constexpr std::size_t kMost = 6;
+  if (parts.size() > kMost) {
+    const std::size_t more = parts.size() - kMost;
+    parts.resize(kMost);
+    parts.push_back(fmt::format("{} more kinds", more));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+// Backslashes before all that Markdown and HTML read, so that a name stays text.
+std::string escaped(std::string_view text) {
+  constexpr std::string_view kSpecial = "\\`*_{}[]()<>#+-.!|~&@:$";
+  std::string out;
+  for (const char c : report::safe_cut(text, 300)) {
+    if (c == '<') {
+      out += "&lt;";
+    } else if (c == '>') {
+      out += "&gt;";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else if (c == '@') {
+      out += "&#64;";
+    } else {
+      if (kSpecial.find(c) != std::string_view::npos) out += '\\';
+      out += c;
+    }
+  }
+  return out;
+}
+
+std::string markdown_row(const Change& change) {
+  return fmt::format("| {} | {} | {} | {} |\n", escaped(place_of(change)), change.kind,
+                     escaped(sentence_of(change)), compare_level_name(change.level));
+}
+
+}  // namespace
+
+void CompareSummary::add(const CompareReport& report, CompareLevel allow) {
+  ++pairs;
+  if (!report.error.empty()) {
+    ++unreadable;
+  } else {
+    ++levels[static_cast<std::size_t>(report.level)];
+    unproven += report.unproven.empty() ? 0U : 1U;
+  }
+  allowed = allowed && report.is_within(allow);
+}
+
+std::string compare_headline(const CompareReport& report) {
+  if (report.old_path.empty()) return "added";
+  if (report.new_path.empty()) return "removed";
+  std::string text(compare_level_name(report.level));
+  if (!report.changes.empty()) text += ": " + count_by_kind(report);
+  if (!report.unproven.empty()) text += fmt::format("; {} unproven", report.unproven.size());
+  return text;
+}
+
+std::string compare_text(const CompareReport& report, std::size_t most, const Style& style) {
+  std::string text =
+      fmt::format("{}: {}\n", style.bold(pair_name(report)), compare_headline(report));
+  const std::size_t shown =
+      most == 0 ? report.changes.size() : std::min(most, report.changes.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    const Change& change = report.changes[i];
+    text += fmt::format(
+        "  {}\n",
+        style.dim(fmt::format("{}  {}", report::safe_cut(place_of(change), 200), change.kind)));
+    text += wrapped(report::safe_cut(sentence_of(change), 400), 4);
+  }
+  if (shown < report.changes.size()) {
+    text +=
+        fmt::format("  ... {} more (--all)\n", counted(report.changes.size() - shown, "change"));
+  }
+  for (const std::string& each : report.storage) {
+    text += wrapped("storage: " + report::safe_cut(each, 400), 2);
+  }
+  for (const std::string& each : report.unproven) {
+    text += wrapped("unproven: " + report::safe_cut(each, 400), 2);
+  }
+  return text;
+}
+
+void write_compare_pair(json::Writer& writer, const CompareReport& report) {
+  const auto path = [&](std::string_view name, const std::string& value) {
+    writer.key(name);
+    if (value.empty()) {
+      writer.null();
+    } else {
+      writer.string(value);
+    }
+  };
+  const auto pointer = [&](std::string_view name, const std::optional<std::string>& value) {
+    writer.key(name);
+    if (value) {
+      writer.string(report::long_value(*value));
+    } else {
+      writer.null();
+    }
+  };
+  writer.begin_object();
+  path("old", report.old_path);
+  path("new", report.new_path);
+  if (!report.error.empty()) writer.member("error", report::long_value(report.error));
+  writer.member("level", compare_level_name(report.level));
+  writer.key("changes");
+  writer.begin_array();
+  for (const Change& change : report.changes) {
+    writer.begin_object();
+    writer.member("kind", change.kind);
+    writer.member("level", compare_level_name(change.level));
+    pointer("old", change.old_pointer);
+    pointer("new", change.new_pointer);
+    if (!change.name.empty()) writer.member("name", report::long_value(change.name));
+    writer.member("what", report::long_value(change.what));
+    if (!change.before.empty()) writer.member("before", report::long_value(change.before));
+    if (!change.after.empty()) writer.member("after", report::long_value(change.after));
+    if (change.measure) {
+      writer.key("measure");
+      writer.begin_object();
+      writer.member("quantity", change.measure->quantity);
+      writer.key("value");
+      if (std::isfinite(change.measure->value)) {
+        writer.number(change.measure->value);
+      } else {
+        writer.null();
+      }
+      writer.member("unit", change.measure->unit);
+      writer.key("bound");
+      writer.number(change.measure->bound);
+      writer.end_object();
+    }
+    if (!change.also.empty()) report::write_long_values(writer, "also", change.also);
+    writer.end_object();
+  }
+  writer.end_array();
+  report::write_long_values(writer, "storage", report.storage);
+  report::write_long_values(writer, "unproven", report.unproven);
+  writer.end_object();
+}
+
+void write_compare_summary(json::Writer& writer, const CompareSummary& summary) {
+  writer.begin_object();
+  writer.member("pairs", summary.pairs);
+  for (std::size_t i = 0; i < 4; ++i) {
+    writer.member(compare_level_name(static_cast<CompareLevel>(i)), summary.levels[i]);
+  }
+  writer.member("unproven", summary.unproven);
+  writer.member("unreadable", summary.unreadable);
+  writer.member("allowed", summary.allowed);
+  writer.end_object();
+}
+
+std::string compare_markdown(const CompareReport& report, std::size_t budget) {
+  constexpr std::size_t kOpen = 20;       // rows outside of the fold
+  constexpr std::size_t kReserved = 400;  // bytes of what follows the rows
+  constexpr std::string_view kHead = "| place | kind | change | level |\n|---|---|---|---|\n";
+  std::string text =
+      fmt::format("### {}\n\n**{}**\n\n", escaped(pair_name(report)),
+                  escaped(report.error.empty() ? compare_headline(report) : report.error));
+  std::size_t shown = 0;
+  bool folded = false;
+  for (const Change& change : report.changes) {
+    const std::string row = markdown_row(change);
+    if (text.size() + row.size() + kReserved > budget) break;
+    if (shown == 0) text += kHead;
+    if (shown == kOpen) {
+      text += fmt::format("\n<details><summary>{} more</summary>\n\n{}",
+                          counted(report.changes.size() - kOpen, "change"), kHead);
+      folded = true;
+    }
+    text += row;
+    ++shown;
+  }
+  if (folded) text += "\n</details>\n";
+  if (shown < report.changes.size()) {
+    text += fmt::format("\n{} more changes are not listed.\n", report.changes.size() - shown);
+  }
+  const auto list = [&](std::string_view title, const std::vector<std::string>& rows) {
+    for (const std::string& each : rows) {
+      const std::string row = fmt::format("\n- {}: {}", title, escaped(each));
+      if (text.size() + row.size() + 2 > budget) return;
+      text += row;
+    }
+  };
+  list("storage", report.storage);
+  list("unproven", report.unproven);
+  return text + "\n\n";
+}
+
+}  // namespace gltfx::tool
