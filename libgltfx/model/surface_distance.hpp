@@ -12,11 +12,11 @@ struct SurfaceDistance {
   Vector3 at{};  ///< the point; of an infinite distance, any
 };
 
-/// The greater distance of both directions: from corners, midpoints of edges and centers of the
-/// triangles of one surface to the nearest point of the other. Infinite if only one has triangles,
-/// or if their triangles are in such a tangle that it would take too long. Stops where it is known
-/// to be above `most`: then it is any distance above. Takes about n log n time on up to `jobs`
-/// threads, on which the result does not depend.
+/// The greater distance of both directions: from corners and evenly spaced points of the
+/// triangles of one surface, more of them on the larger triangles, to the nearest point of the
+/// other. Infinite if only one has triangles, or if their triangles are in such a tangle that it
+/// would take too long. Stops where it is known to be above `most`: then it is any distance above.
+/// Takes about n log n time on up to `jobs` threads, on which the result does not depend.
 SurfaceDistance surface_distance(const SurfaceTree& one, const SurfaceTree& other, double most,
                                  unsigned jobs);
 
