@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "model/instancing.hpp"
+#include "model/inverse.hpp"
 #include "model/longest_axis.hpp"
 #include "model/material.hpp"
 #include "model/pose.hpp"
@@ -36,24 +37,6 @@ constexpr std::uint64_t kInstanceBytes = std::uint64_t{1} << 28U;
 double distance(const Vector3& a, const Vector3& b) {
   const double away = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
   return std::isnan(away) ? std::numeric_limits<double>::infinity() : away;
-}
-
-// Nothing: it flattens space.
-std::optional<Affine> inverse(const Affine& of) {
-  const double determinant = of.determinant();
-  if (!std::isnormal(determinant)) return std::nullopt;
-  const Vector3& x = of.columns[0];
-  const Vector3& y = of.columns[1];
-  const Vector3& z = of.columns[2];
-  const std::array<Vector3, 3> rows{model::cross(y, z), model::cross(z, x), model::cross(x, y)};
-  Affine result;
-  for (std::size_t row = 0; row < 3; ++row) {
-    for (std::size_t column = 0; column < 3; ++column)
-      result.columns[column][row] = rows[row][column] / determinant;
-  }
-  const Vector3 moved = result.vector(of.columns[3]);
-  result.columns[3] = {-moved[0], -moved[1], -moved[2]};
-  return result;
 }
 
 /// The transforms of one mesh at one place, before and after.
@@ -219,7 +202,7 @@ class PlaceComparison {
 
   // Limits the distance at the other places. The first one gives the change of coordinates.
   void limit(const ComparedCorners& corners, const Shown& shown, std::size_t first, double own) {
-    const auto back = inverse(shown.rigid.front().here);
+    const auto back = model::inverse(shown.rigid.front().here);
     if (!back) return;
     const Affine change = *back * shown.rigid.front().there;
     double error = 0;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "model/inverse.hpp"
 #include "model/skin.hpp"
 #include "prove/column.hpp"
 
@@ -39,23 +40,6 @@ ReadSkin read_skin_of(const Content& content, std::uint32_t index) {
     read.matrices.push_back(matrix);
   }
   return read;
-}
-
-std::optional<model::Affine> inverse(const model::Affine& a) {
-  const double determinant = a.determinant();
-  if (!std::isfinite(determinant) || determinant == 0) return std::nullopt;
-  const auto& c = a.columns;
-  const std::array<model::Vector3, 3> rows{model::cross(c[1], c[2]), model::cross(c[2], c[0]),
-                                           model::cross(c[0], c[1])};
-  model::Affine result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) result.columns[k][i] = rows[i][k] / determinant;
-  }
-  model::Vector3 origin{};
-  for (std::size_t k = 0; k < 3; ++k) origin[k] = -c[3][k];
-  result.columns[3] = {0, 0, 0};
-  result.columns[3] = result.vector(origin);
-  return result;
 }
 
 double farthest_of(const model::Affine& a, const model::Affine& b) {
@@ -103,7 +87,7 @@ void SkinPairs::compare(std::uint32_t ours, std::uint32_t theirs) {
     const model::Affine& after = there.matrices[i];
     differs |= farthest_of(before, after) > 0;
     if (!place) {
-      const auto undone = inverse(before);
+      const auto undone = model::inverse(before);
       if (undone) place = *undone * after;
     }
     constexpr double kNear = 1e-5;

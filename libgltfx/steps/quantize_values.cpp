@@ -8,6 +8,8 @@
 #include <numeric>
 #include <span>
 
+#include "steps/angle.hpp"
+
 namespace gltfx::steps {
 namespace {
 
@@ -62,11 +64,6 @@ double coarsest_unit(double bound) {
   double unit = 1;
   while (unit < 256 && unit <= bound * UINT16_MAX) unit *= 2;
   return unit;
-}
-
-double angle_between(const model::Vector3& a, const model::Vector3& b) {
-  const model::Vector3 across = model::cross(a, b);
-  return std::atan2(std::sqrt(model::dot(across, across)), model::dot(a, b)) * kDegrees;
 }
 
 std::optional<IntegerElements> round_directions(const FloatElements& from, double bound,

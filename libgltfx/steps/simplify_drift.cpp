@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/parallel.hpp"
+#include "steps/angle.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -26,12 +27,6 @@ Vector3 value_at(const SimplifyValues& of, std::span<const std::uint32_t> corner
 double length(const Vector3& a) { return std::sqrt(model::dot(a, a)); }
 Vector3 minus(const Vector3& a, const Vector3& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double angle_between(const Vector3& a, const Vector3& b) {
-  const double across = length(model::cross(a, b)), along = model::dot(a, b);
-  if (across == 0 && along == 0) return 0;  // no direction
-  return std::atan2(across, along) * 180 / std::numbers::pi;
 }
 
 // Twice the area of the triangle of three values.
