@@ -21,15 +21,16 @@ StepDescription quantize_step();
 StepDescription reorder_step();
 StepDescription meshopt_step();
 StepDescription draco_step();
+StepDescription compact_step();
 StepDescription container_step();
 
 // Steps that remove elements run before equal objects are merged: vertices and keyframes that
 // several objects share can only be removed if none of these needs them.
 std::vector<StepDescription> steps() {
-  return {decode_step(),     scale_step(),    rebase_step(),  center_step(),   instances_step(),
-          primitives_step(), elements_step(), members_step(), prune_step(),    weld_step(),
-          simplify_step(),   resample_step(), dedup_step(),   images_step(),   quantize_step(),
-          reorder_step(),    meshopt_step(),  draco_step(),   container_step()};
+  return {decode_step(),     scale_step(),    rebase_step(),  center_step(),  instances_step(),
+          primitives_step(), elements_step(), members_step(), prune_step(),   weld_step(),
+          simplify_step(),   resample_step(), dedup_step(),   images_step(),  quantize_step(),
+          reorder_step(),    meshopt_step(),  draco_step(),   compact_step(), container_step()};
 }
 
 }  // namespace gltfx::steps

@@ -42,7 +42,7 @@ std::size_t add_triangle(MadeAsset& made, const std::vector<float>& positions) {
   return made.json["meshes"].size() - 1;
 }
 
-const std::vector<float> kTriangle{1, 2, 3, 3, 2, 3, 3, 6, 5};
+const std::vector<float> kSlopedTriangle{1, 2, 3, 3, 2, 3, 3, 6, 5};
 
 /// Moves a node.
 void animate(MadeAsset& made, std::size_t node, const std::string& path,
@@ -62,7 +62,7 @@ class Scale : public test::ConvertMade {
         {{"children", {1}}, {"translation", {370, 0, 5}}},
         {{"mesh", 0}, {"translation", {1, 2, 3}}},
         {{"matrix", {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 10, 20, 30, 1}}, {"mesh", 0}}};
-    add_triangle(made_, kTriangle);
+    add_triangle(made_, kSlopedTriangle);
   }
   StoredAsset result() {
     const ConvertReport report = run(made_.glb());
@@ -169,7 +169,7 @@ class CenterBottom : public test::ConvertMade {
   CenterBottom() : ConvertMade(centered(Pivot::bottom)) {
     made_.json["scenes"] = {{{"nodes", {0}}}};
     made_.json["nodes"] = {{{"mesh", 0}, {"scale", {2, 2, 2}}}};
-    add_triangle(made_, kTriangle);
+    add_triangle(made_, kSlopedTriangle);
   }
   MadeAsset made_;
 };
@@ -240,7 +240,7 @@ class CenterOrigin : public test::ConvertMade {
 
 TEST_F(CenterOrigin, MovesTheBoxOfAllInstances) {
   MadeAsset made;
-  add_triangle(made, kTriangle);
+  add_triangle(made, kSlopedTriangle);
   const std::size_t places = made.accessor(std::vector<float>{0, 0, 0, 10, 0, 0}, "VEC3");
   made.json["extensionsUsed"] = {"EXT_mesh_gpu_instancing"};
   made.json["scenes"] = {{{"nodes", {0}}}};
@@ -308,7 +308,7 @@ TEST_F(Rebase, LeavesAnimatedMeshes) {
 
 TEST_F(Rebase, LeavesAssetsNearTheOrigin) {
   MadeAsset made;
-  add_triangle(made, kTriangle);
+  add_triangle(made, kSlopedTriangle);
   made.json["nodes"] = {{{"mesh", 0}, {"translation", {5000000, 0, 0}}}};
   const ConvertStep row = row_of(made.glb());
   EXPECT_FALSE(row.changes);

@@ -235,7 +235,7 @@ void declare_convert(Options& options, ConvertRequest& request) {
   options.add("--reorder", "", "Order triangles and vertices for a GPU", flag(convert.reorder));
   options.add("--resample", "", "Remove keyframes that interpolation reproduces",
               flag(convert.resample));
-  options.add("--shrink", "", "The five above, and PNG images compressed again",
+  options.add("--shrink", "", "The five above, PNG again, JSON of a GLB without spaces",
               flag(convert.shrink));
   options.add("--simplify", "ERROR", "Remove triangles: 0.1% of the size, or triangles=N",
               parsed(convert.simplify, parse_simplification));

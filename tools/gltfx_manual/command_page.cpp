@@ -95,6 +95,17 @@ Without `--output` nothing is written: the verb says what would be done. The new
 takes its place. A file is written whole or not at all, and none with other bytes is replaced by a buffer or an
 image.)";
 
+constexpr std::string_view kCompare =
+    R"(Tells what changed between two assets, or between the assets of two folders. Objects are matched
+by content, name and context first, then their values are compared, so that other numbers, another
+order, another container or another codec are no change. Each change has a kind, which
+gltfx-explain(1) describes, and the JSON pointer of the most specific value.
+
+The answer is a level: `identical` (the same bytes), `storage` (each value is the same, stored
+differently), `bounds` (each difference is within the bound of its kind) or `differs`. The exit code
+is 0 up to `storage`, or up to `bounds` with `--bounds`; `--allow` changes that. It is 1 as well if
+something could not be compared.)";
+
 constexpr std::string_view kHook =
     R"(Runs gltfx-validate(1), gltfx-fix(1) or gltfx-upgrade(1) with their options on the assets
 of the next Git commit. PATH names changed files in addition to those that Git lists.)";
@@ -157,13 +168,14 @@ constexpr std::string_view kPresets =
     R"(Lists published limits of platforms and guidelines, with the source and date of each. With an ID
 it prints the limits, as `extends` in gltfx.toml(5) and `--preset` of gltfx-validate(1) apply them.)";
 
-constexpr std::array<VerbText, 18> kTexts{{
+constexpr std::array<VerbText, 19> kTexts{{
     {"", "VERB [OPTION]... [ARGUMENT]...", kProgram},
     {"validate", "PATH...", kValidate},
     {"fix", "PATH...", kFix},
     {"upgrade", "PATH...", kUpgrade},
     {"edit", "PATH...", kEdit},
     {"convert", "PATH...", kConvert},
+    {"compare", "OLD NEW", kCompare},
     {"hook", "VERB [OPTION]... [PATH]...", kHook},
     {"bake", "PATH...", kBake},
     {"report", "PATH...", kReport},

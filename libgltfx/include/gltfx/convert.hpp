@@ -85,7 +85,7 @@ struct ConvertOptions : EditOptions {
   bool resample = false;  ///< removes keyframes that interpolation reproduces
   Placement placement;
   std::optional<Simplification> simplify;  ///< nothing: all triangles stay
-  /// All that loses nothing: the five above, and PNG images compressed again where that is smaller.
+  /// All that loses nothing: the five above, PNG images compressed again, and compact JSON in GLBs.
   bool shrink = false;
   /// Replaces what one of these engines refuses, or ignores with an effect on the picture. With
   /// `shrink`, geometry and images get the smallest encoding that all of them read.
