@@ -179,7 +179,7 @@ class ConvertRun {
     }
     if (!row.changes) return std::nullopt;
     if (outcome->freedom.moves_base()) return move_base(std::move(*outcome));
-    freedom_ |= outcome->freedom;
+    base_.freedom |= outcome->freedom;
     if (auto why = add(std::move(outcome->change))) return why;
     return is_bounded ? set_proven() : std::nullopt;
   }
@@ -198,17 +198,17 @@ class ConvertRun {
   // The next steps are compared with what this one made.
   Reason set_proven() {
     if (auto why = resolve()) return why;
-    const bool plain_elements = freedom_.plain_elements;
-    freedom_ = {};
-    freedom_.plain_elements = plain_elements;
-    proven_ = stages_.share();
+    const bool plain_elements = base_.freedom.plain_elements;
+    base_.freedom = {};
+    base_.freedom.plain_elements = plain_elements;
+    base_.asset = stages_.share();
     return std::nullopt;
   }
 
-  const OpenedAsset& proven() const { return proven_ ? *proven_ : before_; }
+  const OpenedAsset& proven() const { return base_.asset ? *base_.asset : before_; }
 
   Reason prove_so_far() {
-    if (stages_.share() == proven_) return std::nullopt;
+    if (stages_.share() == base_.asset) return std::nullopt;
     if (auto why = find_difference(proven(), stages_.asset(), {})) return why;
     return set_proven();
   }
@@ -270,7 +270,7 @@ class ConvertRun {
     set_last_size(steps::stored_size(after.asset()));
     prove::NewFindings found = prove::new_findings(
         before_, after, schemas_,
-        freedom_.plain_elements ? prove::Louder::is_known : prove::Louder::is_new);
+        base_.freedom.plain_elements ? prove::Louder::is_known : prove::Louder::is_new);
     report_.new_warnings = std::move(found.warnings);
     if (!found.error.empty()) {
       return fmt::format("the new file would have the new error {}", found.error);
@@ -292,12 +292,12 @@ class ConvertRun {
                          const steps::Freedom& more) const {
     prove::MeaningRequest request;
     if (more.unit_vectors) request.tolerance.direction = kRoundedDirection;
-    if (freedom_.vertex_order) request.order = prove::VertexOrder::free;
-    if (freedom_.keyframes) request.animations = prove::AnimationComparison::curves;
+    if (base_.freedom.vertex_order) request.order = prove::VertexOrder::free;
+    if (base_.freedom.keyframes) request.animations = prove::AnimationComparison::curves;
     request.images =
-        freedom_.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
-    request.unused_may_go = freedom_.unused;
-    request.image_names_may_go = freedom_.image_names;
+        base_.freedom.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
+    request.unused_may_go = base_.freedom.unused;
+    request.image_names_may_go = base_.freedom.image_names;
     request.jobs = options_.jobs;
     request.most = 1;
     const prove::Meaning meaning = prove::compare_meaning(before, after, *schemas_, request);
@@ -316,10 +316,11 @@ class ConvertRun {
   ConvertReport& report_;
   steps::Stages stages_;
   std::optional<steps::UsedBytes> used_before_;
-  steps::Freedom freedom_;  ///< of all steps since `proven_`
-  bool laid_out_ = false;   ///< steps before the last changed something
-  /// The asset that the next steps are compared with; null: the old one.
-  std::shared_ptr<const OpenedAsset> proven_;
+  bool laid_out_ = false;  ///< steps before the last changed something
+  struct {
+    std::shared_ptr<const OpenedAsset> asset;  ///< null: the old one
+    steps::Freedom freedom;                    ///< of all steps since
+  } base_;                                     ///< what the next steps are compared with
 };
 
 std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, const Shared& shared,

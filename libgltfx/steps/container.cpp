@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The storage of the text, the buffers and the images of an asset (glTF 2.0 sections 3.6.1, 4).
 #include <filesystem>
+#include <string>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -41,7 +43,8 @@ bool keeps_file_names(const StepInput& input) {
 
 std::string asset_stem(const StepInput& input) {
   std::string name = clean_name(std::filesystem::path(input.file_name).stem().native());
-  return name.empty() ? std::string("model") : name;
+  if (name.empty()) return "model";
+  return input.options.targets.empty() ? name : unescaped_name(std::move(name));
 }
 
 std::string stem_of(const std::string& path) {

@@ -53,6 +53,17 @@ std::string clean_name(std::string_view name) {
   return is_device(clean) ? "_" + clean : clean;
 }
 
+std::string unescaped_name(std::string name) {
+  for (char& c : name) {
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool is_digit = c >= '0' && c <= '9';
+    if (!is_letter && !is_digit && std::string_view("-._~").find(c) == std::string_view::npos) {
+      c = '_';
+    }
+  }
+  return name;
+}
+
 bool is_media_type(std::string_view text) {
   const std::size_t slash = text.find('/');
   if (slash == 0 || slash == text.npos || slash + 1 == text.size()) return false;

@@ -16,6 +16,10 @@ namespace gltfx::steps {
 /// left, or the name has unprintable characters.
 std::string clean_name(std::string_view name);
 
+/// The name with '_' in place of each byte that a URI would have as an escape (RFC 3986, section
+/// 2.3): some engines do not decode these.
+std::string unescaped_name(std::string name);
+
 /// Whether a text is a media type without parameters ("image/png"), which a data URI can have.
 bool is_media_type(std::string_view text);
 

@@ -189,7 +189,12 @@ class Planner {
 
   void choose_target() {
     choose_by_options();
-    if (target_ || context_.repair == ImageRepair::none) return;
+    if (context_.repair == ImageRepair::none) return;
+    // A format that an engine does not read goes, whatever the size of the other one.
+    if (target_ && find_obstacle_(image::media_type(target_->format)).empty()) {
+      target_->may_grow |= context_.repair == ImageRepair::core;
+      return;
+    }
     target_ = {Format::png, true, true, context_.repair == ImageRepair::rgb};
   }
 

@@ -292,6 +292,7 @@ class TextStorage {
     const json::NodeId image = element(RootArray::images, index);
     const std::string type = model::string_member(document_, image, "mimeType");
     std::string stem = clean_name(model::string_member(document_, image, "name"));
+    if (!input_.options.targets.empty()) stem = unescaped_name(std::move(stem));
     if (stem.empty()) stem = fmt::format("{}_image{}", asset_stem(input_), index);
     return new_file(stem, image_ending(bytes, type), {bytes});
   }

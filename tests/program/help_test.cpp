@@ -57,12 +57,17 @@ const std::vector<Verb>& verbs() {
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"convert",
-       words("PATH --to --compress --images --quality --texture-size --dedup --prune --weld "
-             "--reorder --resample --shrink --target --target-file --verify "
+       words("PATH --to --compress --quantize --images --quality --texture-size --dedup --prune "
+             "--weld "
+             "--reorder --resample --shrink --simplify --center --scale --rebase --target "
+             "--target-file --verify "
              "--partial --format --restore --in-place --output --backup --check --diff "
              "--raw "
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
+      {"compare",
+       words("OLD NEW --allow --bounds --drawn --ignore --count --format --all --root --schema "
+             "--schema-dir --config --isolated --unsandboxed-decoders --jobs --color")},
       {"hook", words("VERB")},
       {"bake",
        words(

@@ -106,9 +106,10 @@ TEST_P(OptionForm, AnArgumentIsNotEmpty) {
 }
 
 // Without the hook, which has the options of the verb after it; the empty one is the program.
-const std::vector<std::string> kVerbs{
-    "validate", "fix",   "upgrade", "edit",   "convert",  "bake",    "report", "inspect", "merge",
-    "explain",  "rules", "targets", "schema", "measures", "presets", "config", ""};
+const std::vector<std::string> kVerbs{"validate", "fix",    "upgrade", "edit",    "convert",
+                                      "compare",  "bake",   "report",  "inspect", "merge",
+                                      "explain",  "rules",  "targets", "schema",  "measures",
+                                      "presets",  "config", ""};
 
 INSTANTIATE_TEST_SUITE_P(Verbs, OptionForm, testing::ValuesIn(kVerbs),
                          [](const testing::TestParamInfo<std::string>& tested) {

@@ -60,5 +60,25 @@ TEST(TargetFixtures, AreAcceptedOrNamed) {
   EXPECT_GT(converted, 0U);
 }
 
+// A smaller encoding is chosen among those that the target reads, and what it does not read goes
+// even if the rest is larger.
+TEST(TargetFixtures, AreAcceptedIfTheyShrink) {
+  container::test::TempFolder folder;
+  for (const char* name : {"leaf-basis.gltf", "kelp.gltf", "pebble.gltf"}) {
+    const fs::path fixture = fs::path(GLTFX_SOURCE_DIR) / "fixtures/good" / name;
+    for (const auto& target : builtin_targets()) {
+      const std::string place = target->name + "/" + name;
+      ConvertOptions options = options_to(folder.path() / place);
+      options.targets = {{target, target->versions.size() - 1}};
+      ConvertOptions plain = options;
+      plain.output.clear();
+      const bool accepted = convert_file(fixture.native(), plain).problem == EditProblem::none;
+      options.shrink = true;
+      const ConvertReport report = convert_file(fixture.native(), options);
+      EXPECT_EQ(report.problem == EditProblem::none, accepted) << place << ": " << report.error;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gltfx::test

@@ -107,11 +107,11 @@ Result<std::vector<ImageConversion>> parse_images(std::string_view option, const
   return conversions;
 }
 
-// A factor, or the unit of the input: the result is in metres.
+// A factor, or the unit of the input: the result is in meters.
 Result<double> parse_scale(std::string_view option, std::string_view word) {
-  for (const auto& [unit, metres] :
+  for (const auto& [unit, meters] :
        Choices<double>{{"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}) {
-    if (word == unit) return metres;
+    if (word == unit) return meters;
   }
   const auto factor = parse_decimal(option, word, 1e-9, 1e9);
   if (factor) return *factor;
@@ -219,7 +219,7 @@ void declare_convert(Options& options, ConvertRequest& request) {
               one_of(convert.compress, {{"none", Compression::none},
                                         {"meshopt", Compression::meshopt},
                                         {"draco", Compression::draco}}));
-  options.add("--quantize", "[BOUNDS]", "Store vertices as integers: position=0.01%,normal=0.5deg",
+  options.add("--quantize", "[BOUNDS]", "Store vertices as integers, within bounds of loss",
               parsed(convert.quantize, parse_bounds));
   options.add("--images", "FORMAT", "webp, png, jpeg, ktx2, avif, legal; or webp:normal",
               parsed_list(convert.images, parse_images, [] {
@@ -235,14 +235,14 @@ void declare_convert(Options& options, ConvertRequest& request) {
   options.add("--reorder", "", "Order triangles and vertices for a GPU", flag(convert.reorder));
   options.add("--resample", "", "Remove keyframes that interpolation reproduces",
               flag(convert.resample));
-  options.add("--shrink", "", "The five above, PNG again, JSON of a GLB without spaces",
+  options.add("--shrink", "", "The five above, PNG again, JSON without spaces",
               flag(convert.shrink));
   options.add("--simplify", "ERROR", "Remove triangles: 0.1% of the size, or triangles=N",
               parsed(convert.simplify, parse_simplification));
   options.add(
-      "--center", "POINT", "Move the bottom or the center (origin) of its box to 0 0 0",
+      "--center", "POINT", "Move bottom or center (origin) of its box to 0 0 0",
       one_of(convert.placement.center, {{"bottom", Pivot::bottom}, {"origin", Pivot::origin}}));
-  options.add("--scale", "FACTOR", "Multiply all lengths; of cm, mm, in or ft make metres",
+  options.add("--scale", "FACTOR", "Multiply lengths; of cm, mm, in or ft make meters",
               parsed(convert.placement.scale, parse_scale, [] {
                 return values::choice({"cm", "mm", "in", "ft"});
               }));
