@@ -14,6 +14,7 @@
 #include "container/uri.hpp"
 #include "json/writer.hpp"
 #include "model/fields.hpp"
+#include "steps/image_sources.hpp"
 #include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
 
@@ -94,6 +95,8 @@ std::string ImageStore::find_obstacle(const ImageGroup& group) const {
 std::optional<Error> ImageStore::store(const ImageGroup& group, NewImage image) {
   const std::string type = json::string_value(image.media_type);
   const bool in_view = group.storage == Storage::buffer_view;
+  // Some engines read a format of an extension only if it is named.
+  const bool is_named = in_view || (!image.same_format && !is_core_type(image.media_type));
   if (in_view) {
     store_in_view(group, std::move(image));
   } else if (group.storage == Storage::data_uri) {
@@ -104,7 +107,7 @@ std::optional<Error> ImageStore::store(const ImageGroup& group, NewImage image) 
     return trouble;
   }
   for (const std::uint32_t i : group.images) {
-    set(elements_.elements(RootArray::images)[i], "mimeType", type, in_view);
+    set(elements_.elements(RootArray::images)[i], "mimeType", type, is_named);
   }
   return std::nullopt;
 }

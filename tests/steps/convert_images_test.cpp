@@ -61,24 +61,25 @@ TEST(WebpImages, KeepTexelsEvenIfTransparent) {
 }
 
 TEST(WebpImages, ChangeNothingElseInTheText) {
-  const auto text = [](std::string_view texture, std::string_view uri, std::string_view lists) {
+  const auto text = [](std::string_view texture, std::string_view uri, std::string_view type,
+                       std::string_view lists) {
     return R"({ "asset": {"version": "2.0", "extras": {"n": 1.50}},
   "images": [{"name" : "Wood", "uri": ")" +
-           std::string(uri) + R"(", "extras": [1]}],
+           std::string(uri) + R"(", "extras": [1])" + std::string(type) + R"(}],
   "textures": [)" +
            std::string(texture) + R"(],
   "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}])" +
            std::string(lists) + " }";
   };
   ImageConversionCase conversion =
-      to(ImageTarget::webp, text(R"({"name": "T", "source": 0})", "maps/my%20wood.v2.png", ""),
+      to(ImageTarget::webp, text(R"({"name": "T", "source": 0})", "maps/my%20wood.v2.png", "", ""),
          {{"maps/my wood.v2.png", png_file(kRgb)}});
   conversion.run();
   EXPECT_EQ(
       conversion.result.bytes,
       text(
           R"({"name": "T", "extensions": {"EXT_texture_webp": {"source": 0}}})",
-          "maps/my%20wood.v2.webp",
+          "maps/my%20wood.v2.webp", R"(, "mimeType": "image/webp")",
           R"(, "extensionsUsed": ["EXT_texture_webp"], "extensionsRequired": ["EXT_texture_webp"])"));
   EXPECT_TRUE(conversion.result.files.contains("maps/my wood.v2.webp"));
 }
@@ -256,7 +257,8 @@ TEST(ClassesOfImages, SelectConversions) {
                                {ImageTarget::jpeg, ImageClass::normal},
                                {ImageTarget::webp, std::nullopt}};
   const OrderedJson json = conversion.run();
-  EXPECT_EQ(json["images"].dump(), R"([{"uri":"c.png"},{"uri":"d.webp"},{"uri":"n.jpg"}])");
+  EXPECT_EQ(json["images"].dump(),
+            R"([{"uri":"c.png"},{"uri":"d.webp","mimeType":"image/webp"},{"uri":"n.jpg"}])");
   EXPECT_EQ(conversion.step().what, "1 PNG -> JPEG, 1 PNG -> WebP exact");
 }
 

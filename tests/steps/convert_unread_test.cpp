@@ -99,7 +99,8 @@ TEST(UnreadImages, StayIfTheRestIsWanted) {
   ImageConversionCase conversion = two_images();
   conversion.options.partial = true;
   const test::OrderedJson json = conversion.run();
-  EXPECT_EQ(json["images"].dump(), R"([{"uri":"none.png"},{"uri":"b.webp"}])");
+  EXPECT_EQ(json["images"].dump(),
+            R"([{"uri":"none.png"},{"uri":"b.webp","mimeType":"image/webp"}])");
   EXPECT_EQ(conversion.result.report.refused(), 1U);
 }
 

@@ -75,7 +75,7 @@ constexpr std::string_view kConvertExamples = R"(Examples:
 )";
 
 constexpr std::string_view kCompareExamples = R"(Examples:
-  gltfx compare old.glb new.glb              what changed; exit 1 if anything did
+  gltfx compare old.glb new.glb              what changed; exit 1 if it did
   gltfx compare in.glb out.glb --bounds      within the bounds of an optimizer
   gltfx compare in.glb out.glb --drawn --bounds position=0.1%,normal=2deg
   gltfx compare old/ new/ --format markdown  folders, paired by path

@@ -122,17 +122,16 @@ Values kind_values() {
 
 void declare_compare(Options& options, CompareRequest& request) {
   CompareOptions& compare = request.compare;
-  options.positional("OLD NEW", "Two files, or two folders whose files are paired by path",
+  options.positional("OLD NEW", "Two files, or two folders, paired by path",
                      list(request.paths, values::assets));
-  options.add("--allow", "LEVEL", "Exit 0 up to identical, storage (default), bounds or differs",
+  options.add("--allow", "LEVEL", "Exit 0 up to identical, storage, bounds or differs",
               one_of(request.allow, {{"identical", CompareLevel::identical},
                                      {"storage", CompareLevel::storage},
                                      {"bounds", CompareLevel::bounds},
                                      {"differs", CompareLevel::differs}}));
   options.add("--bounds", "[LIST]", "Allow bounds; change some: position=0.1%,normal=2deg",
               parsed(compare.bounds, parse_compare_bounds));
-  options.add("--drawn", "", "Count only what is drawn: no names, extras, hierarchy",
-              flag(compare.drawn));
+  options.add("--drawn", "", "Count only what is drawn: no names, no extras", flag(compare.drawn));
   options.add("--ignore", "KIND", "Do not count this kind of change (repeatable)",
               parsed_list(compare.ignore, parse_kinds, kind_values));
   options.add("--count", "KIND", "Count this kind, such as generator (repeatable)",
