@@ -62,7 +62,8 @@ std::string later_row(const RulePage& page) {
   std::string severity = "std::nullopt";
   constexpr std::array<std::string_view, 4> kNames{"error", "warning", "info", "hint"};
   for (std::size_t i = 0; i < kNames.size(); ++i) {
-    if (page.later_severity == kNames[i]) severity = severity_value(static_cast<gltfx::Severity>(i));
+    if (page.later_severity == kNames[i])
+      severity = severity_value(static_cast<gltfx::Severity>(i));
   }
   return "  {Code::" + page.code + ", {" + version + "}, " + severity + "},\n";
 }
