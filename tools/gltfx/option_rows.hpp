@@ -103,6 +103,8 @@ class Options {
   bool file_only_ = false;
 };
 
+/// The mistake in the value of an option, from half a sentence or a question.
+Error mistake_in(std::string_view option, const Error& why);
 /// "--lfs: 'skp' is not one of skip, error. Did you mean 'skip'?"
 Error unknown_word(std::string_view option, std::string_view text,
                    std::span<const std::string_view> names);

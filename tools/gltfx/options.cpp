@@ -70,6 +70,10 @@ Result<FormatTarget> parse_target(std::string_view option, std::string_view text
 
 }  // namespace
 
+Error mistake_in(std::string_view option, const Error& why) {
+  return {fmt::format("{}: {}{}", option, why.message, why.message.ends_with('?') ? "" : ".")};
+}
+
 Error unknown_word(std::string_view option, std::string_view text,
                    std::span<const std::string_view> names) {
   return Error{fmt::format("{}: {} is not one of {}.{}", option, gltfx::quoted(text),

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The options of `gltfx compare`.
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -11,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/number.hpp"
+#include "base/loss_bounds.hpp"
 #include "base/text.hpp"
 #include "configuration.hpp"
 #include "option_parts.hpp"
@@ -21,79 +18,21 @@
 namespace gltfx::tool {
 namespace {
 
-/// A bound with its unit.
-struct BoundRow {
-  std::string_view name;
-  std::string_view unit;  ///< empty: a plain number or a fraction
-  double factor;          ///< from the unit to the stored value
-  std::string_view example;
-  double CompareBounds::*member;
-};
-
-constexpr double kPercent = 0.01;
-constexpr std::array<BoundRow, 8> kBounds{{
-    {"position", "%", kPercent, "0.01%", &CompareBounds::position},
-    {"normal", "deg", 1, "0.5deg", &CompareBounds::normal},
-    {"texcoord", "texel", 1, "0.25texel", &CompareBounds::texcoord},
-    {"color", "", 1, "0.5/255", &CompareBounds::color},
-    {"weight", "%", kPercent, "0.05%", &CompareBounds::weight},
-    {"animation", "%", kPercent, "0.01%", &CompareBounds::animation},
-    {"factor", "", 1, "0.5/255", &CompareBounds::factor},
-    {"image", "", 1, "1/255", &CompareBounds::image},
-}};
-
-std::optional<double> read_positive(std::string_view text) {
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = read_double(text.data(), end, value);
-  const bool whole = read.ec == std::errc() && read.ptr == end;
-  return whole && std::isfinite(value) && value > 0 ? std::optional(value) : std::nullopt;
-}
-
-std::optional<double> read_bound(const BoundRow& row, std::string_view text) {
-  if (!row.unit.empty()) {
-    if (!text.ends_with(row.unit)) return std::nullopt;
-    text.remove_suffix(row.unit.size());
-    const auto value = read_positive(text);
-    return value ? std::optional(*value * row.factor) : std::nullopt;
-  }
-  const std::size_t slash = text.find('/');
-  const auto above = read_positive(text.substr(0, slash));
-  if (!above || slash == std::string_view::npos) return above;
-  const auto below = read_positive(text.substr(slash + 1));
-  return below ? std::optional(*above / *below) : std::nullopt;
-}
-
-std::optional<Error> read_item(std::string_view option, std::string_view item,
-                               CompareBounds& bounds) {
-  const std::size_t equals = std::min(item.find('='), item.size());
-  const std::string_view name = item.substr(0, equals);
-  std::vector<std::string_view> names;
-  for (const BoundRow& row : kBounds) {
-    names.push_back(row.name);
-    if (row.name != name) continue;
-    const auto value =
-        equals < item.size() ? read_bound(row, item.substr(equals + 1)) : std::optional<double>();
-    if (!value) {
-      return Error{fmt::format("{}: {} is no bound of {}; write {}={}.", option,
-                               gltfx::quoted(item), name, name, row.example)};
-    }
-    bounds.*row.member = *value;
-    return std::nullopt;
-  }
-  return unknown_word(option, name, names);
-}
-
-// "position=0.1%,normal=2deg". The others keep their defaults.
+// "position=0.1%,normal=2deg". The others keep their defaults; "off": only equal values.
 Result<CompareBounds> parse_compare_bounds(std::string_view option, std::string_view text) {
-  CompareBounds bounds;
-  if (text == kNoValue) return bounds;
-  while (true) {
-    const std::size_t comma = text.find(',');
-    if (auto mistake = read_item(option, text.substr(0, comma), bounds)) return *std::move(mistake);
-    if (comma == std::string_view::npos) return bounds;
-    text.remove_prefix(comma + 1);
-  }
+  const CompareBounds usual;
+  if (text == kNoValue) return usual;
+  LossBounds loss{usual.position, usual.normal, usual.texcoord,
+                  usual.color,    usual.weight, usual.animation};
+  std::optional<double> factor = usual.factor, image = usual.image;
+  std::vector<NamedBound> bounds = named_bounds(loss);
+  bounds.push_back({"factor", "", 1, "0.5/255", &factor});
+  bounds.push_back({"image", "", 1, "1/255", &image});
+  if (const auto mistake = read_bounds(text, bounds)) return mistake_in(option, *mistake);
+  return CompareBounds{loss.position.value_or(0), loss.normal.value_or(0),
+                       loss.texcoord.value_or(0), loss.color.value_or(0),
+                       loss.weight.value_or(0),   loss.animation.value_or(0),
+                       factor.value_or(0),        image.value_or(0)};
 }
 
 using Kinds = std::set<std::string, std::less<>>;

@@ -141,10 +141,7 @@ Result<Simplification> parse_simplification(std::string_view option, std::string
 Result<LossBounds> parse_bounds(std::string_view option, std::string_view word) {
   if (word == kNoValue) return LossBounds();
   auto bounds = parse_loss_bounds(word);
-  if (!bounds) {
-    const std::string& why = bounds.error().message;
-    return Error{fmt::format("{}: {}{}", option, why, why.ends_with('?') ? "" : ".")};
-  }
+  if (!bounds) return mistake_in(option, bounds.error());
   return *std::move(bounds);
 }
 
