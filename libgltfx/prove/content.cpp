@@ -106,14 +106,14 @@ Hash128 Content::elements(std::uint32_t accessor, bool& readable) const {
   const auto [at, is_new] = elements_.try_emplace(accessor);
   if (is_new) {
     if (const auto column = Column::open(side_, accessor)) {
-      constexpr std::size_t kBlock = 1024;
+      constexpr std::size_t kElements = 1024;
       Hash128 hash = hash_of_all(column->count(), column->components());
-      std::vector<std::byte> block(kBlock * column->packed_size());
+      std::vector<std::byte> block(kElements * column->packed_size());
       std::vector<double> numbers;
       std::uint64_t next = 0;
-      for (std::uint64_t first = 0; first < column->count(); first += kBlock) {
+      for (std::uint64_t first = 0; first < column->count(); first += kElements) {
         const auto count =
-            static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, column->count() - first));
+            static_cast<std::size_t>(std::min<std::uint64_t>(kElements, column->count() - first));
         column->read(block.data(), first, count, next);
         numbers.clear();
         for (std::size_t i = 0; i < count; ++i) {
