@@ -138,7 +138,8 @@ TEST_F(TargetConversion, SeparatesInterleavedAttributes) {
   const StoredAsset result = converted(asset, {"accessor.interleaved"});
   EXPECT_THAT(numbers_of(result, 0), ElementsAre(0, 0, 0, 1, 0, 0, 0, 1, 0));
   EXPECT_THAT(numbers_of(result, 1), ElementsAre(0, 0, 1, 0, 0, 1, 0, 0, 1));
-  for (const OrderedJson& each : result.json()["bufferViews"]) {
+  const OrderedJson views = result.json()["bufferViews"];
+  for (const OrderedJson& each : views) {
     EXPECT_FALSE(each.contains("byteStride"));
   }
 }
@@ -276,7 +277,8 @@ TEST_F(TargetConversion, SatisfiesAllTargets) {
   asset.mesh(primitive);
   options_.targets.push_back(engine(R"("index.none": {"used": "refused"})", "other"));
   const StoredAsset result = converted(asset, {"index.uint8"});
-  for (const OrderedJson& mesh : result.json()["meshes"]) {
+  const OrderedJson meshes = result.json()["meshes"];
+  for (const OrderedJson& mesh : meshes) {
     EXPECT_EQ(result.json()["accessors"][mesh["primitives"][0]["indices"].get<std::size_t>()]
                            ["componentType"],
               5123);
