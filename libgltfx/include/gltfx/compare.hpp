@@ -58,7 +58,7 @@ struct CompareOptions {
   std::shared_ptr<const SearchedFolders> searched;
   /// Null: the built-in schemas.
   std::shared_ptr<const schema::Set> schemas;
-  CompareBounds bounds;
+  CompareBounds bounds;  ///< of the level `bounds`
   /// Only what is drawn counts: no names, hierarchy, extras, unused objects and attributes,
   /// unknown extensions and lists of extensions.
   bool drawn = false;
@@ -77,15 +77,15 @@ struct CompareMeasure {
 
 /// One change. Owns its text, which may contain any characters of the assets.
 struct Change {
-  std::string_view kind;  ///< name of a ChangeKind
-  CompareLevel level = CompareLevel::differs;
-  std::optional<std::string> old_pointer;  ///< JSON pointer to the value; nothing: it was added
-  std::optional<std::string> new_pointer;  ///< likewise; nothing: it was removed
-  std::string name;                        ///< of the object; empty: it has none
-  std::string what;                        ///< the change, half a sentence
+  std::string_view kind;                       ///< name of a ChangeKind
+  CompareLevel level = CompareLevel::differs;  ///< the least that allows it
+  std::optional<std::string> old_pointer;      ///< JSON pointer to the value; nothing: it was added
+  std::optional<std::string> new_pointer;      ///< likewise; nothing: it was removed
+  std::string name;                            ///< of the object; empty: it has none
+  std::string what;                            ///< the change, half a sentence
   std::string before;  ///< the old value, cut; empty: there is none, or it is not short
   std::string after;   ///< likewise, the new one
-  std::optional<CompareMeasure> measure;
+  std::optional<CompareMeasure> measure;  ///< if the change is a distance
   /// Pointers to further values that differ for the same cause; at most 100.
   std::vector<std::string> also;
 };

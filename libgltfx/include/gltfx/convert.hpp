@@ -83,7 +83,7 @@ struct ConvertOptions : EditOptions {
   bool weld = false;      ///< equal vertices of a primitive once
   bool reorder = false;   ///< triangles and vertices for the caches of a GPU
   bool resample = false;  ///< removes keyframes that interpolation reproduces
-  Placement placement;
+  Placement placement;    ///< another size or place of the default scene
   std::optional<Simplification> simplify;  ///< nothing: all triangles stay
   /// All that loses nothing: the five above, PNG images compressed again, and compact JSON in GLBs.
   bool shrink = false;
