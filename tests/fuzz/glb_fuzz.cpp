@@ -33,7 +33,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_errors(container.late_errors, size);
   for (const Chunk& chunk : container.chunks) {
     require(gltfx::fits(chunk.offset, chunk.length, size));
-    require(chunk.header_offset + 8 == chunk.offset);
+    const std::uint64_t header = chunk.offset - chunk.header_offset;
+    require(header == 8 || header == 16);  // of version 2, of version 3
   }
   if (container.bin) require(gltfx::fits(container.bin->offset, container.bin->length, size));
   if (container.json) {
