@@ -9,6 +9,7 @@
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
+#include "container/chunk_reader.hpp"
 #include "container/content.hpp"
 #include "container/glb_errors.hpp"
 
@@ -20,21 +21,17 @@ constexpr std::uint64_t kHeaderSize = 12;
 constexpr std::uint64_t kChunkHeaderSize = 8;
 
 std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
-  std::uint32_t value = 0;
-  for (unsigned i = 0; i < 4; ++i) {
-    value |= std::uint32_t{static_cast<unsigned char>(bytes[at + i])} << (8U * i);
-  }
-  return value;
+  return static_cast<std::uint32_t>(number_at(bytes, at, 4));
 }
 
 /// repaired: known mistakes of writers are corrected, and reported instead of the resulting errors.
 enum class GlbReading : std::uint8_t { literal, repaired };
 
 /// One pass over the chunk headers. A step returns false when there is nothing left to read.
-class GlbReader {
+class GlbReader : ChunkReader {
  public:
   GlbReader(const Source& source, Container& out, GlbReading reading)
-      : source_(source), out_(out), is_repaired_(reading == GlbReading::repaired) {}
+      : ChunkReader(source, out), is_repaired_(reading == GlbReading::repaired) {}
 
   /// Whether the file has a known mistake.
   bool has_repaired() const { return is_numbered_ || is_uncounted_; }
@@ -50,25 +47,6 @@ class GlbReader {
   }
 
  private:
-  void early(ContainerError error) { out_.errors.push_back(std::move(error)); }
-  void late(ContainerError error) { out_.late_errors.push_back(std::move(error)); }
-
-  bool stop_short(ContainerError error) {
-    out_.cut_short = true;
-    late(std::move(error));
-    return false;
-  }
-
-  bool copy(std::uint64_t offset, std::uint64_t length, SharedText& text) {
-    Copied copied = source_.copy(offset, length);
-    if (copied.error != ResolveError::none) {
-      failure_ = std::move(copied);
-      return false;
-    }
-    text = std::move(copied.text);
-    return true;
-  }
-
   bool read_header() {
     if (source_.size() < kHeaderSize) {
       return stop_short(glb_error::end_of_header(source_.size(), kHeaderSize));
@@ -213,9 +191,6 @@ class GlbReader {
     return true;
   }
 
-  const Source& source_;
-  Container& out_;
-  std::optional<Copied> failure_;
   std::uint64_t at_ = kHeaderSize;
   std::uint64_t declared_ = 0;
   bool seen_json_ = false;

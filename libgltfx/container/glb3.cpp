@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/checked.hpp"
+#include "container/chunk_reader.hpp"
 #include "container/glb.hpp"
 #include "container/glb_errors.hpp"
 
@@ -19,18 +20,10 @@ constexpr std::uint64_t kChunkHeader3 = 16;
 constexpr std::uint64_t kAlignment3 = 8;         // of the starts of chunks
 constexpr std::uint64_t kMostJson = UINT32_MAX;  // positions in a text are 32 bits wide
 
-std::uint64_t number_at(std::string_view bytes, std::size_t at, unsigned size) {
-  std::uint64_t value = 0;
-  for (unsigned i = 0; i < size; ++i) {
-    value |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8U * i);
-  }
-  return value;
-}
-
 /// One pass over the chunk headers. A step returns false when there is nothing left to read.
-class Glb3Reader {
+class Glb3Reader : ChunkReader {
  public:
-  Glb3Reader(const Source& source, Container& out) : source_(source), out_(out) {}
+  Glb3Reader(const Source& source, Container& out) : ChunkReader(source, out) {}
 
   std::optional<Copied> run() {
     bool more = read_header();
@@ -47,25 +40,6 @@ class Glb3Reader {
   }
 
  private:
-  void early(ContainerError error) { out_.errors.push_back(std::move(error)); }
-  void late(ContainerError error) { out_.late_errors.push_back(std::move(error)); }
-
-  bool stop_short(ContainerError error) {
-    out_.cut_short = true;
-    late(std::move(error));
-    return false;
-  }
-
-  bool copy(std::uint64_t offset, std::uint64_t length, SharedText& text) {
-    Copied copied = source_.copy(offset, length);
-    if (copied.error != ResolveError::none) {
-      failure_ = std::move(copied);
-      return false;
-    }
-    text = std::move(copied.text);
-    return true;
-  }
-
   bool read_header() {
     if (source_.size() < kHeader3) {
       return stop_short(glb_error::end_of_header(source_.size(), kHeader3));
@@ -163,9 +137,6 @@ class Glb3Reader {
     return true;
   }
 
-  const Source& source_;
-  Container& out_;
-  std::optional<Copied> failure_;
   std::uint64_t at_ = kHeader3;
   std::uint64_t declared_ = 0;
   std::optional<Chunk> first_bin_;  // before the JSON

@@ -71,6 +71,17 @@ struct Comparison {
   std::string their_pointer(ItemId item) const {
     return theirs.side().pointer(theirs.item(item).node);
   }
+
+  /// Calls `compare(ours, theirs)` for each object of a list ("/images") that has a partner.
+  template <class F>
+  void for_each_pair(std::string_view pointer, F compare) const {
+    const std::uint32_t list = ours.list(pointer);
+    if (list == kNoItem) return;
+    for (std::uint32_t i = 0; i < ours.lists()[list].items.size(); ++i) {
+      const ItemId item{list, i};
+      if (const ItemId other = match.theirs(item)) compare(item, other);
+    }
+  }
 };
 
 /// The text of a value, cut.

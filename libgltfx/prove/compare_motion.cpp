@@ -31,13 +31,8 @@ class MotionComparison {
   explicit MotionComparison(const Comparison& all) : all_(all) {}
 
   void run() {
-    const std::uint32_t list = all_.ours.list("/animations");
-    if (list == kNoItem) return;
-    for (std::uint32_t i = 0; i < all_.ours.lists()[list].items.size(); ++i) {
-      const ItemId ours{list, i};
-      const ItemId theirs = all_.match.theirs(ours);
-      if (theirs) compare(ours, theirs);
-    }
+    all_.for_each_pair("/animations",
+                       [this](ItemId ours, ItemId theirs) { compare(ours, theirs); });
   }
 
  private:

@@ -98,13 +98,7 @@ class TexelComparison {
       : all_(all), uses_(image_uses(all.ours)), their_uses_(image_uses(all.theirs)) {}
 
   void run() {
-    const std::uint32_t list = all_.ours.list("/images");
-    if (list == kNoItem) return;
-    for (std::uint32_t i = 0; i < all_.ours.lists()[list].items.size(); ++i) {
-      const ItemId ours{list, i};
-      const ItemId theirs = all_.match.theirs(ours);
-      if (theirs) compare(ours, theirs);
-    }
+    all_.for_each_pair("/images", [this](ItemId ours, ItemId theirs) { compare(ours, theirs); });
   }
 
  private:
