@@ -26,6 +26,7 @@ const Resolved& OpenedFiles::open(const Uri& uri) {
 }
 
 Result<Bytes> fetch(OpenedFiles& files, std::string_view uri, ResolveError* error) {
+  if (const Bytes* const aliased = files.resolver().aliased(uri)) return *aliased;
   const Uri reference = classify_uri(uri);
   if (reference.kind == UriKind::data) return decode(uri);
   if (reference.kind != UriKind::relative_path) return Error{"its URI is not a relative path"};

@@ -149,13 +149,53 @@ void LookupLog::add(Lookup lookup) {
 }
 
 void Resolver::add(const std::string& path, Bytes bytes, const FileState& state) {
-  added_.insert_or_assign(path, Added{std::move(bytes), state});
+  added_.insert_or_assign(place_of(path), Added{std::move(bytes), state});
+}
+
+std::string Resolver::place_of(std::string_view path) const {
+  if (folder_.empty()) return std::string(path);
+  return classify_uri(uri_of_path(folder_ + std::string(path))).path;
+}
+
+Resolver Resolver::in_folder_of(std::string_view path) const {
+  Resolver inside = without_aliases();
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string_view::npos) return inside;
+  const std::string folder(path.substr(0, slash + 1));
+  inside.folder_ = place_of(folder);
+  if (!looks_on_disk() || root_ == nullptr) return inside;
+  inside.base_ = from_root(root_->get(), base_, folder);
+  const std::string base = classify_uri(uri_of_path(inside.base_)).path;
+  if (!leads_out(base)) inside.base_ = base;
+  return inside;
+}
+
+const Bytes* Resolver::aliased(std::string_view uri) const {
+  const auto alias = aliases_.find(uri);
+  return alias == aliases_.end() ? nullptr : &alias->second;
+}
+
+Resolver Resolver::without_aliases() const {
+  Resolver other = *this;
+  other.aliases_.clear();
+  return other;
+}
+
+std::optional<Resolved> Resolver::find_added(std::string_view path) const {
+  const auto added = added_.find(place_of(path));
+  if (added == added_.end()) return std::nullopt;
+  return Resolved{ResolveError::none, added->second.bytes, false, {}, added->second.state};
+}
+
+FileState Resolver::state(std::string_view path) const {
+  if (const auto added = find_added(path)) return added->state;
+  if (read_) return {};
+  File file;
+  return open_at(path, file) == ResolveError::none ? file.state : FileState();
 }
 
 Resolved Resolver::open(std::string_view path) const {
-  const auto added = added_.find(path);
-  if (added != added_.end())
-    return {ResolveError::none, added->second.bytes, false, {}, added->second.state};
+  if (auto added = find_added(path)) return *std::move(added);
   if (read_) {
     Uri uri = classify_uri(uri_of_path(path));
     uri.path = path;
@@ -176,17 +216,20 @@ Resolved Resolver::open(std::string_view path) const {
 }
 
 Resolved Resolver::open(const Uri& uri) const {
-  const bool relative = !read_ || added_.find(uri.path) != added_.end();
+  const bool relative = !read_ || find_added(uri.path);
   return relative ? open(uri.path) : read(uri);
 }
 
 Resolved Resolver::read(const Uri& uri) const {
   Resolved resolved;
-  if (names_ == ReadNames::paths && leads_out(uri.path)) {
+  const bool inside = !folder_.empty() && uri.kind == UriKind::relative_path;
+  const std::string path = inside ? place_of(uri.path) : uri.path;
+  if (names_ == ReadNames::paths && leads_out(path)) {
     resolved.error = ResolveError::outside_root;
     return resolved;
   }
-  auto bytes = read_(names_ == ReadNames::uris ? uri.normalized : uri.path);
+  const std::string name = inside ? uri_of_path(path) : uri.normalized;
+  auto bytes = read_(names_ == ReadNames::uris ? name : path);
   if (!bytes) {
     resolved.error = ResolveError::not_found;
     return resolved;
@@ -200,9 +243,10 @@ Resolved Resolver::read(const Uri& uri) const {
 std::vector<FolderEntry> Resolver::list(const std::string& folder) const {
   constexpr std::size_t kMostEntries = 10'000;
   std::vector<FolderEntry> entries;
+  const std::string place = place_of(folder);
   for (const auto& [added, bytes] : added_) {
-    if (!added.starts_with(folder)) continue;
-    const std::string rest = added.substr(folder.size());
+    if (!added.starts_with(place)) continue;
+    const std::string rest = added.substr(place.size());
     entries.push_back({rest.substr(0, rest.find('/')), rest.find('/') != std::string::npos});
   }
   if (unusable_ != ResolveError::none) return entries;
@@ -222,7 +266,7 @@ std::vector<FolderEntry> Resolver::list(const std::string& folder) const {
 }
 
 ResolveError Resolver::stat(std::string_view path, std::uint64_t& size) const {
-  if (read_ || added_.contains(path)) {
+  if (read_ || find_added(path)) {
     const Resolved resolved = open(path);
     size = resolved.bytes.size();
     return resolved.error;

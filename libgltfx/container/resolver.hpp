@@ -91,6 +91,19 @@ class Resolver {
   /// disk: for files that will be written. `state` is that of the file that they will replace, if
   /// any. Earlier copies of the resolver are not changed.
   void add(const std::string& path, Bytes bytes, const FileState& state = {});
+  /// A resolver of the references in the file at `path`, which open() found: its base is the folder
+  /// of that file. It has the same root, origin, log and added files, and no aliases.
+  Resolver in_folder_of(std::string_view path) const;
+  /// The path as it would be below the first base, for a file that has no other identity.
+  std::string place_of(std::string_view path) const;
+  /// From now on aliased() gives these bytes for a URI of exactly these characters (glTF 2.1).
+  void add_alias(const std::string& uri, Bytes bytes) {
+    aliases_.insert_or_assign(uri, std::move(bytes));
+  }
+  /// The bytes of an alias, or null. fetch() asks this first.
+  const Bytes* aliased(std::string_view uri) const;
+  /// A copy that has no aliases.
+  Resolver without_aliases() const;
   /// From now on look-ups on the disk are recorded, those of later copies as well.
   void record(std::shared_ptr<LookupLog> log) { log_ = std::move(log); }
   /// Null: look-ups are not recorded.
@@ -99,6 +112,9 @@ class Resolver {
   const Origin& origin() const { return origin_; }
   /// Whether open() would find a file, without reading it. Size in bytes in `size`.
   ResolveError stat(std::string_view path, std::uint64_t& size) const;
+  /// The state of a file that open() would find; of other files, and of those in memory without a
+  /// state, the default.
+  FileState state(std::string_view path) const;
   /// The entries of a folder below the base ("" or with '/' at the end), in no order; a part of
   /// them in large folders, and none if the folder cannot be read or its path contains ".." or a
   /// link.
@@ -106,10 +122,12 @@ class Resolver {
 
  private:
   Resolved read(const Uri& uri) const;
+  std::optional<Resolved> find_added(std::string_view path) const;
   ResolveError open_at(std::string_view path, File& file) const;
 
   std::shared_ptr<const UniqueFd> root_;  ///< null: no root, or it could not be opened
   std::string base_;                      ///< the base relative to the root; empty or ends in '/'
+  std::string folder_;                    ///< the base relative to the first base; likewise
   ResolveError unusable_ = ResolveError::no_root;  ///< why every look-up fails, or none
   std::string problem_;
   Confinement confinement_ = Confinement::automatic;
@@ -117,7 +135,8 @@ class Resolver {
     Bytes bytes;
     FileState state;
   };
-  std::map<std::string, Added, std::less<>> added_;
+  std::map<std::string, Added, std::less<>> added_;  ///< by place_of()
+  std::map<std::string, Bytes, std::less<>> aliases_;
   ReadUri read_;  ///< null: files are looked up
   ReadNames names_ = ReadNames::uris;
   std::shared_ptr<LookupLog> log_;  ///< may be null

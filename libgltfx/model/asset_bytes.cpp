@@ -66,8 +66,8 @@ std::uint64_t AssetBytes::buffer_of(json::NodeId image) const {
   return buffer ? *buffer : kNoBuffer;
 }
 
-Result<Bytes> AssetBytes::view_bytes(json::NodeId image) {
-  const auto index = asset_.index(image, "bufferView", RootArray::buffer_views);
+Result<Bytes> AssetBytes::view_of(json::NodeId object) {
+  const auto index = asset_.index(object, "bufferView", RootArray::buffer_views);
   if (!index) return Error{"it has neither a URI nor a buffer view"};
   const BufferView view =
       read_buffer_view(asset_, asset_.elements(RootArray::buffer_views)[*index]);
@@ -85,7 +85,7 @@ Result<Bytes> AssetBytes::image(std::uint64_t index) {
   const json::NodeId object = element(RootArray::images, index);
   if (object == json::kNoNode) return Error{"the image does not exist"};
   const std::string uri = string_member(asset_.document(), object, "uri");
-  return uri.empty() ? view_bytes(object) : fetch(uri);
+  return uri.empty() ? view_of(object) : fetch(uri);
 }
 
 Storage AssetBytes::image_storage(std::uint64_t index) const {

@@ -31,6 +31,8 @@ class AssetBytes {
   /// none. A buffer may have fewer bytes than it declares.
   Result<container::Bytes> image(std::uint64_t index);
   Result<container::Bytes> buffer(std::uint64_t index);
+  /// The bytes of the buffer view that a member `bufferView` of `object` names, likewise.
+  Result<container::Bytes> view_of(json::NodeId object);
   /// The first reason why an existing file could not be read; empty: none.
   const std::string& trouble() const { return trouble_; }
   Storage image_storage(std::uint64_t index) const;
@@ -42,7 +44,6 @@ class AssetBytes {
  private:
   json::NodeId element(RootArray array, std::uint64_t index) const;
   Result<container::Bytes> fetch(const std::string& uri);
-  Result<container::Bytes> view_bytes(json::NodeId image);
   std::uint64_t buffer_of(json::NodeId image) const;
 
   const Asset& asset_;

@@ -106,6 +106,11 @@ std::optional<container::Bytes> fetch_uri(const Resource& resource) {
   if (member == json::kNoNode || !document.is_string(member)) return std::nullopt;
   std::string buffer;
   const std::string_view text = document.string(member, buffer);
+  if (const auto* const aliased = resource.context.files.resolver().aliased(text)) {
+    resource.info.storage = "external";
+    resource.info.uri = std::string(text);
+    return *aliased;
+  }
   const container::Uri uri = container::classify_uri(text, resource.context.uri_reading());
   if (uri.kind == container::UriKind::data) return data_of(resource, member, text);
   const bool non_relative = uri.kind == container::UriKind::non_relative;

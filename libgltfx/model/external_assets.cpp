@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/external_assets.hpp"
+
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "container/opened_files.hpp"
+#include "container/uri.hpp"
+#include "model/fields.hpp"
+
+namespace gltfx::model {
+namespace {
+
+using container::Bytes;
+using container::Uri;
+using container::UriKind;
+
+// The objects of an array of the root.
+std::vector<json::NodeId> objects_of(const json::Document& document, std::string_view name) {
+  std::vector<json::NodeId> objects;
+  if (document.empty()) return objects;
+  const json::NodeId array = document.find(document.root(), name);
+  if (array == json::kNoNode || document.kind(array) != json::Kind::array) return objects;
+  for (const json::NodeId element : document.elements(array)) {
+    objects.push_back(document.is_object(element) ? element : json::kNoNode);
+  }
+  return objects;
+}
+
+json::NodeId at(const std::vector<json::NodeId>& objects, std::uint64_t index) {
+  return index < objects.size() ? objects[index] : json::kNoNode;
+}
+
+std::string folder_of(std::string_view path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string_view::npos ? std::string() : std::string(path.substr(0, slash + 1));
+}
+
+// The file name of an asset as its neighbours may name it.
+std::string file_name(std::string_view name) {
+  const std::size_t slash = name.rfind('/');
+  return std::string(slash == std::string_view::npos ? name : name.substr(slash + 1));
+}
+
+FileIdentity identity_of_first(const OpenedAsset& asset) {
+  const std::string name = file_name(asset.name());
+  return identity_of(asset.resolver().state(name), name);
+}
+
+std::string place_in(const AssetInTree& parent, std::uint32_t index) {
+  return fmt::format("{}#/files/{}", parent.asset().name(), index);
+}
+
+FileIdentity identity_in(const AssetInTree& parent, std::uint32_t index) {
+  FileIdentity identity = parent.identity();
+  identity.path += fmt::format("#/files/{}", index);
+  return identity;
+}
+
+std::string text_of(const FileIdentity& identity) {
+  return fmt::format("{}:{}:{}", identity.device, identity.inode, identity.path);
+}
+
+container::Format format_of(std::string_view media_type) {
+  return media_type == "model/gltf-binary" ? container::Format::glb : container::Format::gltf;
+}
+
+}  // namespace
+
+AssetInTree::AssetInTree(const OpenedAsset& asset, FileIdentity identity, Aliases aliases)
+    : asset_(&asset),
+      identity_(std::move(identity)),
+      aliases_(std::move(aliases)),
+      files_(objects_of(asset.document(), "files")),
+      external_assets_(objects_of(asset.document(), "externalAssets")) {}
+
+std::optional<std::uint32_t> AssetInTree::file_of(std::uint32_t external_asset) const {
+  const json::NodeId object = at(external_assets_, external_asset);
+  const auto file = unsigned_member(asset_->document(), object, "file");
+  if (!file || *file >= files_.size()) return std::nullopt;
+  return static_cast<std::uint32_t>(*file);
+}
+
+ExternalAssets::ExternalAssets(const OpenedAsset& asset) {
+  FileIdentity identity = identity_of_first(asset);
+  assets_.push_back(
+      std::unique_ptr<AssetInTree>(new AssetInTree(asset, identity, AssetInTree::Aliases())));
+  root_ = assets_.back().get();
+  known_.emplace(std::pair(std::move(identity), std::string()), root_);
+}
+
+ExternalAssets::~ExternalAssets() = default;
+
+const Result<ReferredFile>& ExternalAssets::file(AssetInTree& parent, std::uint32_t index) {
+  const auto known = parent.opened_files_.find(index);
+  if (known != parent.opened_files_.end()) return known->second;
+  return parent.opened_files_.emplace(index, open(parent, index)).first->second;
+}
+
+Result<ReferredFile> ExternalAssets::open(AssetInTree& parent, std::uint32_t index) {
+  const json::Document& document = parent.asset().document();
+  const json::NodeId object = at(parent.files_, index);
+  if (object == json::kNoNode) return Error{fmt::format("there is no file {}", index)};
+  const json::NodeId uri = document.find(object, "uri");
+  if (uri != json::kNoNode && document.is_string(uri)) {
+    return open_uri(parent, index, document.string(uri));
+  }
+  if (!parent.bytes_) {
+    parent.tables_ = std::make_unique<const Asset>(document);
+    parent.bytes_ = std::make_unique<AssetBytes>(*parent.tables_, parent.asset().container(),
+                                                 parent.asset().resolver());
+  }
+  auto bytes = parent.bytes_->view_of(object);
+  if (!bytes) return bytes.error();
+  return ReferredFile{*std::move(bytes), identity_in(parent, index), place_in(parent, index),
+                      parent.asset().resolver().without_aliases()};
+}
+
+Result<ReferredFile> ExternalAssets::open_uri(AssetInTree& parent, std::uint32_t index,
+                                              const std::string& uri) {
+  const auto alias = parent.aliases_.find(uri);
+  if (alias != parent.aliases_.end()) return alias->second;
+  const container::Resolver& resolver = parent.asset().resolver();
+  auto bytes = container::fetch(resolver, uri);
+  if (!bytes) return bytes.error();
+  const Uri reference = container::classify_uri(uri);
+  if (reference.kind == UriKind::data) {
+    return ReferredFile{*std::move(bytes), identity_in(parent, index), place_in(parent, index),
+                        resolver.without_aliases()};
+  }
+  return ReferredFile{
+      *std::move(bytes),
+      identity_of(resolver.state(reference.path), resolver.place_of(reference.path)),
+      folder_of(parent.asset().name()) + reference.path, resolver.in_folder_of(reference.path)};
+}
+
+AssetInTree::Aliases ExternalAssets::aliases_of(AssetInTree& parent, json::NodeId file) {
+  AssetInTree::Aliases aliases;
+  const json::Document& document = parent.asset().document();
+  const json::NodeId list = document.find(file, "aliases");
+  if (list == json::kNoNode || document.kind(list) != json::Kind::array) return aliases;
+  for (const json::NodeId entry : document.elements(list)) {
+    if (!document.is_object(entry)) continue;
+    const json::NodeId alias = document.find(entry, "alias");
+    const auto target = unsigned_member(document, entry, "file");
+    if (alias == json::kNoNode || !document.is_string(alias) || !target) continue;
+    if (*target >= parent.files_.size()) continue;
+    const auto& contents = this->file(parent, static_cast<std::uint32_t>(*target));
+    if (contents) aliases.emplace(document.string(alias), *contents);  // the first of equal ones
+  }
+  return aliases;
+}
+
+const Result<AssetInTree*>& ExternalAssets::asset(AssetInTree& parent, std::uint32_t file) {
+  const auto known = parent.children_.find(file);
+  if (known != parent.children_.end()) return known->second;
+  return parent.children_.emplace(file, open_asset(parent, file)).first->second;
+}
+
+Result<AssetInTree*> ExternalAssets::open_asset(AssetInTree& parent, std::uint32_t file) {
+  const auto& contents = this->file(parent, file);
+  if (!contents) return contents.error();
+  const json::NodeId object = parent.files_[file];
+  AssetInTree::Aliases aliases = aliases_of(parent, object);
+  std::string key;
+  for (const auto& [alias, target] : aliases) {
+    key += fmt::format("{}:{}={};", alias.size(), alias, text_of(target.identity));
+  }
+  std::pair whole(contents->identity, std::move(key));
+  const auto known = known_.find(whole);
+  if (known != known_.end()) return known->second;
+  if (assets_.size() > kMost) {
+    return Error{fmt::format("more than {} external assets are not opened", kMost)};
+  }
+  container::Resolver resolver = contents->resolver;
+  for (const auto& [alias, target] : aliases) resolver.add_alias(alias, target.bytes);
+  const std::string type = string_member(parent.asset().document(), object, "mimeType");
+  container::Container opened = container::open_bytes(contents->bytes, contents->name);
+  if (opened.format == container::Format::unknown) {
+    opened = container::open_bytes(contents->bytes, format_of(type));
+  }
+  auto asset =
+      std::make_unique<const OpenedAsset>(contents->name, std::move(opened), std::move(resolver));
+  assets_.push_back(std::unique_ptr<AssetInTree>(
+      new AssetInTree(*asset, contents->identity, std::move(aliases))));
+  AssetInTree* const made = assets_.back().get();
+  made->owned_ = std::move(asset);
+  known_.emplace(std::move(whole), made);
+  return made;
+}
+
+}  // namespace gltfx::model
