@@ -49,6 +49,7 @@ std::optional<StoredAs> form_of(const OpenedAsset& asset, const ConvertOptions& 
   if (options.to || options.output.empty() || options.in_place) return options.to;
   const bool is_glb = asset.container().format == container::Format::glb;
   if (is_glb && ending_of(options.output) == ".gltf") return StoredAs::gltf;
+  if (is_glb && options.flatten) return StoredAs::glb;  // the bytes of other assets, too
   if (!is_glb && has_glb_ending(options.output)) return StoredAs::glb;
   return std::nullopt;
 }
@@ -298,6 +299,7 @@ class ConvertRun {
         base_.freedom.texels ? prove::ImageComparison::none : prove::ImageComparison::texels;
     request.unused_may_go = base_.freedom.unused;
     request.image_names_may_go = base_.freedom.image_names;
+    request.older_version = base_.freedom.version;
     request.jobs = options_.jobs;
     request.most = 1;
     const prove::Meaning meaning = prove::compare_meaning(before, after, *schemas_, request);

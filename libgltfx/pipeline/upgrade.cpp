@@ -173,7 +173,7 @@ UpgradeDryRun upgrade_opened(EditedAsset opened, const UpgradeOptions& options,
   if (auto report = find_old_container(asset, options)) return {*std::move(report), {}};
   if (const auto obstacle = find_obstacle(asset)) return {unreadable(path, obstacle->message), {}};
   const SchemaSet schemas = schemas_of(options);
-  if (!upgrade::names_legacy(asset.document(), *schemas)) {
+  if (options.gltf.empty() && !upgrade::names_legacy(asset.document(), *schemas)) {
     return {copy(asset, state, report_on(path), options), {}};
   }
   ValidatedAsset before = validated(std::move(asset), schemas);

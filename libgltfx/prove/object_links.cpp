@@ -194,7 +194,9 @@ void ObjectWalk::compare_unused() {
   for (const schema::TargetArray& array : after_.graph().checked().targets) {
     if (after_.is_table(array.node)) arrays[array.pointer].theirs = array.node;
   }
-  for (const auto& [pointer, pair] : arrays) compare_unused(std::string(pointer), pair);
+  for (const auto& [pointer, pair] : arrays) {
+    if (!is_of_version(types_.root, pointer.substr(1))) compare_unused(std::string(pointer), pair);
+  }
   // What is compared may have more of them.
   for (std::size_t i = 0; i < local_.pairs.size(); ++i) {
     const auto [owner, pair] = local_.pairs[i];

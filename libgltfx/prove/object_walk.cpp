@@ -183,6 +183,15 @@ bool ObjectWalk::is_of_copies(const Side& side, json::NodeId object) const {
   return model::instance_attributes(side.asset(), drawn) == object;
 }
 
+// Whether a member only exists in some versions, or tells the version.
+bool ObjectWalk::is_of_version(schema::TypeId type, std::string_view name) const {
+  if (!request_.older_version || type == schema::kNone) return false;
+  if (type == types_.asset && (name == "version" || name == "minVersion" || name == "extras"))
+    return true;
+  const schema::Property* property = before_.graph().set().find_property(type, name);
+  return property != nullptr && property->since > schema::kVersion2;
+}
+
 // Whether a member is compared as text, because no comparison of its data covers it.
 bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_view name,
                              json::NodeId value) const {
@@ -196,7 +205,7 @@ bool ObjectWalk::is_compared(const Side& side, json::NodeId object, std::string_
                       side.type(tree.parent(object)) != schema::kNone;
     return !list || !storage_.contains(name);
   }
-  if (is_mere_storage(side, name, value)) return false;
+  if (is_mere_storage(side, name, value) || is_of_version(type, name)) return false;
   if (request_.regridded && type == types_.skin && name == "inverseBindMatrices") return false;
   if (request_.regridded && name == "thicknessFactor") return false;
   if (request_.image_names_may_go && type == types_.image && name == "name") return false;

@@ -69,6 +69,7 @@ class ObjectWalk {
   Members members(const Side& side, json::NodeId object) const;
   bool is_compared(const Side& side, json::NodeId object, std::string_view name,
                    json::NodeId value) const;
+  bool is_of_version(schema::TypeId type, std::string_view name) const;
   bool is_of_copies(const Side& side, json::NodeId object) const;
   bool is_mere_storage(const Side& side, std::string_view name, json::NodeId value) const;
 

@@ -36,6 +36,7 @@ bool stores(const schema::Set& set, const Types& types, const schema::Extension&
 
 Types::Types(const schema::Set& set)
     : accessor(set.find_type("accessor")),
+      asset(set.find_type("asset")),
       buffer(set.find_type("buffer")),
       buffer_view(set.find_type("bufferView")),
       channel(set.find_type("animation.channel")),

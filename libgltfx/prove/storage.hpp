@@ -13,7 +13,7 @@ namespace gltfx::prove {
 /// Types of objects whose content is compared in a special way.
 struct Types {
   explicit Types(const schema::Set& set);
-  schema::TypeId accessor, buffer, buffer_view, channel, image, node, primitive, root, sampler,
+  schema::TypeId accessor, asset, buffer, buffer_view, channel, image, node, primitive, root, sampler,
       skin, texture;
 };
 

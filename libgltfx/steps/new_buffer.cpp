@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "steps/new_buffer.hpp"
 
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -23,10 +22,15 @@ constexpr std::string_view kPrefix = "gltfx-new-bytes-";
 
 NewBuffer::NewBuffer(const model::OpenedAsset& asset)
     : index_(model::Asset(asset.document()).count(model::RootArray::buffers)) {
-  const std::set<std::string> taken = change::referred_paths(asset.document());
-  for (std::uint64_t number = index_; path_.empty() || taken.contains(path_); ++number) {
-    path_ = fmt::format("{}{}.bin", kPrefix, number);
-  }
+  std::set<std::string> taken = change::referred_paths(asset.document());
+  path_ = own_path(taken, index_);
+}
+
+std::string NewBuffer::own_path(std::set<std::string>& taken, std::uint64_t number) {
+  std::string path;
+  do path = fmt::format("{}{}.bin", kPrefix, number++);
+  while (!taken.insert(path).second);
+  return path;
 }
 
 std::uint64_t NewBuffer::add(Bytes bytes) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ class NewBuffer {
   /// buffer.
   void add_to(change::Change& change);
 
+  /// The path of the file of such a buffer: a name that is not in `taken`, and then is.
+  static std::string own_path(std::set<std::string>& taken, std::uint64_t number);
   /// Whether a path is the file of such a buffer.
   static bool is_own(const std::string& path);
 

@@ -50,6 +50,7 @@ struct Freedom {
   std::optional<LossBounds> loss = std::nullopt;
   bool unit_vectors = false;  ///< normals and tangents may get length 1
   bool new_objects = false;   ///< nodes or matrices in place of what means the same
+  bool version = false;       ///< members that glTF 2.0 does not have may be gone
 
   /// Whether what follows is compared with the result of the step, and not with the old asset.
   bool moves_base() const { return own_proof || unit_vectors || new_objects; }
@@ -65,6 +66,7 @@ struct Freedom {
     if (other.loss) loss = other.loss;
     unit_vectors |= other.unit_vectors;
     new_objects |= other.new_objects;
+    version |= other.version;
     return *this;
   }
 };

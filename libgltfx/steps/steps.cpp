@@ -3,7 +3,9 @@
 
 namespace gltfx::steps {
 
+StepDescription flatten_step();
 StepDescription decode_step();
+StepDescription older_version_step();
 StepDescription scale_step();
 StepDescription rebase_step();
 StepDescription center_step();
@@ -27,10 +29,11 @@ StepDescription container_step();
 // Steps that remove elements run before equal objects are merged: vertices and keyframes that
 // several objects share can only be removed if none of these needs them.
 std::vector<StepDescription> steps() {
-  return {decode_step(),     scale_step(),    rebase_step(),  center_step(),  instances_step(),
-          primitives_step(), elements_step(), members_step(), prune_step(),   weld_step(),
-          simplify_step(),   resample_step(), dedup_step(),   images_step(),  quantize_step(),
-          reorder_step(),    meshopt_step(),  draco_step(),   compact_step(), container_step()};
+  return {flatten_step(), decode_step(),    older_version_step(), scale_step(),    rebase_step(),
+          center_step(),  instances_step(), primitives_step(),    elements_step(), members_step(),
+          prune_step(),   weld_step(),      simplify_step(),      resample_step(), dedup_step(),
+          images_step(),  quantize_step(),  reorder_step(),       meshopt_step(),  draco_step(),
+          compact_step(), container_step()};
 }
 
 }  // namespace gltfx::steps

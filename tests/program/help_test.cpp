@@ -44,13 +44,14 @@ const std::vector<Verb>& verbs() {
              "--files-from --shard --exclude --no-ignore --allow-empty --sarif-notes --timings "
              "--cache --cache-key "
              "--baseline --write-baseline --jobs --color")},
-      {"upgrade", words("PATH --format --restore --in-place --output --backup --check --diff --raw "
-                        "--unsafe --strict --only --to "
-                        "--ior --pack --prune --verify --generation --target --target-file --root "
-                        "--schema --schema-dir --config "
-                        "--files-from --shard --exclude --no-ignore --allow-empty --isolated "
-                        "--unsandboxed-decoders --quiet "
-                        "--jobs --color")},
+      {"upgrade",
+       words("PATH --format --restore --in-place --output --backup --check --diff --raw "
+             "--unsafe --strict --only --to "
+             "--ior --pack --prune --verify --generation --gltf --target --target-file --root "
+             "--schema --schema-dir --config "
+             "--files-from --shard --exclude --no-ignore --allow-empty --isolated "
+             "--unsandboxed-decoders --quiet "
+             "--jobs --color")},
       {"edit",
        words("PATH --delete --cascade --format --restore --in-place --output --backup --check "
              "--diff --raw "
@@ -60,7 +61,7 @@ const std::vector<Verb>& verbs() {
        words("PATH --to --compress --quantize --images --quality --texture-size --dedup --prune "
              "--weld "
              "--reorder --resample --shrink --simplify --center --scale --rebase --target "
-             "--target-file --verify "
+             "--target-file --gltf --flatten --verify "
              "--partial --format --restore --in-place --output --backup --check --diff "
              "--raw "
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "

@@ -43,6 +43,8 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/steps/volume_materials.cpp", "changes a length in the units of the mesh"},
     {"libgltfx/steps/vertex_numbers.cpp",
      "ids of features are numbers of vertices where members that name other ids are absent"},
+    {"libgltfx/steps/moved_members.hpp",
+     "which extensions a version of glTF is to include, and which numbers one of them had there"},
     {"libgltfx/steps/upgrade/convert_scattering.cpp",
      "computes the values of one extension from those of two, and from which successor is chosen"},
     {"libgltfx/steps/upgrade/convert_specular_glossiness.cpp",

@@ -86,6 +86,15 @@ Result<double> parse_ior(std::string_view, std::string_view word) {
   return Error{"upgrade: --ior is 0 or 1000."};
 }
 
+// The only version to which a verb can take an asset.
+std::function<Result<std::string>(std::string_view, std::string_view)> parse_version(
+    std::string_view version) {
+  return [version](std::string_view option, std::string_view word) -> Result<std::string> {
+    if (word == version) return std::string(version);
+    return Error{fmt::format("{}: {} is not {}.", option, gltfx::quoted(word), version)};
+  };
+}
+
 // "webp", "png:normal".
 Result<std::vector<ImageConversion>> parse_images(std::string_view option, const Words& words) {
   static const Choices<ImageTarget> kTargets{
@@ -167,12 +176,19 @@ void declare_upgrade(Options& options, UpgradeRequest& request) {
   options.add("--prune", "", "Remove textures and images left unused", flag(upgrade.prune));
   options.add("--generation", "NAME", "Draft of legacy objects: auto (default), v1, v2, v3",
               text(upgrade.generation, values::generation_choice));
+  options.add("--gltf", "VERSION", "Raise the version of glTF instead: 2.1 (draft)",
+              parsed(upgrade.gltf, parse_version("2.1"), [] { return values::choice({"2.1"}); }));
   add_targets(options, upgrade.targets);
   declare_sources(options, request, upgrade);
 }
 
 void read_upgrade(Reading& reading, UpgradeRequest&) {
   check_edit(reading, "upgrade");
+  const Options& options = reading.options();
+  for (const std::string_view other : {"--only", "--to"}) {
+    reading.require(!options.given("--gltf") || !options.given(other),
+                    fmt::format("upgrade: --gltf leaves extensions alone; leave out {}.", other));
+  }
   reading.read();
 }
 
@@ -253,6 +269,9 @@ void declare_convert(Options& options, ConvertRequest& request) {
                   },
                   values::target_list));
   add_target_files(options);
+  options.add("--gltf", "VERSION", "Make an asset of glTF 2.1 one of glTF 2.0",
+              parsed(convert.gltf, parse_version("2.0"), [] { return values::choice({"2.0"}); }));
+  options.add("--flatten", "", "Copy external assets into the asset", flag(convert.flatten));
   options.add("--verify", "", "Refuse a result whose rendered picture differs",
               flag(convert.verify));
   options.add("--partial", "", "Write even if something was refused", flag(convert.partial));

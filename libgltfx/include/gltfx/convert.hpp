@@ -90,6 +90,9 @@ struct ConvertOptions : EditOptions {
   /// Replaces what one of these engines refuses, or ignores with an effect on the picture. With
   /// `shrink`, geometry and images get the smallest encoding that all of them read.
   std::vector<TargetChoice> targets;
+  /// "2.0": an asset of a later version becomes one of that. Empty: the version stays.
+  std::string gltf;
+  bool flatten = false;  ///< copies external assets into the asset
   bool verify = false;  ///< compares rendered pictures before and after
   /// Write although a part of the request was refused.
   bool partial = false;

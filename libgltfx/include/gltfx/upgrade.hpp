@@ -25,7 +25,8 @@ enum class UpgradeOutcome : std::uint8_t {
 /// "safe", "unsafe", "needs an image", "not possible", "on request", "no successor".
 std::string_view upgrade_outcome_name(UpgradeOutcome outcome);
 
-/// One object of a legacy extension. Owns its text.
+/// One object of a legacy extension, or one value that a version of glTF has in another form. Owns
+/// its text.
 struct UpgradeAction {
   std::string pointer;     ///< of the object in the old document (RFC 6901)
   std::string from, to;    ///< names of the extensions
@@ -57,6 +58,9 @@ struct UpgradeOptions : EditOptions {
   /// Names of legacy extensions, and of successors, to which the upgrade is limited. Both empty:
   /// all legacy extensions except those that are upgraded on request by their schema.
   std::vector<std::string> only, to;
+  /// "2.1": the version of the asset becomes that, and legacy extensions stay. Empty: they are
+  /// upgraded.
+  std::string gltf;
   /// Index of refraction of upgraded specular-glossiness materials: 0 is exact, 1000 is for readers
   /// that do not support 0.
   double ior = 0;

@@ -24,6 +24,7 @@
 #include "steps/upgrade/context.hpp"
 #include "steps/upgrade/generation.hpp"
 #include "steps/upgrade/object_plan.hpp"
+#include "steps/upgrade/version.hpp"
 
 namespace gltfx::upgrade {
 namespace {
@@ -356,6 +357,7 @@ Plan make_plan(const json::Document& document, const schema::Set& set,
     plan.actions.push_back(*std::move(action));
     return plan;
   }
+  if (!options.gltf.empty()) return plan_version(document, set, options);
   change::NameList used(document, "extensionsUsed");
   change::NameList required(document, "extensionsRequired");
   const std::vector<const schema::Extension*> legacy = legacy_of(document, set, used, required);

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+// Makes an asset of a later version one of glTF 2.0. The schemas tell which members are new.
+#include "steps/older_version.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "model/fields.hpp"
+#include "report/wording.hpp"
+#include "schema/version.hpp"
+#include "steps/json_edits.hpp"
+#include "steps/moved_members.hpp"
+
+namespace gltfx::steps {
+namespace {
+
+/// A member that glTF 2.0 does not have.
+struct LaterMember {
+  json::NodeId object;
+  json::NodeId value;
+  std::string_view name;
+};
+
+class OlderVersionStep {
+ public:
+  explicit OlderVersionStep(const StepInput& input)
+      : data_(input),
+        document_(data_.document),
+        changes_(data_),
+        editor_(changes_.editor),
+        dropped_(document_.node_count(), false) {}
+
+  Result<StepOutcome> run() {
+    find_members();
+    if (auto trouble = find_obstacle()) return *trouble;
+    for (const MovedIndex& moved : kMovedIndices) move(moved);
+    drop_members();
+    OlderVersion asset{data_, changes_, outcome_.row, false};
+    name_own_attributes(asset);
+    store_integers_as_floats(asset);
+    add_still_targets(asset);
+    split_matrices(asset);
+    set_version();
+    auto change = changes_.finish();
+    if (!change) return change.error();
+    outcome_.change = *std::move(change);
+    outcome_.freedom.version = true;
+    outcome_.freedom.new_objects = asset.other_objects;
+    outcome_.row.what = fmt::format("glTF {}", schema::version_text(schema::kVersion2));
+    return std::move(outcome_);
+  }
+
+ private:
+  void find_members() {
+    for (json::NodeId id = 0; id < document_.node_count(); ++id) {
+      if (!document_.is_object(id) || data_.graph.type(id) == schema::kNone) continue;
+      for (const auto member : document_.members(id)) {
+        const std::string_view name = document_.key(member.key_id);
+        const schema::Property* property =
+            data_.graph.set().find_property(data_.graph.type(id), name);
+        if (property == nullptr || property->since <= schema::kVersion2) continue;
+        members_.push_back({id, member.value, name});
+        std::fill(dropped_.begin() + member.value, dropped_.begin() + document_.next(member.value),
+                  true);
+      }
+    }
+  }
+
+  std::optional<Error> find_obstacle() const {
+    for (const LaterMember& member : members_) {
+      const std::string pointer = printable(data_.pointer(member.value));
+      if (member.name == "externalAsset") {
+        return Error{pointer + " shows another asset, which --flatten copies"};
+      }
+      if (member.name == "chunk" && !is_implied(member)) {
+        return Error{pointer + " is a chunk that only a GLB of version 3 can have"};
+      }
+    }
+    for (const graph::Use& use : data_.graph.uses()) {
+      if (!dropped_[use.target] || dropped_[use.at.node]) continue;
+      return Error{fmt::format("{} refers to {}, which glTF {} does not have",
+                               printable(data_.graph.tree().pointer(use.at)),
+                               printable(data_.pointer(use.target)),
+                               schema::version_text(schema::kVersion2))};
+    }
+    return std::nullopt;
+  }
+
+  // Whether a buffer has the same bytes without the member.
+  bool is_implied(const LaterMember& chunk) const {
+    const auto& container = data_.input.asset.container();
+    const auto& buffers = data_.asset.elements(model::RootArray::buffers);
+    return container.format == container::Format::glb && container.glb_version == 2U &&
+           buffers.front() == chunk.object && document_.unsigned_integer(chunk.value) == 1U;
+  }
+
+  // The custom before it was a member.
+  void move(const MovedIndex& moved) {
+    const json::NodeId object = model::object_member(document_, document_.root(), moved.object);
+    const json::NodeId value = document_.find(object, moved.name);
+    if (value == json::kNoNode) return;
+    const json::NodeId extras = document_.find(object, "extras");
+    const std::string text(document_.raw(value));
+    if (extras == json::kNoNode) {
+      editor_.append_member(object, "extras", fmt::format(R"({{"{}":{}}})", moved.name, text));
+    } else if (document_.is_object(extras) && !document_.holds(extras, moved.name)) {
+      editor_.append_member(extras, moved.name, text);
+    } else {
+      lose(fmt::format("{}.{}", moved.object, moved.name));
+    }
+  }
+
+  void lose(std::string what) { outcome_.row.losses.push_back({std::move(what), 0, 0, {}}); }
+
+  static bool is_moved(std::string_view name) {
+    return std::any_of(kMovedIndices.begin(), kMovedIndices.end(),
+                       [&](const MovedIndex& moved) { return moved.name == name; });
+  }
+
+  void drop_members() {
+    std::map<std::string_view, std::uint64_t> dropped;
+    for (const LaterMember& member : members_) {
+      editor_.remove(member.object, member.value - 1);
+      if (member.name == "chunk" || is_moved(member.name)) continue;
+      const bool is_list = member.object == document_.root() && document_.is_array(member.value);
+      dropped[member.name] += is_list ? document_.array_size(member.value) : 1;
+    }
+    for (const auto& [name, count] : dropped) {
+      lose(fmt::format("{} ({})", name, report::counted(count, "object")));
+    }
+    note_unused();
+  }
+
+  // Objects to which only dropped members refer.
+  void note_unused() {
+    std::vector<json::NodeId> targets;
+    for (const graph::Use& use : data_.graph.uses()) {
+      if (dropped_[use.at.node] && !dropped_[use.target]) targets.push_back(use.target);
+    }
+    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+    for (const json::NodeId target : targets) {
+      const auto users = data_.graph.users(target);
+      const auto is_kept = [this](const graph::Use& use) { return !dropped_[use.at.node]; };
+      if (std::any_of(users.begin(), users.end(), is_kept) || keeps_a_use(target)) continue;
+      outcome_.row.left.push_back({data_.pointer(target), "has no use now (--prune removes it)"});
+    }
+  }
+
+  // A moved index counts as a use.
+  bool keeps_a_use(json::NodeId target) const {
+    const graph::Tree& tree = data_.graph.tree();
+    const auto users = data_.graph.users(target);
+    return std::any_of(users.begin(), users.end(), [&](const graph::Use& use) {
+      return tree.is_member(use.at.node) && is_moved(tree.name(use.at.node));
+    });
+  }
+
+  void set_version() {
+    const json::NodeId asset = document_.find(document_.root(), "asset");
+    const std::string text = schema::version_text(schema::kVersion2);
+    editor_.replace_scalar(document_.find(asset, "version"), fmt::format(R"("{}")", text));
+    remove_member(document_, editor_, asset, "minVersion");
+  }
+
+  StepData data_;
+  const json::Document& document_;
+  StepChanges changes_;
+  json::Editor& editor_;
+  std::vector<LaterMember> members_;
+  std::vector<bool> dropped_;  ///< by node: whether it is a member of these, or in one
+  StepOutcome outcome_;
+};
+
+Result<StepOutcome> to_older_version(const StepInput& input) {
+  if (schema::stated_version(input.asset.document()) <= schema::kVersion2) return StepOutcome();
+  return OlderVersionStep(input).run();
+}
+
+}  // namespace
+
+StepDescription older_version_step();
+StepDescription older_version_step() {
+  return {"version",
+          "makes an asset of glTF 2.1 one of glTF 2.0",
+          "the picture, and thumbnails as extras",
+          "members of glTF 2.1 without an effect on the picture; types and names of attributes",
+          [](const ConvertOptions& options) { return !options.gltf.empty(); },
+          to_older_version};
+}
+
+}  // namespace gltfx::steps
