@@ -170,6 +170,8 @@ void ChangeLog::add(Change change) {
 
 void ChangeLog::note_storage(std::string what) { stored_.insert(std::move(what)); }
 
+void ChangeLog::note_equal(const std::string& pointer) { equal_.insert(pointer); }
+
 void ChangeLog::leave_out(std::string what) { left_out_.insert(std::move(what)); }
 
 void ChangeLog::forget(const std::function<bool(const Change&)>& gone) {
@@ -224,6 +226,11 @@ void ChangeLog::take(CompareReport& report) {
   report.level = CompareLevel::storage;
   for (const Change& change : changes_) report.level = std::max(report.level, change.level);
   report.changes = std::move(changes_);
+  if (!equal_.empty()) {
+    const std::size_t more = equal_.size() - 1;
+    note_storage(fmt::format("{}{} refers to another object, which is equal", *equal_.begin(),
+                             more == 0 ? "" : fmt::format(" (and {} more)", more)));
+  }
   report.storage.assign(stored_.begin(), stored_.end());
   report.unproven.assign(left_out_.begin(), left_out_.end());
 }

@@ -24,6 +24,8 @@ class ChangeLog {
   void add(Change change);
   /// What is stored differently, half a sentence; once each.
   void note_storage(std::string what);
+  /// A reference leads to another object than before, with equal contents.
+  void note_equal(const std::string& pointer);
   /// What cannot be compared, a sentence; once each.
   void leave_out(std::string what);
 
@@ -38,7 +40,7 @@ class ChangeLog {
   void merge_within_bounds();
 
   const CompareOptions& options_;
-  std::set<std::string> told_, stored_, left_out_;
+  std::set<std::string> told_, stored_, left_out_, equal_;
   std::vector<Change> changes_;
 };
 

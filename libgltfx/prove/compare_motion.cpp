@@ -135,6 +135,22 @@ class MotionComparison {
     return hash;
   }
 
+  // Where the accessor is that cannot be read, or the member that leads to none.
+  void begin_unread(const Sampled& unread, bool is_theirs, Change& change) const {
+    const Content& content = is_theirs ? all_.theirs : all_.ours;
+    bool readable = false;
+    if (unread.sampler->input) content.elements(*unread.sampler->input, readable);
+    const std::string_view member = readable ? "output" : "input";
+    const auto& accessor = readable ? unread.sampler->output : unread.sampler->input;
+    const Side& side = content.side();
+    const json::NodeId value = side.document().find(unread.sampler->object, member);
+    auto& pointer = is_theirs ? change.new_pointer : change.old_pointer;
+    if (pointer) change.also.push_back(*pointer);
+    pointer = side.pointer(accessor ? side.asset().elements(model::RootArray::accessors)[*accessor]
+                           : value == json::kNoNode ? unread.sampler->object
+                                                    : value);
+  }
+
   Change& begin(std::string_view kind, const Sampled& ours, const Sampled& theirs,
                 std::string_view member) {
     change_ = {};
@@ -146,6 +162,9 @@ class MotionComparison {
     };
     change_.old_pointer = at(all_.ours.side(), ours.sampler->object);
     change_.new_pointer = at(all_.theirs.side(), theirs.sampler->object);
+    if (ours.channel->sampler != theirs.channel->sampler) {
+      change_.also.push_back(all_.ours.side().pointer(ours.channel->object) + "/sampler");
+    }
     return change_;
   }
 
@@ -172,6 +191,7 @@ class MotionComparison {
       if (ours && theirs) {
         const bool same = ours->sampler->interpolation == theirs->sampler->interpolation;
         change = begin("animation.curve", *ours, *theirs, same ? "output" : "interpolation");
+        if (!before || !after) begin_unread(before ? *theirs : *ours, before.has_value(), change);
       }
       change.kind = "animation.curve";
       change.name = name_;

@@ -7,7 +7,6 @@
 #include "base/text.hpp"
 #include "prove/compare_values.hpp"
 #include "prove/hash_sum.hpp"
-#include "prove/leaf_reader.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -127,38 +126,6 @@ void tell_lost(const Comparison& all, const Half& half) {
   }
 }
 
-/// An object that only stores data, with a hash of what else it says.
-struct StoredObject {
-  Hash128 hash;
-  json::NodeId node = json::kNoNode;
-};
-
-void add_stored(const Side& side, json::NodeId object, std::vector<StoredObject>& to) {
-  const json::Document& document = side.document();
-  if (object == json::kNoNode || !document.is_object(object)) return;
-  for (const auto member : document.members(object)) {
-    const std::string_view name = document.key(member.key_id);
-    if (name != "name" && name != "extras") continue;
-    to.push_back(
-        {hash_of_all(hash_content(name), hash_json(document, member.value)), member.value});
-  }
-}
-
-std::vector<StoredObject> stored_objects(const Side& side) {
-  std::vector<StoredObject> objects;
-  for (const auto array :
-       {model::RootArray::accessors, model::RootArray::buffer_views, model::RootArray::buffers}) {
-    for (const json::NodeId object : side.asset().elements(array)) {
-      add_stored(side, object, objects);
-    }
-  }
-  for (const model::Animation& animation : side.views().animations) {
-    for (const auto& channel : animation.channels) add_stored(side, channel.object, objects);
-    for (const auto& sampler : animation.samplers) add_stored(side, sampler.object, objects);
-  }
-  return objects;
-}
-
 }  // namespace
 
 Helpers find_helpers(const Comparison& all) {
@@ -173,49 +140,6 @@ Helpers find_helpers(const Comparison& all) {
 void compare_presence(const Comparison& all, const Helpers& helpers) {
   tell_lost(all, {all.ours, all.our_nodes, helpers.our_nodes, true});
   tell_lost(all, {all.theirs, all.their_nodes, helpers.their_nodes, false});
-}
-
-void compare_stored_objects(const Comparison& all) {
-  const auto sorted = [](const Side& side) {
-    std::vector<StoredObject> objects = stored_objects(side);
-    std::stable_sort(
-        objects.begin(), objects.end(),
-        [](const StoredObject& a, const StoredObject& b) { return hash_less(a.hash, b.hash); });
-    return objects;
-  };
-  const auto without = [](const std::vector<StoredObject>& these,
-                          const std::vector<StoredObject>& those) {
-    std::vector<json::NodeId> only;
-    std::size_t k = 0;
-    for (const StoredObject& each : these) {
-      while (k < those.size() && hash_less(those[k].hash, each.hash)) ++k;
-      if (k < those.size() && those[k].hash == each.hash) {
-        ++k;
-      } else {
-        only.push_back(each.node);
-      }
-    }
-    std::sort(only.begin(), only.end());
-    return only;
-  };
-  const std::vector<StoredObject> here = sorted(all.ours.side());
-  const std::vector<StoredObject> there = sorted(all.theirs.side());
-  const std::vector<json::NodeId> gone = without(here, there);
-  const std::vector<json::NodeId> come = without(there, here);
-  const auto at = [](const Side& side, const std::vector<json::NodeId>& nodes, std::size_t i) {
-    return i < nodes.size() ? std::optional(side.pointer(nodes[i])) : std::nullopt;
-  };
-  for (std::size_t i = 0; i < std::max(gone.size(), come.size()); ++i) {
-    Change change;
-    change.kind = "stored.name";
-    change.old_pointer = at(all.ours.side(), gone, i);
-    change.new_pointer = at(all.theirs.side(), come, i);
-    if (i < gone.size()) change.before = short_value(all.ours.side().document(), gone[i]);
-    if (i < come.size()) change.after = short_value(all.theirs.side().document(), come[i]);
-    change.what = fmt::format("{} -> {}", change.before.empty() ? "none" : change.before,
-                              change.after.empty() ? "none" : change.after);
-    all.log.add(std::move(change));
-  }
 }
 
 }  // namespace gltfx::prove

@@ -21,7 +21,6 @@ using model::SemanticKind;
 struct Shown {
   const SurfacePiece* piece = nullptr;
   Hash128 sum;
-  unsigned arity = 3;
   bool readable = true;
   bool done = false;
 };
@@ -45,12 +44,7 @@ Shown show(const SurfacePiece& piece) {
     return shown;
   }
   const Soup soup = soup_of(piece);
-  Hash128 layout;
-  for (const SoupStream& stream : soup.streams) {
-    layout = hash_of_all(layout, hash_content(stream.name), stream.width);
-  }
-  const Hash128 sum = sum_of(hash_elements(soup));
-  if (sum != Hash128{}) shown.sum = hash_of_all(layout, sum);
+  shown.sum = hash_soup(soup);
   shown.readable = soup.readable;
   return shown;
 }
@@ -78,7 +72,7 @@ class SurfaceComparison {
   SurfaceChanges run() {
     for (const SurfacePiece& piece : pair_.ours) here_.push_back(show(piece));
     for (const SurfacePiece& piece : pair_.theirs) there_.push_back(show(piece));
-    leave_out_unread();
+    if (!leave_out_unread()) return std::move(result_);
     std::map<std::uint64_t, Group> groups = grouped();
     std::erase_if(groups, [](const auto& group) { return group.second.equal(); });
     if (groups.empty()) return std::move(result_);
@@ -107,7 +101,9 @@ class SurfaceComparison {
     for (const Shown& each : here_) {
       if (!each.piece->material) continue;
       const ItemId one{all_.ours.list("/materials"), *each.piece->material};
-      if (all_.match.same(one, theirs)) return one.index;
+      if (!all_.match.same(one, theirs)) continue;
+      all_.log.note_equal(pointer_of(*each.piece, "material"));
+      return one.index;
     }
     return (std::uint64_t{1} << 32U) + material;
   }
@@ -128,18 +124,37 @@ class SurfaceComparison {
     return groups;
   }
 
-  void leave_out_unread() {
+  // Whether the rest is to be compared.
+  bool leave_out_unread() {
     const auto unread = [](const Shown& each) { return !each.readable; };
-    const bool ours = std::any_of(here_.begin(), here_.end(), unread);
-    const bool theirs = std::any_of(there_.begin(), there_.end(), unread);
-    result_.unread = ours || theirs;
-    if (!ours && !theirs) return;
-    if (ours && theirs) {
+    const auto ours = std::find_if(here_.begin(), here_.end(), unread);
+    const auto theirs = std::find_if(there_.begin(), there_.end(), unread);
+    const bool lost = theirs != there_.end();
+    result_.unread = ours != here_.end() || lost;
+    if (!result_.unread) return true;
+    if (ours != here_.end() && lost) {
       all_.log.leave_out(fmt::format("{} cannot be read in both assets.", pair_.our_place));
-    } else {
-      add("geometry.elements",
-          fmt::format("can be read in the {} asset only", ours ? "new" : "old"));
+      return true;
     }
+    Change& change = add("geometry.elements",
+                         fmt::format("can be read in the {} asset only", lost ? "old" : "new"));
+    // What several meshes use is told once, at its place.
+    auto& pointer = lost ? change.new_pointer : change.old_pointer;
+    const std::string place = place_of_unread(*(lost ? theirs : ours)->piece);
+    if (place.empty()) return false;
+    change.also.push_back(*pointer);
+    (lost ? change.old_pointer : change.new_pointer).reset();
+    pointer = place;
+    return false;
+  }
+
+  // The accessor that cannot be read, or the index that leads to none.
+  static std::string place_of_unread(const SurfacePiece& piece) {
+    const Side& side = piece.content->side();
+    const json::NodeId value = soup_of(piece).unread;
+    if (value == json::kNoNode) return {};
+    const Link* link = side.link(value);
+    return side.pointer(link == nullptr || link->target == json::kNoNode ? value : link->target);
   }
 
   Change& add(std::string_view kind, std::string what) {
@@ -229,6 +244,7 @@ class SurfaceComparison {
     const SurfacePiece* one = group.ours.empty() ? nullptr : group.ours.front()->piece;
     const SurfacePiece* other = group.theirs.empty() ? nullptr : group.theirs.front()->piece;
     const bool lone = group.ours.size() == 1 && group.theirs.size() == 1;
+    if (by_arity.empty() && one != nullptr && other != nullptr) tell_unseen(*one, *other, lone);
     for (auto& [arity, both] : by_arity) {
       if (both.first.empty() || both.second.empty()) {
         tell_elements(both, arity, one, other, !both.first.empty());
@@ -236,6 +252,14 @@ class SurfaceComparison {
         compare_soup_lists(material, both.first, both.second, one, other, lone);
       }
     }
+  }
+
+  // Nothing of it is drawn, so that only the difference is told.
+  void tell_unseen(const SurfacePiece& ours, const SurfacePiece& theirs, bool lone) {
+    Change& change = add("geometry.elements", "vertices that show nothing are others");
+    if (!lone) return;
+    change.old_pointer = ours.content->side().pointer(ours.primitive);
+    change.new_pointer = theirs.content->side().pointer(theirs.primitive);
   }
 
   void tell_elements(const std::pair<std::vector<Soup>, std::vector<Soup>>& both, unsigned arity,
@@ -284,6 +308,14 @@ class SurfaceComparison {
     (lost ? change.old_pointer : change.new_pointer) = side.pointer(stream.value);
   }
 
+  void tell_joints(const SoupStream& ours, const SoupStream& theirs) {
+    const bool lost = theirs.joints == json::kNoNode;
+    const Side& side = (lost ? all_.ours : all_.theirs).side();
+    Change& change =
+        add("geometry.attribute", fmt::format("JOINTS_n {}", lost ? "was removed" : "was added"));
+    (lost ? change.old_pointer : change.new_pointer) = side.pointer((lost ? ours : theirs).joints);
+  }
+
   void compare_soup_lists(std::uint64_t material, const std::vector<Soup>& ours,
                           const std::vector<Soup>& theirs, const SurfacePiece* one,
                           const SurfacePiece* other, bool lone) {
@@ -296,6 +328,15 @@ class SurfaceComparison {
       const bool fits = found != there.end() && (found->second.width == stream.width ||
                                                  stream.kind == SemanticKind::weights ||
                                                  stream.kind == SemanticKind::color);
+      // Weights are compared with their joints.
+      const bool lost_joints =
+          found != there.end() && stream.joints != found->second.joints &&
+          (stream.joints == json::kNoNode || found->second.joints == json::kNoNode);
+      if (lost_joints) {
+        tell_joints(stream, found->second);
+        values[name] = found->second.value;
+        continue;
+      }
       if (!fits) {
         tell_attribute(stream, all_.ours.side(), material, true);
         continue;
@@ -314,7 +355,12 @@ class SurfaceComparison {
     SoupScale scale;
     scale.texels = use.texels;
     scale.position = all_.options.bounds.position * all_.diagonal / std::max(pair_.scale, 1e-30);
-    tell_difference(compare_soups(a, b, scale), a.arity, values, one, other, lone);
+    const std::size_t told = result_.changes.size();
+    const SoupDifference found = compare_soups(a, b, scale);
+    tell_difference(found, a.arity, values, one, other, lone);
+    if (found.unseen && told == result_.changes.size() && hash_soup(a) != hash_soup(b)) {
+      tell_unseen(*one, *other, lone);
+    }
   }
 
   void tell_difference(const SoupDifference& found, unsigned arity,

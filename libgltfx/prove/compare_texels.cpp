@@ -108,9 +108,12 @@ class TexelComparison {
     if (ours.index >= here.size() || theirs.index >= there.size()) return;
     const auto& before = here[ours.index].bytes;
     const auto& after = there[theirs.index].bytes;
-    if (before && after && container::same_bytes(*before, *after)) return;
+    if (before && after && container::same_bytes(*before, *after)) {
+      return compare_members(ours, theirs, "mimeType");
+    }
     if (!before || !after) {
       if (!before && !after) {
+        compare_members(ours, theirs, "uri");
         return all_.log.leave_out(fmt::format("{} cannot be read.", all_.our_pointer(ours)));
       }
       return tell("image.texels", ours, theirs,
@@ -128,6 +131,18 @@ class TexelComparison {
                   fmt::format("can be decoded in the {} asset only", one ? "old" : "new"));
     }
     compare_decoded(ours, *one, theirs, *other);
+  }
+
+  // What a reader gets without other bytes. That one of both lacks it is storage.
+  void compare_members(ItemId ours, ItemId theirs, std::string_view member) {
+    const json::Document& left = all_.ours.side().document();
+    const json::Document& right = all_.theirs.side().document();
+    const json::NodeId here = left.find(all_.ours.item(ours).node, member);
+    const json::NodeId there = right.find(all_.theirs.item(theirs).node, member);
+    if (here == json::kNoNode || there == json::kNoNode) return;
+    if (left.raw(here) == right.raw(there)) return;
+    tell("image.value", ours, theirs,
+         fmt::format("{} {} -> {}", member, short_value(left, here), short_value(right, there)));
   }
 
   void compare_decoded(ItemId ours, const codec::Image& one, ItemId theirs,

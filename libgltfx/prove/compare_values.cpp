@@ -13,7 +13,7 @@
 namespace gltfx::prove {
 namespace {
 
-bool is_plain(LeafKind kind) { return kind <= LeafKind::foreign; }
+bool is_plain(LeafKind kind) { return kind <= LeafKind::aside; }
 
 /// Where a value stands, or would stand.
 struct Stand {
@@ -81,9 +81,13 @@ class ValuePair {
   }
 
   void both(const Leaf& ours, const Leaf& theirs) {
-    if (ours.value == theirs.value && all_.match.same(ours.target, theirs.target)) return;
     const Side& here = all_.ours.side();
     const Side& there = all_.theirs.side();
+    if (ours.value == theirs.value && all_.match.same(ours.target, theirs.target)) {
+      const bool partners = !ours.target || all_.match.theirs(ours.target) == theirs.target;
+      if (!partners) all_.log.note_equal(here.pointer(ours.at));
+      return;
+    }
     Change change;
     change.kind = kind(here, ours);
     const bool renamed =
@@ -171,6 +175,7 @@ class ValuePair {
   }
 
   void only_one(const Leaf& leaf, bool ours) {
+    if (leaf.kind == LeafKind::aside) return;
     const Side& side = ours ? all_.ours.side() : all_.theirs.side();
     const Side& other = ours ? all_.theirs.side() : all_.ours.side();
     const Item& item = ours ? ours_ : theirs_;

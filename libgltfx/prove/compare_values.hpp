@@ -23,7 +23,8 @@ void compare_values(const Comparison& comparison, const Helpers& helpers);
 /// Objects that were added or removed. An object that only removed objects use is not named.
 void compare_presence(const Comparison& comparison, const Helpers& helpers);
 
-/// Names, extras and unknown extensions of what stores data: accessors, views, buffers, samplers.
+/// Of what stores data (accessors, views, buffers, samplers): names, extras and unknown extensions;
+/// and samplers that nothing uses.
 void compare_stored_objects(const Comparison& comparison);
 
 }  // namespace gltfx::prove

@@ -155,12 +155,7 @@ void Content::read_surfaces() {
       const Soup soup = read_soup(side_, primitive.node, joints);
       surface.readable = soup.readable;
       surface.elements = soup.elements();
-      Hash128 layout;
-      for (const SoupStream& stream : soup.streams) {
-        layout = hash_of_all(layout, hash_content(stream.name), stream.width);
-      }
-      const Hash128 sum = sum_of(hash_elements(soup));
-      if (sum != Hash128{}) surface.sum = hash_of_all(layout, sum);
+      surface.sum = hash_soup(soup);
       if (const SoupStream* positions = soup.find(model::SemanticKind::position);
           positions != nullptr && positions->width == 3) {
         for (std::size_t vertex = 0; vertex < soup.vertices(); ++vertex) {
@@ -219,7 +214,7 @@ void Content::add_surfaces(std::uint32_t mesh) {
   std::vector<Group> groups;
   std::unordered_map<std::uint32_t, std::size_t> by_material;
   for (const Surface& surface : surfaces_[mesh]) {
-    if (surface.sum == Hash128{}) continue;
+    if (surface.primitive == json::kNoNode) continue;
     const auto [at, is_new] =
         by_material.try_emplace(surface.material.value_or(kNoItem), groups.size());
     if (is_new) groups.push_back({surface.material, {}});
@@ -295,7 +290,9 @@ void Content::add_place(std::uint32_t node) {
 
 void Content::sum_up() {
   const std::uint32_t nodes = list("/nodes");
-  const auto counts = [](const Leaf& leaf) { return leaf.kind != LeafKind::name; };
+  const auto counts = [](const Leaf& leaf) {
+    return leaf.kind != LeafKind::name && leaf.kind != LeafKind::aside;
+  };
   for (ItemList& list : lists_) {
     for (Item& item : list.items) {
       for (std::uint32_t i = item.first; i < item.last; ++i) {

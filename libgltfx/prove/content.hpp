@@ -32,6 +32,7 @@ enum class LeafKind : std::uint8_t {
   name,
   extras,
   foreign,  ///< of an extension without a schema
+  aside,    ///< counts where the other object has a leaf with that path, too
   surface,  ///< of a mesh: triangles, lines or points of one material
   joint,    ///< of a skin: a joint with its matrix
   channel,  ///< of an animation: a curve
@@ -67,7 +68,7 @@ struct ItemList {
 struct Surface {
   json::NodeId primitive = json::kNoNode;
   std::optional<std::uint32_t> material;
-  Hash128 sum;  ///< of its elements without order; zeros: it has none
+  Hash128 sum;  ///< as of hash_soup(); zeros: it is no object
   std::uint64_t elements = 0;
   bool readable = false;
 };

@@ -120,6 +120,12 @@ bool LeafReader::is_default(schema::TypeId type, std::string_view name, json::No
 void LeafReader::read_object(json::NodeId object, const Hash128& path) {
   const schema::TypeId type = side_.graph().type(object);
   const schema::TypeId origin = side_.type(object);
+  if (origin == types_.primitive) read_coded_mode(object, path);
+  if (origin == types_.node) {
+    read_broken_places(object, path);
+    read_broken_indices(object, "children", path);
+  }
+  if (origin == scene_) read_broken_indices(object, "nodes", path);
   for (const auto member : document_.members(object)) {
     const std::string_view name = document_.key(member.key_id);
     if (type == schema::kNone) {
@@ -240,16 +246,74 @@ bool LeafReader::add_link(json::NodeId at, std::uint64_t element, const Hash128&
   return true;
 }
 
-// The image that a reader of all formats shows, and the values of the sampler.
+// A bitstream holds triangles, whatever the mode is; two of them have it in common, or not.
+void LeafReader::read_coded_mode(json::NodeId primitive, const Hash128& path) {
+  const json::NodeId extensions = document_.find(primitive, "extensions");
+  if (extensions == json::kNoNode || !document_.is_object(extensions)) return;
+  for (const auto member : document_.members(extensions)) {
+    if (!storage_.contains(document_.key(member.key_id))) continue;
+    const json::NodeId mode = document_.find(primitive, "mode");
+    constexpr double kTriangles = 4;
+    add(mode == json::kNoNode ? primitive : mode, below(path, "mode"),
+        mode == json::kNoNode ? hash_number(kTriangles) : hash_json(document_, mode),
+        LeafKind::aside);
+    return;
+  }
+}
+
+// Of a transform: what is not that many numbers.
+void LeafReader::read_broken_places(json::NodeId node, const Hash128& path) {
+  constexpr std::pair<std::string_view, std::size_t> kParts[] = {
+      {"matrix", 16}, {"translation", 3}, {"rotation", 4}, {"scale", 3}};
+  for (const auto& [name, count] : kParts) {
+    const json::NodeId value = document_.find(node, name);
+    if (value == json::kNoNode) continue;
+    const bool numbers = document_.kind(value) == json::Kind::number_array;
+    if (numbers && document_.array_size(value) == count) continue;
+    add(value, below(path, name), hash_json(document_, value), LeafKind::value);
+  }
+}
+
+// Of a list of nodes: what leads to none.
+void LeafReader::read_broken_indices(json::NodeId object, std::string_view name,
+                                     const Hash128& path) {
+  const json::NodeId list = document_.find(object, name);
+  if (list == json::kNoNode) return;
+  if (document_.kind(list) != json::Kind::number_array) {
+    const bool empty = document_.is_array(list) && document_.array_size(list) == 0;
+    if (!empty) add(list, below(path, name), hash_json(document_, list), LeafKind::value);
+    return;
+  }
+  std::uint64_t position = 0;
+  std::uint64_t broken = 0;
+  for (json::NumberCursor at(document_, list); at.valid(); at.advance(), ++position) {
+    const Link* link = side_.link(list, position);
+    if (link != nullptr && link->target != json::kNoNode) continue;
+    add(list, below(below(path, name), broken++), hash_number(at.number().value), LeafKind::value);
+  }
+}
+
+// The images that readers of all formats and of no extension show, and the values of the sampler.
 void LeafReader::read_texture(json::NodeId texture, const Hash128& path) {
   const auto& images = side_.asset().elements(model::RootArray::images);
   const auto shown = model::read_texture(side_.asset(), texture).images;
+  const json::NodeId source = document_.find(texture, "source");
+  const auto plain = side_.asset().index(texture, "source", model::RootArray::images);
   if (!shown.empty()) {
     leaves_.push_back({below(path, "source"),
                        {},
-                       texture,
+                       plain == shown.front() ? source : texture,
                        content_.find(images[shown.front()]),
                        LeafKind::value});
+  }
+  if (plain) {
+    leaves_.push_back({below(path, "plain source"),
+                       {},
+                       source,
+                       content_.find(images[*plain]),
+                       *plain == shown.front() ? LeafKind::aside : LeafKind::value});
+  } else if (source != json::kNoNode) {
+    read_plain(source, below(path, "plain source"), LeafKind::value);
   }
   const auto sampler = side_.asset().index(texture, "sampler", model::RootArray::samplers);
   if (!sampler) {

@@ -38,6 +38,9 @@ class LeafReader {
   void read_plain(json::NodeId value, const Hash128& path, LeafKind kind);
   void read_numbers(json::NodeId array, const Hash128& path);
   void read_texture(json::NodeId texture, const Hash128& path);
+  void read_coded_mode(json::NodeId primitive, const Hash128& path);
+  void read_broken_places(json::NodeId node, const Hash128& path);
+  void read_broken_indices(json::NodeId object, std::string_view name, const Hash128& path);
   bool is_left_out(schema::TypeId type, std::string_view name, json::NodeId value) const;
   bool is_default(schema::TypeId type, std::string_view name, json::NodeId value);
   void add(json::NodeId at, const Hash128& path, const Hash128& value, LeafKind kind);

@@ -2,6 +2,7 @@
 #include "prove/match.hpp"
 
 #include <algorithm>
+#include <span>
 #include <unordered_map>
 
 #include "prove/hash_sum.hpp"
@@ -21,6 +22,30 @@ struct Keyed {
 bool keyed_less(const Keyed& a, const Keyed& b) {
   if (a.key != b.key) return hash_less(a.key, b.key);
   return a.theirs != b.theirs ? b.theirs : a.index < b.index;
+}
+
+using IndexPairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+
+// Pairs items of one key: those with the same number first, the others in order.
+void pair_equal(std::span<const Keyed> ours, std::span<const Keyed> theirs, IndexPairs& found) {
+  std::vector<std::uint32_t> here, there;
+  std::size_t i = 0, k = 0;
+  while (i < ours.size() || k < theirs.size()) {
+    const bool only_ours =
+        k == theirs.size() || (i < ours.size() && ours[i].index < theirs[k].index);
+    const bool only_theirs =
+        i == ours.size() || (k < theirs.size() && theirs[k].index < ours[i].index);
+    if (only_ours) {
+      here.push_back(ours[i++].index);
+    } else if (only_theirs) {
+      there.push_back(theirs[k++].index);
+    } else {
+      found.emplace_back(ours[i++].index, theirs[k++].index);
+    }
+  }
+  for (std::size_t at = 0; at < std::min(here.size(), there.size()); ++at) {
+    found.emplace_back(here[at], there[at]);
+  }
 }
 
 }  // namespace
@@ -52,6 +77,7 @@ Matching::Matching(const Content& ours, const NodeTree& our_nodes, const Content
   }
   follow_all();
   pair_leftovers();
+  any_mesh_ = true;
   follow_all();
   for (const auto& [one, other] : pairs_) renumbered_ |= one.index != other.index;
 }
@@ -102,7 +128,7 @@ void Matching::join(std::uint32_t list, const Key& ours, const Key& theirs, bool
   add(list, partners_.theirs[list], ours, false);
   add(other, partners_.ours[other], theirs, true);
   std::sort(keyed.begin(), keyed.end(), keyed_less);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> found;
+  IndexPairs found;
   for (std::size_t begin = 0; begin < keyed.size();) {
     std::size_t middle = begin;
     while (middle < keyed.size() && keyed[middle].key == keyed[begin].key &&
@@ -111,11 +137,9 @@ void Matching::join(std::uint32_t list, const Key& ours, const Key& theirs, bool
     }
     std::size_t end = middle;
     while (end < keyed.size() && keyed[end].key == keyed[begin].key) ++end;
-    const std::size_t count = std::min(middle - begin, end - middle);
     if (!unique || (middle - begin == 1 && end - middle == 1)) {
-      for (std::size_t i = 0; i < count; ++i) {
-        found.emplace_back(keyed[begin + i].index, keyed[middle + i].index);
-      }
+      const std::span all(keyed);
+      pair_equal(all.subspan(begin, middle - begin), all.subspan(middle, end - middle), found);
     }
     begin = end;
   }
@@ -203,10 +227,15 @@ bool Matching::are_strangers(ItemId ours, ItemId theirs) const {
 
 void Matching::follow_all() {
   pair_children(our_nodes_.roots(), their_nodes_.roots());
-  for (; followed_ < pairs_.size(); ++followed_) {
-    const auto [ours, theirs] = pairs_[followed_];
-    follow(ours, theirs);
+  for (std::size_t i = any_mesh_ ? 0 : followed_; i < pairs_.size(); ++i) {
+    const auto [ours, theirs] = pairs_[i];
+    if (i >= followed_) {
+      follow(ours, theirs);
+    } else if (ours.list == node_lists_.ours) {
+      pair_children(our_nodes_.children(ours.index), their_nodes_.children(theirs.index));
+    }
   }
+  followed_ = pairs_.size();
 }
 
 // Pairs what two objects refer to from the same place.
@@ -257,17 +286,18 @@ void Matching::pair_children(const std::vector<std::uint32_t>& ours,
   std::vector<std::uint32_t> here = left(ours, partners_.theirs[node_lists_.ours]);
   std::vector<std::uint32_t> there = left(theirs, partners_.ours[node_lists_.theirs]);
   if (here.empty() || there.empty()) return;
+  if (any_mesh_ && here.size() != there.size()) return;
   const std::uint32_t meshes = a_.list("/meshes");
   const std::uint32_t their_meshes = b_.list("/meshes");
   const auto our_mesh = [&](std::uint32_t node) -> std::uint64_t {
     const auto& mesh = a_.side().views().nodes[node].mesh;
-    if (!mesh) return UINT64_MAX;
+    if (!mesh || any_mesh_) return UINT64_MAX;
     const ItemId partner = this->theirs({meshes, *mesh});
     return partner ? partner.index : UINT64_MAX - 1;
   };
   const auto their_mesh = [&](std::uint32_t node) -> std::uint64_t {
     const auto& mesh = b_.side().views().nodes[node].mesh;
-    if (!mesh) return UINT64_MAX;
+    if (!mesh || any_mesh_) return UINT64_MAX;
     return this->ours({their_meshes, *mesh}) ? *mesh : UINT64_MAX - 1;
   };
   std::unordered_map<std::uint64_t, std::pair<std::vector<std::uint32_t>, std::size_t>> by_mesh;

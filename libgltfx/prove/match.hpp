@@ -63,6 +63,7 @@ class Matching {
   } partners_;
   std::vector<std::pair<ItemId, ItemId>> pairs_;
   std::size_t followed_ = 0;
+  bool any_mesh_ = false;  ///< nodes with other meshes may be partners: nothing else is left
   bool renumbered_ = false;
 };
 

@@ -46,6 +46,9 @@ class SoupReader {
     });
     if (columns_.empty()) return std::move(soup_);
     if (!assemble()) {
+      if (soup_.readable) {
+        soup_.unread = side_.document().find(primitive_.node, "indices");
+      }
       soup_.readable = false;
       return std::move(soup_);
     }
@@ -59,6 +62,7 @@ class SoupReader {
     for (const auto& [name, attribute] : by_name(attributes)) {
       auto column = Column::open(side_, data_, *attribute);
       if (!column) {
+        if (soup_.readable) soup_.unread = attribute->value;
         soup_.readable = false;
         continue;
       }
@@ -125,6 +129,7 @@ class SoupReader {
     for (const std::size_t at : plain) add_stream(columns_[at].stream);
     if (!sets.empty()) {
       SoupStream stream = columns_[sets.front().second].stream;
+      stream.joints = columns_[sets.front().first].stream.value;
       stream.width = static_cast<unsigned>(2 * most);
       add_stream(std::move(stream));
     }
@@ -308,7 +313,9 @@ void append_soup(Soup& to, const Soup& from) {
   for (const std::uint32_t corner : from.corners) to.corners.push_back(first + corner);
 }
 
-std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without, bool reversed) {
+namespace {
+
+std::vector<Hash128> hash_vertices(const Soup& soup, const SoupStream* without) {
   std::vector<Hash128> vertices(soup.vertices());
   std::vector<double> row(soup.width);
   for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -320,6 +327,13 @@ std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without, 
     vertices[i] =
         hash_content({reinterpret_cast<const char*>(row.data()), row.size() * sizeof(double)});
   }
+  return vertices;
+}
+
+}  // namespace
+
+std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without, bool reversed) {
+  const std::vector<Hash128> vertices = hash_vertices(soup, without);
   std::vector<Hash128> hashes(soup.elements());
   const std::size_t arity = soup.arity;
   for (std::size_t e = 0; e < hashes.size(); ++e) {
@@ -340,12 +354,21 @@ std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without, 
   return hashes;
 }
 
-Hash128 sum_of(const std::vector<Hash128>& elements) {
+Hash128 hash_soup(const Soup& soup) {
+  Hash128 layout = hash_of_all(std::uint64_t{soup.readable});
+  for (const SoupStream& stream : soup.streams) {
+    layout = hash_of_all(layout, hash_content(stream.name), stream.width);
+  }
   Hash128 sum;
-  for (const Hash128& each : elements) {
+  for (const Hash128& each : hash_elements(soup)) {
     if (each != Hash128{}) add_to_sum(sum, each);
   }
-  return sum;
+  if (sum != Hash128{}) return hash_of_all(layout, sum);
+  std::vector<Hash128> vertices = hash_vertices(soup, nullptr);
+  std::sort(vertices.begin(), vertices.end(), hash_less);
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  for (const Hash128& each : vertices) add_to_sum(sum, each);
+  return hash_of_all(layout, std::uint64_t{soup.arity}, sum);
 }
 
 }  // namespace gltfx::prove

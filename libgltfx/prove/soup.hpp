@@ -25,6 +25,8 @@ struct SoupStream {
   unsigned offset = 0;  ///< of its first number in a row
   unsigned width = 0;
   json::NodeId value = json::kNoNode;  ///< the index in the text
+  /// Of joints, of weights that are pairs with them; kNoNode: they are plain numbers.
+  json::NodeId joints = json::kNoNode;
 };
 
 struct Soup {
@@ -35,6 +37,8 @@ struct Soup {
   std::vector<std::uint32_t> corners;
   /// Whether all of the primitive could be read.
   bool readable = true;
+  /// The index of the first accessor that cannot be read, in the text; kNoNode: another reason.
+  json::NodeId unread = json::kNoNode;
 
   std::size_t vertices() const { return width == 0 ? 0 : rows.size() / width; }
   std::size_t elements() const { return corners.size() / arity; }
@@ -60,7 +64,8 @@ void append_soup(Soup& to, const Soup& from);
 std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without = nullptr,
                                    bool reversed = false);
 
-/// Of all elements that show something, in any order.
-Hash128 sum_of(const std::vector<Hash128>& elements);
+/// Of the streams, and of all elements that show something, in any order; where none does, of the
+/// different vertices.
+Hash128 hash_soup(const Soup& soup);
 
 }  // namespace gltfx::prove

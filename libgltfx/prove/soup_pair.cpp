@@ -93,7 +93,11 @@ class SoupComparison {
     const std::vector<Hash128> here = hash_elements(a_);
     const std::vector<Hash128> there = hash_elements(b_);
     find_leftovers(here, there, left_, their_left_);
-    if (left_.empty() && their_left_.empty()) return result_;
+    if (left_.empty() && their_left_.empty()) {
+      const auto unseen = [](const Hash128& each) { return each == Hash128{}; };
+      result_.unseen = std::all_of(here.begin(), here.end(), unseen);
+      return result_;
+    }
     if (is_reversed()) {
       result_.reversed = true;
       return result_;

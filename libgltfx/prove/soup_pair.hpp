@@ -29,6 +29,7 @@ struct SoupDifference {
   std::vector<StreamDistance> distances;  ///< above 0 only
   std::uint64_t fewer = 0, more = 0;      ///< elements without a counterpart
   bool reversed = false;                  ///< all others have the other winding
+  bool unseen = false;                    ///< no element of both shows anything
   bool same() const { return distances.empty() && fewer == 0 && more == 0 && !reversed; }
 };
 
