@@ -263,7 +263,7 @@ test("types", (t) => {
   writeFileSync(
     join(folder, "user.ts"),
     `
-    import gltfx, { convert, edit, fix, inspect, upgrade, validate, validateBytes } from "gltfx";
+    import gltfx, { compare, convert, edit, fix, inspect, upgrade, validate, validateBytes } from "gltfx";
     import * as compat from "gltfx/compat";
     import validator from "gltfx/compat";
     async function run(bytes: Uint8Array): Promise<number> {
@@ -277,9 +277,10 @@ test("types", (t) => {
       const size: number = (await convert(asset, { to: "glb" })).report.steps[0].bytes_after;
       // @ts-expect-error it has no encoder of Draco
       await convert(asset, { compress: "draco" });
+      const level: string = (await compare(bytes, asset, { drawn: true })).changes[0].measure?.unit ?? "";
       await inspect(asset);
       await gltfx.inspect(asset, { resources: (path) => bytes });
-      const named: string = gltfx.version() + validator.version() + validator.supportedExtensions().length;
+      const named: string = gltfx.version() + validator.version() + validator.supportedExtensions().length + level;
       const four = await validator.validateBytes(bytes, { uri: named });
       const five = await gltfx.validate(bytes, { profile: "khronos" });
       // @ts-expect-error it has no such function

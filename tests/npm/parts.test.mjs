@@ -58,6 +58,7 @@ const WRONG = {
     "x",
   ],
   upgrade: [{ only: "KHR" }, { to: [1] }, { only: [""] }, { unsafe: "no" }, { strict: 1 }, { profile: "strict" }],
+  compare: [{ bounds: 1 }, { drawn: "yes" }, { ignore: "node.moved" }, { oldResources: 1 }, { resources: "." }],
   inspect: [{ resources: 1 }, { unsafe: true }],
 };
 
@@ -101,7 +102,7 @@ test("codes that no rule has are refused", () => {
 });
 
 // Requests the paths that a text names, and reports those that it got.
-function fakeEngine() {
+function fakeEngine(more = {}) {
   const utf8 = new TextEncoder();
   const engine = {
     isReady: true,
@@ -116,7 +117,7 @@ function fakeEngine() {
     async run(words, files) {
       engine.runs.push([words.join(" "), [...files.keys()].sort()]);
       const one = { problem: "none", facts: { version: "2.0" } };
-      const stdout = utf8.encode(JSON.stringify({ files: [one], assets: [one] }));
+      const stdout = utf8.encode(JSON.stringify({ files: [one], assets: [one], ...more }));
       const written = ["asset.gltf", "x.png"].map((name) => [name, utf8.encode("new")]);
       return { code: 0, stdout, stderr: "", files: new Map(written) };
     },
@@ -182,6 +183,27 @@ test("verbs get the files by the same paths, and options become words", async ()
     [`convert ${head} -o out/asset.glb --dedup --shrink --to glb --compress meshopt`, got],
     [`convert ${head} -o out/asset.gltf`, got],
   ]);
+});
+
+test("two assets are compared with the files of each", async () => {
+  const pair = { old: "old/asset.gltf", new: "new/asset.gltf", level: "storage", changes: [], storage: ["x"], unproven: [] };
+  const engine = fakeEngine({ pairs: [pair] });
+  const { compare } = createApi(async () => engine);
+  const before = new TextEncoder().encode("a.bin");
+  const after = new TextEncoder().encode("b/c.bin,gone.bin");
+  const options = { oldResources: () => new Uint8Array(1), newResources: new Map([["b/c.bin", new Uint8Array(2)]]) };
+  const found = await compare(before, after, { ...options, drawn: true, bounds: "normal=2deg", ignore: ["extras"] });
+  assert.deepEqual(found, { level: "storage", changes: [], storage: ["x"], unproven: [] });
+  assert.deepEqual(engine.runs, [
+    [
+      "compare old/asset.gltf new/asset.gltf --isolated --format json --drawn --bounds=normal=2deg --ignore extras",
+      ["new/asset.gltf", "new/b/c.bin", "old/a.bin", "old/asset.gltf"],
+    ],
+  ]);
+  await assert.rejects(compare(before, "text"), TypeError);
+  await assert.rejects(compare("text", after), TypeError);
+  const { compare: failing } = createApi(async () => fakeEngine({ pairs: [{ error: "old/asset.gltf: no" }] }));
+  await assert.rejects(failing(before, after), /old\/asset\.gltf: no/);
 });
 
 test("URIs in the form of the Khronos validator", () => {

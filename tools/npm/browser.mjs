@@ -4,6 +4,6 @@ import { createApi } from "./lib/api.mjs";
 import { getEngine } from "./wasm/engine_browser.mjs";
 import compat from "./compat-browser.mjs";
 
-export const { validate, fix, upgrade, edit, convert, inspect } = createApi(getEngine);
+export const { validate, fix, upgrade, edit, convert, compare, inspect } = createApi(getEngine);
 export { supportedExtensions, validateBytes, validateString, version } from "./compat-browser.mjs";
-export default { validate, fix, upgrade, edit, convert, inspect, ...compat };
+export default { validate, fix, upgrade, edit, convert, compare, inspect, ...compat };

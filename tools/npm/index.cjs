@@ -6,6 +6,7 @@ const compat = require("./compat.cjs");
 const loading = import("./index.mjs");
 loading.catch(() => {}); // each call reports it
 
+exports.compare = (before, after, options) => loading.then((loaded) => loaded.compare(before, after, options));
 for (const name of ["validate", "fix", "upgrade", "edit", "convert", "inspect"]) {
   exports[name] = (asset, options) => loading.then((loaded) => loaded[name](asset, options));
 }

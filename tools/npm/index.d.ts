@@ -178,6 +178,41 @@ export interface ConvertReport extends ChangeReport {
   newWarnings: string[];
 }
 
+export interface CompareOptions {
+  /** Of both assets, unless one has its own. */
+  resources?: Resources;
+  oldResources?: Resources;
+  newResources?: Resources;
+  drawn?: boolean;
+  /** As the list of `--bounds`: "position=0.1%,normal=2deg". */
+  bounds?: string;
+  ignore?: string[];
+  count?: string[];
+}
+
+export type CompareLevel = "identical" | "storage" | "bounds" | "differs";
+
+export interface CompareChange {
+  kind: string;
+  level: CompareLevel;
+  /** JSON pointers; null: it was added, or removed. */
+  old: string | null;
+  new: string | null;
+  name?: string;
+  what: string;
+  before?: string;
+  after?: string;
+  measure?: { quantity: string; value: number | null; unit: string; bound: number };
+  also?: string[];
+}
+
+export interface Comparison {
+  level: CompareLevel;
+  changes: CompareChange[];
+  storage: string[];
+  unproven: string[];
+}
+
 export function validate(
   asset: Uint8Array,
   options: ValidateOptions & { profile: "khronos" },
@@ -187,6 +222,7 @@ export function fix(asset: Uint8Array, options?: FixOptions): Promise<Changed<Fi
 export function upgrade(asset: Uint8Array, options?: UpgradeOptions): Promise<Changed<UpgradeReport>>;
 export function edit(asset: Uint8Array, options: EditOptions): Promise<Changed<EditReport>>;
 export function convert(asset: Uint8Array, options?: ConvertOptions): Promise<Changed<ConvertReport>>;
+export function compare(before: Uint8Array, after: Uint8Array, options?: CompareOptions): Promise<Comparison>;
 export function inspect(
   asset: Uint8Array,
   options?: { resources?: Resources },
@@ -199,6 +235,7 @@ declare const gltfx: typeof compat & {
   upgrade: typeof upgrade;
   edit: typeof edit;
   convert: typeof convert;
+  compare: typeof compare;
   inspect: typeof inspect;
 };
 export default gltfx;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// validate(), fix(), upgrade(), edit(), convert() and inspect() on bytes.
+// validate(), fix(), upgrade(), edit(), convert(), compare() and inspect() on bytes.
 import { checkAreCodes, checkOptions } from "./api_options.mjs";
 import { isBytes } from "./compat_options.mjs";
 
@@ -33,18 +33,27 @@ async function validateAll(engine, asset, { resources: source, ...options }) {
   }
 }
 
-async function runOver(engine, asset, options, words) {
-  const { resources } = await validateAll(engine, asset, { resources: options.resources });
-  const name = asset[0] === 0x67 ? "asset.glb" : "asset.gltf";
-  const files = new Map();
-  for (const [path, bytes] of resources) if (bytes !== null) files.set(path, bytes);
+/** Adds an asset and what it refers to below a folder. Returns its name. */
+async function addFiles(engine, asset, source, files, folder = "") {
+  const { resources } = await validateAll(engine, asset, { resources: source });
+  const name = `${folder}asset.${asset[0] === 0x67 ? "glb" : "gltf"}`;
+  for (const [path, bytes] of resources) if (bytes !== null) files.set(folder + path, bytes);
   files.set(name, asset);
-  const [verb, ...rest] = words;
-  const done = await engine.run([verb, name, "--isolated", "--format", "json", ...rest], files);
+  return name;
+}
+
+async function run(engine, names, files, [verb, ...rest]) {
+  const done = await engine.run([verb, ...names, "--isolated", "--format", "json", ...rest], files);
   if (done.code === 2 || done.code === 4 || done.stdout.length === 0) {
     throw new Error(done.stderr.trim() || `gltfx ${verb} ended with ${done.code}`);
   }
-  return { report: JSON.parse(new TextDecoder().decode(done.stdout)), files: done.files, name };
+  return { report: JSON.parse(new TextDecoder().decode(done.stdout)), files: done.files };
+}
+
+async function runOver(engine, asset, options, words) {
+  const files = new Map();
+  const name = await addFiles(engine, asset, options.resources, files);
+  return { ...(await run(engine, [name], files, words)), name };
 }
 
 const repeated = (word, values = []) => values.flatMap((value) => [word, value]);
@@ -87,6 +96,21 @@ async function convert(engine, asset, options) {
   };
 }
 
+async function compare(engine, before, after, options) {
+  const files = new Map();
+  const { oldResources = options.resources, newResources = options.resources } = options;
+  const names = [
+    await addFiles(engine, before, oldResources, files, "old/"),
+    await addFiles(engine, after, newResources, files, "new/"),
+  ];
+  const words = ["compare", ...flags(options, ["drawn"]), ...(options.bounds ? [`--bounds=${options.bounds}`] : [])];
+  words.push(...repeated("--ignore", options.ignore), ...repeated("--count", options.count));
+  const { report } = await run(engine, names, files, words);
+  const { error, level, changes, storage, unproven } = report.pairs[0];
+  if (error !== undefined) throw new Error(error);
+  return { level, changes, storage, unproven };
+}
+
 /** A function that runs a verb over bytes and gives the new ones. */
 function changing(getEngine, verb) {
   return async (asset, options = {}) => {
@@ -116,6 +140,10 @@ export function createApi(getEngine) {
     edit: changing(getEngine, "edit"),
     async convert(asset, options = {}) {
       return convert(await getEngine(), asset, checkOptions("convert", asset, options));
+    },
+    async compare(before, after, options = {}) {
+      checkOptions("compare", after, options);
+      return compare(await getEngine(), before, after, checkOptions("compare", before, options));
     },
     async inspect(asset, options = {}) {
       const known = checkOptions("inspect", asset, options);

@@ -40,6 +40,15 @@ const OPTIONS = {
     shrink: flag,
     partial: flag,
   },
+  compare: {
+    resources,
+    oldResources: resources,
+    newResources: resources,
+    drawn: flag,
+    bounds: [isText, "a string"],
+    ignore: names,
+    count: names,
+  },
   inspect: { resources },
 };
 
