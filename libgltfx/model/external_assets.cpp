@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/checked.hpp"
 #include "container/opened_files.hpp"
 #include "container/uri.hpp"
 #include "model/fields.hpp"
@@ -44,9 +45,12 @@ std::string file_name(std::string_view name) {
   return std::string(slash == std::string_view::npos ? name : name.substr(slash + 1));
 }
 
+// The asset is no file that it refers to: the look-up is not recorded.
 FileIdentity identity_of_first(const OpenedAsset& asset) {
   const std::string name = file_name(asset.name());
-  return identity_of(asset.resolver().state(name), name);
+  container::Resolver resolver = asset.resolver();
+  resolver.record(nullptr);
+  return identity_of(resolver.state(name), name);
 }
 
 std::string place_in(const AssetInTree& parent, std::uint32_t index) {
@@ -69,10 +73,12 @@ container::Format format_of(std::string_view media_type) {
 
 }  // namespace
 
-AssetInTree::AssetInTree(const OpenedAsset& asset, FileIdentity identity, Aliases aliases)
+AssetInTree::AssetInTree(const OpenedAsset& asset, FileIdentity identity, Aliases aliases,
+                         std::size_t depth)
     : asset_(&asset),
       identity_(std::move(identity)),
       aliases_(std::move(aliases)),
+      depth_(depth),
       files_(objects_of(asset.document(), "files")),
       external_assets_(objects_of(asset.document(), "externalAssets")) {}
 
@@ -86,8 +92,11 @@ std::optional<std::uint32_t> AssetInTree::file_of(std::uint32_t external_asset) 
 ExternalAssets::ExternalAssets(const OpenedAsset& asset) {
   FileIdentity identity = identity_of_first(asset);
   assets_.push_back(
-      std::unique_ptr<AssetInTree>(new AssetInTree(asset, identity, AssetInTree::Aliases())));
+      std::unique_ptr<AssetInTree>(new AssetInTree(asset, identity, AssetInTree::Aliases(), 0)));
   root_ = assets_.back().get();
+  files_on_disk_.insert(identity);
+  names_.insert(asset.name());
+  bytes_on_disk_ = asset.container().bytes.size();
   known_.emplace(std::pair(std::move(identity), std::string()), root_);
 }
 
@@ -115,7 +124,7 @@ Result<ReferredFile> ExternalAssets::open(AssetInTree& parent, std::uint32_t ind
   auto bytes = parent.bytes_->view_of(object);
   if (!bytes) return bytes.error();
   return ReferredFile{*std::move(bytes), identity_in(parent, index), place_in(parent, index),
-                      parent.asset().resolver().without_aliases()};
+                      parent.asset().resolver().without_aliases(), parent.depth_ + 1};
 }
 
 Result<ReferredFile> ExternalAssets::open_uri(AssetInTree& parent, std::uint32_t index,
@@ -128,12 +137,35 @@ Result<ReferredFile> ExternalAssets::open_uri(AssetInTree& parent, std::uint32_t
   const Uri reference = container::classify_uri(uri);
   if (reference.kind == UriKind::data) {
     return ReferredFile{*std::move(bytes), identity_in(parent, index), place_in(parent, index),
-                        resolver.without_aliases()};
+                        resolver.without_aliases(), parent.depth_ + 1};
   }
-  return ReferredFile{
-      *std::move(bytes),
-      identity_of(resolver.state(reference.path), resolver.place_of(reference.path)),
-      folder_of(parent.asset().name()) + reference.path, resolver.in_folder_of(reference.path)};
+  const std::string place = resolver.place_of(reference.path);
+  return ReferredFile{*std::move(bytes), identity_of(resolver.state(reference.path), place),
+                      folder_of(root_->asset().name()) + place,
+                      resolver.in_folder_of(reference.path), 0};
+}
+
+// Why a file is not opened as an asset: nested packages and aliases could make a small file endless
+// work.
+std::optional<Error> ExternalAssets::find_excess(const ReferredFile& file) {
+  if (assets_.size() > kMost) {
+    return Error{fmt::format("more than {} external assets are not opened", kMost)};
+  }
+  if (file.depth > kDeepest) {
+    return Error{fmt::format("an asset inside more than {} others is not opened", kDeepest)};
+  }
+  if (file.depth == 0 && files_on_disk_.insert(file.identity).second) {
+    bytes_on_disk_ += file.bytes.size();
+  }
+  const std::uint64_t more = saturating_add(opened_bytes_, file.bytes.size());
+  if (more > saturating_add(kTimesOpened * bytes_on_disk_, kBytesMore)) {
+    return Error{
+        fmt::format("external assets of more than {} times the size of their files are "
+                    "not opened",
+                    kTimesOpened)};
+  }
+  opened_bytes_ = more;
+  return std::nullopt;
 }
 
 AssetInTree::Aliases ExternalAssets::aliases_of(AssetInTree& parent, json::NodeId file) {
@@ -171,20 +203,21 @@ Result<AssetInTree*> ExternalAssets::open_asset(AssetInTree& parent, std::uint32
   std::pair whole(contents->identity, std::move(key));
   const auto known = known_.find(whole);
   if (known != known_.end()) return known->second;
-  if (assets_.size() > kMost) {
-    return Error{fmt::format("more than {} external assets are not opened", kMost)};
-  }
+  if (auto excess = find_excess(*contents)) return *std::move(excess);
   container::Resolver resolver = contents->resolver;
   for (const auto& [alias, target] : aliases) resolver.add_alias(alias, target.bytes);
+  // A file that is opened again with other aliases is another asset.
+  std::string name = contents->name;
+  if (!names_.insert(name).second) name = place_in(parent, file);
   const std::string type = string_member(parent.asset().document(), object, "mimeType");
-  container::Container opened = container::open_bytes(contents->bytes, contents->name);
+  container::Container opened = container::open_bytes(contents->bytes, name);
   if (opened.format == container::Format::unknown) {
     opened = container::open_bytes(contents->bytes, format_of(type));
   }
   auto asset =
-      std::make_unique<const OpenedAsset>(contents->name, std::move(opened), std::move(resolver));
+      std::make_unique<const OpenedAsset>(std::move(name), std::move(opened), std::move(resolver));
   assets_.push_back(std::unique_ptr<AssetInTree>(
-      new AssetInTree(*asset, contents->identity, std::move(aliases))));
+      new AssetInTree(*asset, contents->identity, std::move(aliases), contents->depth)));
   AssetInTree* const made = assets_.back().get();
   made->owned_ = std::move(asset);
   known_.emplace(std::move(whole), made);

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,7 @@ struct ReferredFile {
   FileIdentity identity;
   std::string name;              ///< for reports: a path, or "parent.gltf#/files/0"
   container::Resolver resolver;  ///< of the references in it
+  std::size_t depth = 0;         ///< 0: a file of its own; 1: inside one; and so on
 };
 
 /// An asset, and where its references lead. `identity` is that of its file.
@@ -42,12 +45,13 @@ class AssetInTree {
  private:
   friend class ExternalAssets;
   using Aliases = std::map<std::string, ReferredFile, std::less<>>;
-  AssetInTree(const OpenedAsset& asset, FileIdentity identity, Aliases aliases);
+  AssetInTree(const OpenedAsset& asset, FileIdentity identity, Aliases aliases, std::size_t depth);
 
   std::unique_ptr<const OpenedAsset> owned_;  ///< null: the first asset
   const OpenedAsset* asset_;
   FileIdentity identity_;
   Aliases aliases_;
+  std::size_t depth_;  ///< ReferredFile::depth
   std::vector<json::NodeId> files_, external_assets_;
   std::unique_ptr<const Asset> tables_;
   std::unique_ptr<AssetBytes> bytes_;
@@ -62,6 +66,11 @@ class ExternalAssets {
  public:
   /// More are not opened.
   static constexpr std::size_t kMost = 10'000;
+  /// An asset that lies in that many others, one inside the next, is not opened.
+  static constexpr std::size_t kDeepest = 64;
+  /// An asset whose aliases differ is opened again, and views may overlap. What is opened has at
+  /// most so many times the bytes of the files on the disk, and this many bytes more.
+  static constexpr std::uint64_t kTimesOpened = 16, kBytesMore = std::uint64_t{64} << 20U;
 
   /// Keeps a reference to the asset.
   explicit ExternalAssets(const OpenedAsset& asset);
@@ -81,11 +90,15 @@ class ExternalAssets {
   Result<ReferredFile> open_uri(AssetInTree& parent, std::uint32_t index, const std::string& uri);
   AssetInTree::Aliases aliases_of(AssetInTree& parent, json::NodeId file);
   Result<AssetInTree*> open_asset(AssetInTree& parent, std::uint32_t file);
+  std::optional<Error> find_excess(const ReferredFile& file);
 
   std::vector<std::unique_ptr<AssetInTree>> assets_;
   AssetInTree* root_;
   /// By identity and aliases.
   std::map<std::pair<FileIdentity, std::string>, AssetInTree*> known_;
+  std::set<FileIdentity> files_on_disk_;
+  std::set<std::string, std::less<>> names_;
+  std::uint64_t opened_bytes_ = 0, bytes_on_disk_ = 0;
 };
 
 }  // namespace gltfx::model
