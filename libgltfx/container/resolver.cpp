@@ -139,7 +139,7 @@ ResolveError Resolver::open_at(std::string_view path, File& file) const {
   } else {
     file = open_beneath(root_->get(), from_root(root_->get(), base_, path), confinement_);
   }
-  if (log_) log_->add({folder_ + std::string(path), file.error});
+  if (log_) log_->add({place_of(path), file.error});
   return file.error;
 }
 

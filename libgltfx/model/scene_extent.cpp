@@ -20,6 +20,10 @@ constexpr std::uint64_t kMostJoints = std::uint64_t{1}
 /// A bounding box, extended by include().
 class ExtentBox {
  public:
+  ExtentBox() = default;
+  explicit ExtentBox(const std::optional<SceneBounds>& bounds)
+      : empty_(!bounds), bounds_(bounds.value_or(SceneBounds())) {}
+
   bool empty() const { return empty_; }
   void include(const Vector3& point) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -168,6 +172,13 @@ SceneExtent scene_extent(const Asset& asset, const Views& views, const ResourceD
                          std::span<const MeshFacts> meshes, std::uint64_t instance_bytes,
                          const Pose& pose) {
   return ExtentMeasurer(asset, views, resources, meshes, instance_bytes, pose).run();
+}
+
+void include_bounds(const SceneBounds& others, const Affine& transform,
+                    std::optional<SceneBounds>& bounds) {
+  ExtentBox box(bounds);
+  box.include(ExtentBox(others), transform);
+  if (!box.empty()) bounds = box.bounds();
 }
 
 }  // namespace gltfx::model

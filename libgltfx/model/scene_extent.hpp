@@ -29,4 +29,8 @@ SceneExtent scene_extent(const Asset& asset, const Views& views, const ResourceD
                          std::span<const MeshFacts> meshes, std::uint64_t instance_bytes,
                          const Pose& pose);
 
+/// Extends `bounds` by others after a transform, likewise.
+void include_bounds(const SceneBounds& others, const Affine& transform,
+                    std::optional<SceneBounds>& bounds);
+
 }  // namespace gltfx::model

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/open_asset.hpp"
 
-#include <cstdint>
 #include <string_view>
 #include <utility>
 
@@ -10,7 +9,6 @@
 
 #include "base/text.hpp"
 #include "container/memory_asset.hpp"
-#include "model/memory_budget.hpp"
 
 namespace gltfx {
 namespace {
@@ -70,21 +68,6 @@ Result<model::OpenedAsset> open_memory(MemoryAsset asset, const std::string& roo
       container::open_memory(std::move(asset.bytes), asset.name, asset.format);
   container::Resolver resolver = container::resolver_of(asset, {});
   return model::OpenedAsset(std::move(asset.name), std::move(opened), std::move(resolver));
-}
-
-std::optional<Error> find_obstacle(const model::OpenedAsset& asset) {
-  if (asset.container().format == container::Format::git_lfs_pointer) {
-    return Error{"it is a Git LFS pointer; run 'git lfs pull'"};
-  }
-  if (!asset.container().json) return Error{"it is not a glTF asset; see 'gltfx validate'"};
-  const json::Document& document = asset.document();
-  if (document.empty()) return Error{"its JSON is invalid; see 'gltfx validate'"};
-  const std::uint64_t count = model::root_objects(document);
-  const std::uint64_t most = model::most_root_objects(document.text().size());
-  if (count <= most) return std::nullopt;
-  return Error{
-      fmt::format("its root arrays have {} elements; at most {} are allowed in {} bytes of JSON",
-                  count, most, document.text().size())};
 }
 
 Result<model::OpenedAsset> open_document(const std::string& path, const AssetBounds& bounds) {

@@ -12,6 +12,7 @@
 
 #include "base/result.hpp"
 #include "container/resolver.hpp"
+#include "model/asset_obstacle.hpp"
 #include "model/opened_asset.hpp"
 
 namespace gltfx {
@@ -37,11 +38,7 @@ Result<model::OpenedAsset> open_asset(const std::string& path, const AssetBounds
 /// folder.
 Result<model::OpenedAsset> open_memory(MemoryAsset asset, const std::string& root);
 
-/// Why nothing but a report can be made of the asset, as half a sentence: its container has no text
-/// of a document, or nothing can be made of that text. Nothing when something can.
-std::optional<Error> find_obstacle(const model::OpenedAsset& asset);
-
-/// Both: the Error is that of either.
+/// Opens, and refuses what has a model::find_obstacle().
 Result<model::OpenedAsset> open_document(const std::string& path, const AssetBounds& bounds);
 
 /// The asset's folder is the base of its references; the root of trust is that folder or a wider
