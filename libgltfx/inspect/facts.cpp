@@ -9,6 +9,7 @@
 #include "base/checked.hpp"
 #include "base/media_type.hpp"
 #include "graph/graph.hpp"
+#include "inspect/external_facts.hpp"
 #include "inspect/metadata_facts.hpp"
 #include "measure/byte_count.hpp"
 #include "measure/image_facts.hpp"
@@ -259,8 +260,8 @@ std::vector<NamedFacts> lights_of(const Source& source) {
 
 }  // namespace
 
-AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
-                         const InspectOptions& options) {
+AssetFacts collect_own_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
+                             const InspectOptions& options) {
   Source source(opened, schemas, options.jobs);
   AssetFacts facts;
   const bool glb = opened.container().format == container::Format::glb;
@@ -296,6 +297,13 @@ AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& sc
     request.pixels = options.pixels;
     facts.measurements = measure::take(source.measured, request);
   }
+  return facts;
+}
+
+AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
+                         const InspectOptions& options) {
+  AssetFacts facts = collect_own_facts(opened, schemas, options);
+  add_external_facts(opened, schemas, options, facts);
   return facts;
 }
 

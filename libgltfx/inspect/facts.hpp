@@ -15,5 +15,8 @@ namespace gltfx::inspect {
 /// compressed geometry; nothing recurses.
 AssetFacts collect_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
                          const InspectOptions& options);
+/// The same without its external assets.
+AssetFacts collect_own_facts(const model::OpenedAsset& opened, const schema::Set& schemas,
+                             const InspectOptions& options);
 
 }  // namespace gltfx::inspect

@@ -53,6 +53,11 @@ void write_counts(Writer& writer, const AssetFacts& facts) {
   writer.member("skins", std::uint64_t{facts.skins.size()});
   writer.member("cameras", std::uint64_t{facts.cameras.size()});
   writer.member("lights", std::uint64_t{facts.lights.size()});
+  const auto count_if = [&writer](std::string_view name, std::uint64_t count) {
+    if (count > 0) writer.member(name, count);
+  };
+  count_if("shapes", facts.shapes);
+  count_if("boundingVolumes", facts.bounding_volumes);
   writer.end_object();
 }
 
@@ -170,6 +175,45 @@ void write(Writer& writer, const PropertyTableFacts& facts) {
   writer.member("bytes", facts.bytes);
 }
 
+void write(Writer& writer, const ReferredFileFacts& facts) {
+  member_if(writer, "name", facts.name);
+  member_if(writer, "uri", facts.uri);
+  member_if(writer, "mimeType", facts.mime_type);
+  if (facts.bytes) writer.member("bytes", *facts.bytes);
+  if (!facts.aliases.empty()) report::write_long_values(writer, "aliases", facts.aliases);
+  member_if(writer, "problem", facts.problem);
+}
+
+void write(Writer& writer, const ExternalAssetFacts& facts) {
+  writer.member("depth", facts.depth);
+  writer.member("index", facts.index);
+  writer.member("path", report::long_value(facts.path));
+  member_if(writer, "mimeType", facts.mime_type);
+  writer.member("placed", facts.placed);
+  writer.member("state", external_asset_state_name(facts.state));
+  if (facts.state == ExternalAssetState::read) {
+    writer.member("nodes", facts.nodes);
+    writer.member("meshes", facts.meshes);
+    writer.member("triangles", facts.triangles);
+    writer.member("bytes", facts.bytes);
+  }
+  member_if(writer, "problem", facts.problem);
+}
+
+// A tree in the order of its rows: the first of them are a tree, too.
+void write_external_assets(Writer& writer, const std::vector<ExternalAssetFacts>& list,
+                           std::size_t most) {
+  writer.key("externalAssets");
+  writer.begin_array();
+  for (std::size_t i = 0; i < list.size() && (most == 0 || i < most); ++i) {
+    writer.begin_object();
+    write(writer, list[i]);
+    writer.end_object();
+  }
+  writer.end_array();
+}
+
+std::uint64_t bytes_of(const ReferredFileFacts& facts) { return facts.bytes.value_or(0); }
 std::uint64_t bytes_of(const MetadataClassFacts&) { return 0; }
 std::uint64_t bytes_of(const ExtensionFacts&) { return 0; }
 std::uint64_t bytes_of(const MaterialFacts&) { return 0; }
@@ -243,6 +287,11 @@ void write_report(Writer& writer, const InspectReport& report) {
 
 std::string_view byte_use_name(ByteUse use) { return kByteUseNames[static_cast<std::size_t>(use)]; }
 
+std::string_view external_asset_state_name(ExternalAssetState state) {
+  constexpr std::array<std::string_view, 4> kNames{"read", "repeated", "cycle", "unread"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
 std::uint64_t AssetFacts::total_bytes() const { return sum(files, &FileFacts::bytes); }
 std::uint64_t AssetFacts::image_gpu_bytes() const { return sum(images, &ImageFacts::gpu_bytes); }
 std::uint64_t AssetFacts::mesh_gpu_bytes() const { return sum(meshes, &MeshFacts::gpu_bytes); }
@@ -274,6 +323,10 @@ void write_facts(Writer& writer, const AssetFacts& facts, std::size_t most) {
   if (!facts.property_tables.empty()) {
     write_list(writer, "propertyTables", facts.property_tables, most);
   }
+  if (!facts.referred_files.empty()) {
+    write_list(writer, "referredFiles", facts.referred_files, most);
+  }
+  if (!facts.external_assets.empty()) write_external_assets(writer, facts.external_assets, most);
   report::write_long_values(writer, "problems", facts.problems);
   if (facts.measurements) report::write_measurements(writer, *facts.measurements);
   writer.end_object();

@@ -126,8 +126,40 @@ struct PropertyTableFacts {
   std::uint64_t rows = 0, columns = 0, bytes = 0;  ///< how many it has
 };
 
+/// An element of `files` (glTF 2.1).
+struct ReferredFileFacts {
+  std::string name;                         ///< as it is written
+  std::string uri;                          ///< likewise; empty: it is in a buffer view
+  std::string mime_type;                    ///< as it is written
+  std::optional<std::uint64_t> bytes = {};  ///< its size; absent: it could not be read
+  std::vector<std::string> aliases;         ///< URIs that have other contents in this file
+  std::string problem;                      ///< why it could not be read, half a sentence
+};
+
+/// Whether an external asset was read.
+enum class ExternalAssetState : std::uint8_t {
+  read,      ///< its own external assets follow it
+  repeated,  ///< it is listed before, with its own external assets
+  cycle,     ///< it has itself among its external assets, at any depth; it is left out
+  unread,    ///< there is a problem
+};
+/// "read", "repeated" and so on.
+std::string_view external_asset_state_name(ExternalAssetState state);
+
+/// An element of `externalAssets` (glTF 2.1), of the asset or of one of its external assets.
+struct ExternalAssetFacts {
+  std::uint64_t depth = 0;   ///< 0: of the asset itself; else 1 more than that of its parent
+  std::uint64_t index = 0;   ///< in `externalAssets` of its parent
+  std::string path;          ///< of its file: below the asset's folder, or "parent.gltf#/files/0"
+  std::string mime_type;     ///< as the element of `files` states it
+  std::uint64_t placed = 0;  ///< nodes of the parent that have it
+  ExternalAssetState state = ExternalAssetState::read;            ///< whether it was read
+  std::uint64_t nodes = 0, meshes = 0, triangles = 0, bytes = 0;  ///< its own, if it was read
+  std::string problem;  ///< why it was not read, half a sentence; else empty
+};
+
 /// Bounds of what the default scene shows, in metres; without morph targets; skinned meshes in the
-/// pose of the file.
+/// pose of the file. External assets are included.
 struct SceneBounds {
   std::array<double, 3> least{}, greatest{};  ///< corners: x, y, z
 };
@@ -141,7 +173,8 @@ struct AssetFacts {
   std::vector<ExtensionFacts> extensions;  ///< sorted by name
   std::uint64_t scenes = 0, nodes = 0, accessors = 0, textures = 0;  ///< how many there are
   std::uint64_t primitives = 0, triangles = 0, vertices = 0;         ///< each once
-  std::uint64_t drawn_triangles = 0;        ///< by the default scene, each time a node draws them
+  /// By the default scene, each time a node draws them, those of external assets included.
+  std::uint64_t drawn_triangles = 0;
   std::optional<SceneBounds> bounds;        ///< absent: nothing is shown, or its extent is unknown
   std::vector<MeshFacts> meshes;            ///< these, like those below, by index
   std::vector<MaterialFacts> materials;     ///< by index
@@ -151,8 +184,12 @@ struct AssetFacts {
   std::vector<NamedFacts> cameras, lights;  ///< by index
   std::vector<MetadataClassFacts> metadata_classes;  ///< in the order of the schema in the asset
   std::vector<PropertyTableFacts> property_tables;   ///< by index
-  std::vector<std::string> problems;                 ///< what could not be read, a sentence each
-  std::optional<Measurements> measurements;          ///< of all measures, if requested
+  std::uint64_t shapes = 0, bounding_volumes = 0;    ///< how many it has; 0 before glTF 2.1
+  std::vector<ReferredFileFacts> referred_files;     ///< by index
+  /// Each is followed by its own ones, whose depth is greater.
+  std::vector<ExternalAssetFacts> external_assets;
+  std::vector<std::string> problems;         ///< what could not be read, a sentence each
+  std::optional<Measurements> measurements;  ///< of all measures, if requested
 
   std::uint64_t total_bytes() const;      ///< of all files
   std::uint64_t image_gpu_bytes() const;  ///< of all images
