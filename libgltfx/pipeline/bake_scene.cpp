@@ -21,6 +21,7 @@
 #include "pipeline/open_asset.hpp"
 #include "pipeline/scene_builder.hpp"
 #include "pipeline/scene_pose.hpp"
+#include "pipeline/scene_tree.hpp"
 #include "preview/markers.hpp"
 #include "preview/overlay.hpp"
 #include "rules/shows/shows.hpp"
@@ -79,16 +80,37 @@ std::uint32_t side_of_whole(const BakeOptions& options) {
   return side;
 }
 
-Result<std::optional<std::uint32_t>> choose_animation(const model::Asset& asset,
-                                                      const model::Views& views,
-                                                      const BakeOptions& options,
-                                                      BakeNotes& notes) {
+std::optional<Error> choose_animation(const model::Asset& asset, const model::Views& views,
+                                      const BakeOptions& options, BakeNotes& notes,
+                                      SceneOptions& wanted) {
   const auto names = names_in(asset, model::RootArray::animations);
   const bool named = std::find(names.begin(), names.end(), options.animation) != names.end();
-  if (options.animation == "none" && !named) return std::optional<std::uint32_t>();
-  auto found = find_part("animation", options.animation, names, {options.if_present, notes});
-  if (!found || *found) return found;
-  return find_pose(asset, views);
+  if (options.animation == "none" && !named) return std::nullopt;
+  const auto found = find_part("animation", options.animation, names, {options.if_present, notes});
+  if (!found) return found.error();
+  wanted.external.pose = !*found;
+  if (*found) wanted.external.animation = names[**found];
+  wanted.animation = *found ? *found : find_pose(asset, views);
+  return std::nullopt;
+}
+
+std::optional<Error> choose_variant(const model::OpenedAsset& opened, const BakeOptions& options,
+                                    BakeNotes& notes, SceneOptions& wanted) {
+  auto names = model::variant_names(model::Asset(opened.document()));
+  const std::size_t own = names.size();
+  if (!options.variant.empty()) {
+    for (std::string& name : variant_names_below(opened)) {
+      if (std::find(names.begin(), names.end(), name) == names.end()) {
+        names.push_back(std::move(name));
+      }
+    }
+  }
+  const auto found = find_part("variant", options.variant, names, {options.if_present, notes});
+  if (!found) return found.error();
+  if (!*found) return std::nullopt;
+  if (**found < own) wanted.variant = *found;
+  wanted.external.variant = names[**found];
+  return std::nullopt;
 }
 
 bool is_clay(const BakeOptions& options) {
@@ -106,17 +128,13 @@ Result<SceneOptions> scene_options(const model::OpenedAsset& opened, const BakeO
   const auto scene = find_part("scene", options.scene, names_in(asset, model::RootArray::scenes),
                                {options.if_present, notes});
   if (!scene) return scene.error();
-  const auto animation = choose_animation(asset, opened.views(), options, notes);
-  if (!animation) return animation.error();
-  const auto variant = find_part("variant", options.variant, model::variant_names(asset),
-                                 {options.if_present, notes});
-  if (!variant) return variant.error();
+  auto problem = choose_animation(asset, opened.views(), options, notes, wanted);
+  if (!problem) problem = choose_variant(opened, options, notes, wanted);
+  if (problem) return *std::move(problem);
   const auto frame = find_node(options.frame, names_in(asset, model::RootArray::nodes));
   if (!frame) return frame.error();
   wanted.frame = *frame;
   wanted.scene = *scene;
-  wanted.animation = *animation;
-  wanted.variant = *variant;
   return wanted;
 }
 

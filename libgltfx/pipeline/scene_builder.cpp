@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <memory>
 #include <optional>
 #include <unordered_map>
@@ -14,15 +15,12 @@
 
 #include "codec/client.hpp"
 #include "model/camera.hpp"
-#include "model/elements.hpp"
 #include "model/instancing.hpp"
-#include "model/keyframes.hpp"
 #include "model/light.hpp"
-#include "model/resource_data.hpp"
-#include "model/texture.hpp"
 #include "pipeline/scene_environment.hpp"
 #include "pipeline/scene_meshes.hpp"
 #include "pipeline/scene_origin.hpp"
+#include "pipeline/scene_tree.hpp"
 #include "render/bvh_groups.hpp"
 
 namespace gltfx {
@@ -116,67 +114,84 @@ std::uint64_t worth(std::uint64_t bytes, std::uint64_t each) {
   return checked_mul(bytes, each).value_or(std::numeric_limits<std::uint64_t>::max());
 }
 
-std::uint64_t geometry_budget(const model::Asset& asset, const model::ResourceData& resources,
-                              const SceneOptions& options) {
-  const std::uint64_t each =
-      model::has_compressed_geometry(asset.document()) ? kPackedWorth : kPlainWorth;
-  return saturating_add(options.free_bytes, worth(resources.buffer_bytes(), each));
+std::uint64_t geometry_budget(const SceneTree& tree, const SceneOptions& options) {
+  std::uint64_t budget = options.free_bytes;
+  tree.for_each_part([&budget](const ScenePart& part) {
+    const std::uint64_t each =
+        model::has_compressed_geometry(part.asset.document()) ? kPackedWorth : kPlainWorth;
+    budget = saturating_add(budget, worth(part.resources.buffer_bytes(), each));
+  });
+  return budget;
 }
 
-std::uint64_t pixel_budget(const model::ResourceData& resources, const SceneOptions& options) {
-  const std::uint64_t bytes = saturating_add(resources.buffer_bytes(), image_bytes(resources));
-  return saturating_add(options.free_pixel_bytes, worth(bytes, kPackedWorth));
+std::uint64_t pixel_budget(const SceneTree& tree, const SceneOptions& options) {
+  std::uint64_t budget = options.free_pixel_bytes;
+  tree.for_each_part([&budget](const ScenePart& part) {
+    const std::uint64_t bytes =
+        saturating_add(part.resources.buffer_bytes(), image_bytes(part.resources));
+    budget = saturating_add(budget, worth(bytes, kPackedWorth));
+  });
+  return budget;
 }
+
+/// What is drawn of a part, the same at all its places.
+struct PartDrawing {
+  PartDrawing(ScenePart& from, const Vector3& origin, const SceneOptions& options,
+              SceneTextures& textures, model::MemoryBudget& budget, render::Scene& scene)
+      : part(from),
+        source(from.source()),
+        geometry(from.geometry()),
+        materials(source, textures, scene, options.uvs),
+        meshes(geometry, {from.pose, from.animated, origin}, from.choice.variant, materials, budget,
+               from.notes, scene),
+        lights(model::read_lights(from.asset, &from.animated)) {}
+  PartDrawing(const PartDrawing&) = delete;
+  PartDrawing& operator=(const PartDrawing&) = delete;
+
+  ScenePart& part;
+  const SceneSource source;
+  const model::GeometrySource geometry;
+  SceneMaterials materials;
+  SceneMeshes meshes;
+  const std::vector<std::optional<model::Light>> lights;
+};
 
 /// One scene on its way.
 class SceneBuilder {
  public:
-  SceneBuilder(const model::Asset& asset, const model::Views& views,
-               const model::ResourceData& resources, const schema::Set& schemas,
-               const SceneOptions& options, SceneNotes& notes)
-      : asset_(asset),
-        views_(views),
-        resources_(resources),
+  SceneBuilder(const SceneTree& tree, const SceneOptions& options)
+      : tree_(tree),
         options_(options),
-        notes_(notes),
-        geometry_budget_(geometry_budget(asset, resources, options)),
-        pixel_budget_(pixel_budget(resources, options)) {
-    animate(schemas);
-  }
+        geometry_budget_(geometry_budget(tree, options)),
+        pixel_budget_(pixel_budget(tree, options)) {}
 
-  BuiltScene run(const model::SceneRoots& roots) {
-    if (!roots.note.empty() && !views_.nodes.empty()) notes_.add(roots.note);
-    const model::Pose pose = model::compute_pose(asset_, views_, roots, animated_);
-    model::DracoMeshes draco;
-    draco.add_all(asset_, views_, resources_);
-    draco.decode(codec::Client::shared(), options_.jobs);
-    const model::GeometrySource source{asset_, views_, resources_, draco};
-    const std::vector<std::uint8_t> framed = framed_nodes();
+  BuiltScene run() {
     origin_ = options_.origin ? Vector3{options_.origin->x, options_.origin->y, options_.origin->z}
-                              : find_origin(asset_, views_, resources_, pose, framed);
-    SceneTextures textures(asset_, resources_, notes_, scene_);
+                              : find_origin(tree_);
+    SceneTextures textures(scene_);
     // A scene's material is large: the vector is not to be copied while it grows.
-    scene_.materials.reserve(most_materials());
-    SceneMaterials materials(asset_, animated_, textures, notes_, scene_, options_.uvs);
-    SceneMeshes meshes(source, {pose, animated_, origin_}, options_.variant, materials,
-                       geometry_budget_, notes_, scene_);
-    place_all(pose, framed, meshes);
+    std::size_t materials = 0;
+    tree_.for_each_part([&](const ScenePart& part) { materials += part.most_materials(); });
+    scene_.materials.reserve(materials);
+    std::map<const ScenePart*, std::unique_ptr<PartDrawing>> drawings;
+    for (const PlacedPart& placed : tree_.placed()) {
+      std::unique_ptr<PartDrawing>& drawing = drawings[placed.part];
+      if (!drawing) {
+        drawing =
+            std::make_unique<PartDrawing>(*placed.part, placed.depth == 0 ? origin_ : Vector3{},
+                                          options_, textures, geometry_budget_, scene_);
+      }
+      place_all(placed, *drawing);
+    }
     std::optional<preview::Subject> subject = preview::find_subject(scene_);
     if (options_.textures) {
       textures.decode(codec::Client::shared(), options_.jobs, pixel_budget_, pixel_size(subject));
     }
-    if (options_.environment) light(roots);
+    if (options_.environment) light(tree_.root());
     return {std::move(scene_), std::move(subject), {origin_[0], origin_[1], origin_[2]}, true};
   }
 
  private:
-  // Each primitive shows one, or the default material; variants only choose among them.
-  std::size_t most_materials() const {
-    std::size_t primitives = 0;
-    for (const model::Mesh& mesh : views_.meshes) primitives += mesh.primitives.size();
-    return std::min(primitives, asset_.count(RootArray::materials)) + 1;
-  }
-
   // Side of a pixel of the picture; 0: not known.
   double pixel_size(const std::optional<preview::Subject>& subject) const {
     if (!subject || options_.picture_side == 0) return 0;
@@ -184,56 +199,30 @@ class SceneBuilder {
     return shown / options_.picture_side;
   }
 
-  void light(const model::SceneRoots& roots) {
-    if (!roots.scene) return;
-    const auto light = model::environment_light_of(asset_, *roots.scene, &animated_);
+  void light(ScenePart& part) {
+    if (!part.choice.roots.scene) return;
+    const auto light =
+        model::environment_light_of(part.asset, *part.choice.roots.scene, &part.animated);
     if (!light) return;
     scene_.environment = std::make_shared<const render::EnvironmentImage>(
-        environment_of(*light, resources_, pixel_budget_, notes_));
+        environment_of(*light, part.resources, pixel_budget_, part.notes));
   }
 
-  void animate(const schema::Set& schemas) {
-    if (!options_.animation || *options_.animation >= asset_.count(RootArray::animations)) return;
-    model::AnimationSample sample = model::sample_animation(asset_, views_, resources_, schemas,
-                                                            *options_.animation, options_.time);
-    animated_ = std::move(sample.values);
-    for (std::string& note : sample.notes) notes_.add(std::move(note));
-  }
-
-  void place_all(const model::Pose& pose, const std::vector<std::uint8_t>& framed,
-                 SceneMeshes& meshes) {
-    const auto lights = model::read_lights(asset_, &animated_);
-    for (NodeIndex node = 0; node < views_.nodes.size(); ++node) {
-      const Affine world = relative_to(origin_, pose.world[node]);
-      if (pose.in_scene[node] != 0) place_camera(node, world);
-      if (pose.visible[node] == 0) continue;
-      const auto light = model::light_of(asset_, views_.nodes[node]);
-      if (light && *light < lights.size() && lights[*light]) {
-        scene_.lights.push_back(to_light(*lights[*light], world));
+  void place_all(const PlacedPart& placed, PartDrawing& drawing) {
+    const ScenePart& part = drawing.part;
+    for (const NodeIndex node : part.drawn) {
+      const Affine world = relative_to(origin_, placed.world(node));
+      place_camera(part, node, world);
+      if (part.pose.visible[node] == 0) continue;
+      const auto light = model::light_of(part.asset, part.views.nodes[node]);
+      if (light && *light < drawing.lights.size() && drawing.lights[*light]) {
+        scene_.lights.push_back(to_light(*drawing.lights[*light], world));
       }
       const std::size_t before = scene_.instances.size();
-      if (views_.nodes[node].mesh) place_mesh(node, world, meshes);
-      if (!framed.empty() && framed[node] != 0) frame_from(before);
+      if (part.views.nodes[node].mesh) place_mesh(placed, node, world, drawing);
+      if (tree_.frames(placed, node)) frame_from(before);
     }
-    if (views_.nodes.empty()) place_library(meshes);
-  }
-
-  // By node; empty: the picture is of all.
-  std::vector<std::uint8_t> framed_nodes() const {
-    if (!options_.frame || *options_.frame >= views_.nodes.size()) return {};
-    std::vector<std::uint8_t> framed(views_.nodes.size(), 0);
-    std::vector<NodeIndex> open{*options_.frame};
-    while (!open.empty()) {
-      const NodeIndex node = open.back();
-      open.pop_back();
-      if (framed[node] != 0) continue;
-      framed[node] = 1;
-      model::for_each_index(asset_, views_.nodes[node].children, RootArray::nodes,
-                            [&](std::uint64_t, std::optional<std::uint32_t> child, Span) {
-                              if (child) open.push_back(*child);
-                            });
-    }
-    return framed;
+    if (placed.depth == 0 && part.views.nodes.empty()) place_library(drawing);
   }
 
   void frame_from(std::size_t first) {
@@ -243,49 +232,55 @@ class SceneBuilder {
   }
 
   // A file that only brings meshes for others to use shows all of them, in one place.
-  void place_library(SceneMeshes& meshes) {
-    if (views_.meshes.empty()) return;
-    notes_.add("The file has no nodes; its meshes are drawn where they are.");
-    for (std::uint32_t mesh = 0; mesh < views_.meshes.size(); ++mesh) {
-      for (const DrawnMeshes& drawn : meshes.use_mesh(mesh)) place(drawn, Affine());
+  void place_library(PartDrawing& drawing) {
+    const std::size_t count = drawing.part.views.meshes.size();
+    if (count == 0) return;
+    SceneNotes& notes = drawing.part.notes;
+    notes.add("The file has no nodes; its meshes are drawn where they are.");
+    for (std::uint32_t mesh = 0; mesh < count; ++mesh) {
+      for (const DrawnMeshes& drawn : drawing.meshes.use_mesh(mesh)) place(drawn, Affine(), notes);
     }
   }
 
-  void place_camera(NodeIndex node, const Affine& world) {
-    if (!views_.nodes[node].camera) return;
-    auto camera = model::read_camera(asset_, *views_.nodes[node].camera, &animated_);
+  void place_camera(const ScenePart& part, NodeIndex node, const Affine& world) {
+    if (!part.views.nodes[node].camera) return;
+    auto camera = model::read_camera(part.asset, *part.views.nodes[node].camera, &part.animated);
     if (!camera) return;
-    if (camera->name.empty()) camera->name = asset_.name(views_.nodes[node].object);
+    if (camera->name.empty()) camera->name = part.asset.name(part.views.nodes[node].object);
     if (is_finite(rows_of(world))) scene_.cameras.push_back(to_camera(*camera, world));
   }
 
-  void place_mesh(NodeIndex node, const Affine& world, SceneMeshes& meshes) {
-    const auto copies =
-        model::read_instancing(asset_, views_, resources_, views_.nodes[node], geometry_budget_);
+  void place_mesh(const PlacedPart& placed, NodeIndex node, const Affine& world,
+                  PartDrawing& drawing) {
+    ScenePart& part = drawing.part;
+    const auto copies = model::read_instancing(part.asset, part.views, part.resources,
+                                               part.views.nodes[node], geometry_budget_);
     if (copies && !copies->readable) {
-      notes_.leave_out(fmt::format("Node {}", node),
-                       "has copies that cannot be read or that ask for too much memory");
+      part.notes.leave_out(fmt::format("Node {}", node),
+                           "has copies that cannot be read or that ask for too much memory");
       return;
     }
-    for (const DrawnMeshes& drawn : meshes.use(node)) {
+    // Skinned meshes of the asset itself are where they are drawn already.
+    const Affine bound = placed.depth == 0 ? Affine() : relative_to(origin_, placed.to_scene);
+    for (const DrawnMeshes& drawn : drawing.meshes.use(node)) {
       if (drawn.skinned) {
-        place(drawn, Affine());
+        place(drawn, bound, part.notes);
       } else if (!copies) {
-        place(drawn, world);
+        place(drawn, world, part.notes);
       } else {
-        for (const Affine& copy : copies->transforms) place(drawn, world * copy);
+        for (const Affine& copy : copies->transforms) place(drawn, world * copy, part.notes);
       }
     }
   }
 
-  void place(const DrawnMeshes& drawn, const Affine& world) {
+  void place(const DrawnMeshes& drawn, const Affine& world, SceneNotes& notes) {
     Affine placed = world;
     placed.columns[3] = world.point(drawn.origin);
     const render::Matrix34 to_world = rows_of(placed);
     if (!is_finite(to_world)) {
-      notes_.leave_out("A mesh", "lies at infinity");
+      notes.leave_out("A mesh", "lies at infinity");
     } else if (!geometry_budget_.take(cost_of(drawn))) {
-      notes_.leave_out("A mesh", "is drawn more often than memory allows");
+      notes.leave_out("A mesh", "is drawn more often than memory allows");
     } else {
       ++placed_[shape_of(drawn)].count;
       scene_.instances.push_back({drawn.mesh, to_world, drawn.count});
@@ -314,49 +309,23 @@ class SceneBuilder {
     std::uint64_t count = 0;
   };
 
-  const model::Asset& asset_;
-  const model::Views& views_;
-  const model::ResourceData& resources_;
+  const SceneTree& tree_;
   const SceneOptions& options_;
-  SceneNotes& notes_;
   model::MemoryBudget geometry_budget_;
   model::MemoryBudget pixel_budget_;
-  model::AnimatedValues animated_;
   Vector3 origin_{};
   render::Shapes shapes_;
   std::unordered_map<std::uint32_t, Placed> placed_;  // by shape
   render::Scene scene_;
 };
 
-// By index: those of textures, and of the light from all around.
-std::vector<bool> images_in_use(const model::Asset& asset, std::optional<std::uint32_t> scene,
-                                const SceneOptions& options) {
-  std::vector<bool> used(asset.count(RootArray::images));
-  for (const json::NodeId texture : asset.elements(RootArray::textures)) {
-    if (texture == json::kNoNode || !options.textures) continue;
-    for (const std::uint32_t image : model::read_texture(asset, texture).images) used[image] = true;
-  }
-  const auto light =
-      scene && options.environment ? model::environment_light_of(asset, *scene) : std::nullopt;
-  for (std::size_t i = 0; light && i < light->faces.size(); ++i) used[light->faces[i]] = true;
-  return used;
-}
-
 }  // namespace
 
 BuiltScene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
                        const SceneOptions& options) {
-  SceneNotes notes;
-  const model::OpenedAsset& opened = validated.asset();
-  const model::Asset asset(opened.document());
-  const model::Views& views = opened.views();
-  container::OpenedFiles files(opened.resolver());
-  const model::SceneRoots roots = model::choose_scene(asset, views, options.scene);
-  const std::vector<bool> images = images_in_use(asset, roots.scene, options);
-  model::LoadedResources loaded =
-      model::load_resources(opened.container(), files, asset, views, options.jobs, &images);
-  for (const model::MissingData& missing : loaded.missing) notes.add(missing.sentence());
-  BuiltScene built = SceneBuilder(asset, views, loaded.data, schemas, options, notes).run(roots);
+  SceneTree tree(validated.asset(), options, schemas);
+  BuiltScene built = SceneBuilder(tree, options).run();
+  SceneNotes notes = tree.take_notes();
   built.complete = notes.complete();
   built.scene.notes = notes.take();
   return built;

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "preview/framing.hpp"
 #include "render/scene.hpp"
@@ -20,10 +21,15 @@ struct SceneOptions {
   std::optional<std::uint32_t> animation;  ///< else everything as it is written
   double time = 0;                         ///< of the animation, in seconds
   std::optional<std::uint32_t> variant;    ///< of materials
-  std::optional<std::uint32_t> frame;      ///< node whose subtree the picture is of; else all
-  bool uvs = false;                        ///< texture coordinates also where no texture is
-  bool textures = true;                    ///< else their images are not decoded
-  bool environment = true;                 ///< else the scene has none
+  /// What is chosen in external assets, which have indices of their own.
+  struct InExternalAssets {
+    std::string variant, animation;  ///< names; empty: none
+    bool pose = false;               ///< that of find_pose(), in place of an animation
+  } external;
+  std::optional<std::uint32_t> frame;  ///< node whose subtree the picture is of; else all
+  bool uvs = false;                    ///< texture coordinates also where no texture is
+  bool textures = true;                ///< else their images are not decoded
+  bool environment = true;             ///< else the scene has none
   /// BuiltScene::origin; nothing: one that suits the scene.
   std::optional<Vec3d> origin;
   unsigned jobs = 0;  ///< threads; 0: as many as are worth it
@@ -49,9 +55,9 @@ struct BuiltScene {
 };
 
 /// Reads, decodes and poses what is visible. What is invalid is left out, and named in the notes
-/// of the scene, as is all else that is not drawn. Nothing outside of the resolver's root is
-/// opened; images and Draco bitstreams are decoded by worker processes. Keeps no reference.
-/// Precondition: the asset has a document.
+/// of the scene, as is all else that is not drawn. External assets are drawn at their nodes.
+/// Nothing outside of the resolver's root is opened; images and Draco bitstreams are decoded by
+/// worker processes. Keeps no reference. Precondition: the asset has a document.
 BuiltScene build_scene(const validate::ValidatedAsset& validated, const schema::Set& schemas,
                        const SceneOptions& options);
 

@@ -65,8 +65,8 @@ struct Assign {
 /// One material on its way.
 class Translation {
  public:
-  Translation(const model::Material& from, SceneTextures& textures)
-      : from_(from), textures_(textures) {}
+  Translation(const model::Material& from, const SceneSource& source, SceneTextures& textures)
+      : from_(from), source_(source), textures_(textures) {}
 
   std::pair<render::SceneMaterial, MaterialNeeds> run() {
     find_sets();
@@ -98,7 +98,7 @@ class Translation {
   void use(Slot slot, const model::TextureSlot& from) {
     if (!from.texture) return;
     render::TextureUse& to = to_.use(slot);
-    to.texture = textures_.use(*from.texture);
+    to.texture = textures_.use(source_, *from.texture);
     to.uv_set = position_of(from.tex_coord);
     to.transform = render::texture_transform(from.offset, from.rotation, from.scale);
   }
@@ -130,10 +130,21 @@ class Translation {
   }
 
   const model::Material& from_;
+  const SceneSource& source_;
   SceneTextures& textures_;
   render::SceneMaterial to_;
   MaterialNeeds needs_;
 };
+
+// Why an image is not even tried, or empty.
+std::string obstacle_of(const model::ImageData& data) {
+  if (!data.bytes) return "has a missing image";
+  if (!data.format) return "has an image in an unknown format";
+  if (!data.header) return "has an image with an invalid header";
+  return model::is_decodable(data)
+             ? std::string()
+             : "has a KTX2 image whose texels are neither ETC1S with BasisLZ nor UASTC";
+}
 
 }  // namespace
 
@@ -156,6 +167,18 @@ void SceneNotes::leave_out(const std::string& place, const std::string& outcome)
   complete_ = false;
 }
 
+void SceneNotes::add_all(SceneNotes& others, const std::string& name) {
+  for (const std::string& sentence : others.sentences_) add(fmt::format("{}: {}", name, sentence));
+  more_ += others.more_;
+  for (const auto& [outcome, theirs] : others.kinds_) {
+    Kind& kind = kinds_[outcome];
+    if (kind.count == 0) kind.first = fmt::format("{} of {}", theirs.first, name);
+    kind.count += theirs.count;
+    kind.left_out = kind.left_out || theirs.left_out;
+  }
+  complete_ = complete_ && others.complete_;
+}
+
 std::vector<std::string> SceneNotes::take() {
   std::vector<std::string> before = std::exchange(sentences_, {});
   for (const bool left_out : {true, false}) {
@@ -174,13 +197,14 @@ std::vector<std::string> SceneNotes::take() {
   return std::move(sentences_);
 }
 
-std::uint32_t SceneTextures::use(std::uint32_t texture) {
-  const auto [known, fresh] = known_.try_emplace(texture, static_cast<std::uint32_t>(used_.size()));
+std::uint32_t SceneTextures::use(const SceneSource& source, std::uint32_t texture) {
+  const Place place{&source, texture};
+  const auto [known, fresh] = known_.try_emplace(place, static_cast<std::uint32_t>(used_.size()));
   if (!fresh) return known->second;
-  used_.push_back(texture);
-  textures_.push_back(
-      model::read_texture(asset_, asset_.elements(model::RootArray::textures)[texture]));
-  const model::Sampler& sampler = textures_.back().sampler;
+  used_.push_back(
+      {place, model::read_texture(source.asset,
+                                  source.asset.elements(model::RootArray::textures)[texture])});
+  const model::Sampler& sampler = used_.back().texture.sampler;
   render::Texture to;
   to.wrap_s = wrap_of(sampler.wrap_s);
   to.wrap_t = wrap_of(sampler.wrap_t);
@@ -191,27 +215,19 @@ std::uint32_t SceneTextures::use(std::uint32_t texture) {
   return known->second;
 }
 
-std::string SceneTextures::obstacle(std::uint32_t image) const {
-  const model::ImageData& data = resources_.images[image];
-  if (!data.bytes) return "has a missing image";
-  if (!data.format) return "has an image in an unknown format";
-  if (!data.header) return "has an image with an invalid header";
-  return model::is_decodable(data)
-             ? std::string()
-             : "has a KTX2 image whose texels are neither ETC1S with BasisLZ nor UASTC";
-}
-
 // What memory there may be is settled here, image by image, whatever the number of threads.
 void SceneTextures::plan(model::MemoryBudget& budget) {
-  for (const model::Texture& texture : textures_) {
-    for (const std::uint32_t image : texture.images) {
-      if (!obstacle(image).empty() || job_of_.count(image) > 0) continue;
-      Job job{image, 0,
+  for (const Used& used : used_) {
+    const SceneSource* const source = used.place.first;
+    for (const std::uint32_t image : used.texture.images) {
+      const model::ImageData& data = source->resources.images[image];
+      if (!obstacle_of(data).empty() || job_of_.count({source, image}) > 0) continue;
+      Job job{{source, image},
+              0,
               codec::DecodeError{codec::ErrorKind::too_large, "its pixels need too much memory"}};
-      const image::Header& header = *resources_.images[image].header;
-      if (budget.take(decoded_size(header))) job.result = codec::Image();
-      pixels_ = saturating_add(pixels_, texels_of(header));
-      job_of_.emplace(image, jobs_.size());
+      if (budget.take(decoded_size(*data.header))) job.result = codec::Image();
+      pixels_ = saturating_add(pixels_, texels_of(*data.header));
+      job_of_.emplace(job.place, jobs_.size());
       jobs_.push_back(std::move(job));
       break;
     }
@@ -220,14 +236,15 @@ void SceneTextures::plan(model::MemoryBudget& budget) {
 
 // An image has the detail that its textures need, where it is worth a look at them.
 void SceneTextures::choose_detail(double pixel) {
-  std::vector<ImageSize> sizes(textures_.size());
-  std::vector<Job*> jobs(textures_.size());
+  std::vector<ImageSize> sizes(used_.size());
+  std::vector<Job*> jobs(used_.size());
   bool any = false;
-  for (std::size_t i = 0; pixel > 0 && i < textures_.size(); ++i) {
-    for (const std::uint32_t image : textures_[i].images) {
-      const auto job = job_of_.find(image);
+  for (std::size_t i = 0; pixel > 0 && i < used_.size(); ++i) {
+    const SceneSource* const source = used_[i].place.first;
+    for (const std::uint32_t image : used_[i].texture.images) {
+      const auto job = job_of_.find({source, image});
       if (job == job_of_.end()) continue;
-      const image::Header& header = *resources_.images[image].header;
+      const image::Header& header = *source->resources.images[image].header;
       if (header.format != image::Format::jpeg || texels_of(header) < kLargeImage) continue;
       jobs[i] = &jobs_[job->second];
       jobs[i]->halvings = std::numeric_limits<std::uint32_t>::max();
@@ -254,7 +271,8 @@ void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBu
       [&](std::size_t i) {
         Job& job = jobs_[i];
         if (stopped || std::holds_alternative<codec::DecodeError>(job.result)) return;
-        codec::ImageRequest request = model::image_request(resources_, job.image);
+        codec::ImageRequest request =
+            model::image_request(job.place.first->resources, job.place.second);
         request.pixels = true;
         request.halvings = job.halvings;
         job.result = SceneImages::shared().decode(client, request);
@@ -271,10 +289,12 @@ void SceneTextures::decode(codec::Client& client, unsigned jobs, model::MemoryBu
 
 void SceneTextures::finish(std::uint32_t index) {
   std::string why = "has no image";
-  for (const std::uint32_t image : textures_[index].images) {
-    const auto job = job_of_.find(image);
+  const Used& used = used_[index];
+  const SceneSource& source = *used.place.first;
+  for (const std::uint32_t image : used.texture.images) {
+    const auto job = job_of_.find({&source, image});
     if (job == job_of_.end()) {
-      why = obstacle(image);
+      why = obstacle_of(source.resources.images[image]);
       continue;
     }
     const codec::ImageResult& result = jobs_[job->second].result;
@@ -293,19 +313,20 @@ void SceneTextures::finish(std::uint32_t index) {
     to.missing = decoded.pixels.empty();
     if (!to.missing) return;
   }
-  notes_.add(fmt::format("Texture {}", used_[index]),
-             fmt::format("{}; a checkerboard is shown instead", why));
+  source.notes.add(fmt::format("Texture {}", used.place.second),
+                   fmt::format("{}; a checkerboard is shown instead", why));
 }
 
 const MaterialNeeds& SceneMaterials::use(const std::optional<std::uint32_t>& material) {
   if (!material) return default_;
   const auto known = known_.find(*material);
   if (known != known_.end()) return known->second;
-  const model::Material read = model::read_material(asset_, *material, &animated_);
+  const model::Material read = model::read_material(source_.asset, *material, &source_.animated);
   if (read.toon) {
-    notes_.add(fmt::format("Material {}", *material),
-               "is drawn matte, in a color between its own and its shade; steps of toon shading, "
-               "outlines and rim light are not drawn");
+    source_.notes.add(
+        fmt::format("Material {}", *material),
+        "is drawn matte, in a color between its own and its shade; steps of toon shading, "
+        "outlines and rim light are not drawn");
   }
   MaterialNeeds needs = translate(read);
   if (uvs_ && needs.tex_coords.empty()) needs.tex_coords = {0};
@@ -313,7 +334,7 @@ const MaterialNeeds& SceneMaterials::use(const std::optional<std::uint32_t>& mat
 }
 
 MaterialNeeds SceneMaterials::translate(const model::Material& material) {
-  auto [translated, needs] = Translation(material, textures_).run();
+  auto [translated, needs] = Translation(material, source_, textures_).run();
   needs.material = static_cast<std::uint32_t>(scene_.materials.size());
   scene_.materials.push_back(std::move(translated));
   return std::move(needs);

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "codec/client.hpp"
@@ -31,6 +32,8 @@ class SceneNotes {
 
   /// Whether nothing was left out.
   bool complete() const { return complete_; }
+  /// Adds those on another asset, which is named.
+  void add_all(SceneNotes& others, const std::string& name);
   /// All of them, first what was left out; those beyond a few dozen are counted.
   std::vector<std::string> take();
 
@@ -46,16 +49,22 @@ class SceneNotes {
   std::map<std::string, Kind> kinds_;
 };
 
-/// Textures are noted while materials are read, and decoded together in the end. All references
-/// must outlive it.
+/// An asset that a scene is made of. All references must outlive what is made of it.
+struct SceneSource {
+  const model::Asset& asset;
+  const model::ResourceData& resources;
+  const model::AnimatedValues& animated;
+  SceneNotes& notes;
+};
+
+/// Textures are noted while materials are read, and decoded together in the end. The scene must
+/// outlive it.
 class SceneTextures {
  public:
-  SceneTextures(const model::Asset& asset, const model::ResourceData& resources, SceneNotes& notes,
-                render::Scene& scene)
-      : asset_(asset), resources_(resources), notes_(notes), scene_(scene) {}
+  explicit SceneTextures(render::Scene& scene) : scene_(scene) {}
 
   /// The index in the scene of a texture of the asset.
-  std::uint32_t use(std::uint32_t texture);
+  std::uint32_t use(const SceneSource& source, std::uint32_t texture);
 
   /// Decodes the images of all textures in use, on up to `jobs` threads. What cannot be had becomes
   /// a texture that is marked as missing, with a note. `pixel`: see find_halvings(); large images
@@ -63,28 +72,28 @@ class SceneTextures {
   void decode(codec::Client& client, unsigned jobs, model::MemoryBudget& budget, double pixel);
 
  private:
+  /// A texture or an image of an asset.
+  using Place = std::pair<const SceneSource*, std::uint32_t>;
+  struct Used {
+    Place place;
+    model::Texture texture;
+  };
   struct Job {
-    std::uint32_t image = 0;
+    Place place;
     std::uint32_t halvings = 0;
     codec::ImageResult result{};
   };
 
-  /// Why an image is not even tried, or empty.
-  std::string obstacle(std::uint32_t image) const;
   void plan(model::MemoryBudget& budget);
   void choose_detail(double pixel);
   void finish(std::uint32_t index);
 
-  const model::Asset& asset_;
-  const model::ResourceData& resources_;
-  SceneNotes& notes_;
   render::Scene& scene_;
-  std::unordered_map<std::uint32_t, std::uint32_t> known_;  ///< by texture of the asset
-  std::vector<std::uint32_t> used_;                         ///< the other way round
-  std::vector<model::Texture> textures_;                    ///< likewise
+  std::map<Place, std::uint32_t> known_;
+  std::vector<Used> used_;  ///< as in the scene
   std::vector<Job> jobs_;
-  std::uint64_t pixels_ = 0;                               ///< of all jobs, by headers
-  std::unordered_map<std::uint32_t, std::size_t> job_of_;  ///< by image
+  std::uint64_t pixels_ = 0;             ///< of all jobs, by headers
+  std::map<Place, std::size_t> job_of_;  ///< by image
 };
 
 /// What meshes need to know of their material.
@@ -96,19 +105,14 @@ struct MaterialNeeds {
   std::optional<render::TextureUse> tangents;
 };
 
-/// Translates each material that is used once. The asset, the scene and the textures must outlive
+/// Translates each material that is used once. The source, the scene and the textures must outlive
 /// it.
 class SceneMaterials {
  public:
   /// `uvs`: a material without textures needs the first set of texture coordinates.
-  SceneMaterials(const model::Asset& asset, const model::AnimatedValues& animated,
-                 SceneTextures& textures, SceneNotes& notes, render::Scene& scene, bool uvs = false)
-      : asset_(asset),
-        animated_(animated),
-        textures_(textures),
-        notes_(notes),
-        scene_(scene),
-        uvs_(uvs) {
+  SceneMaterials(const SceneSource& source, SceneTextures& textures, render::Scene& scene,
+                 bool uvs = false)
+      : source_(source), textures_(textures), scene_(scene), uvs_(uvs) {
     if (uvs) default_.tex_coords = {0};
   }
 
@@ -118,10 +122,8 @@ class SceneMaterials {
  private:
   MaterialNeeds translate(const model::Material& material);
 
-  const model::Asset& asset_;
-  const model::AnimatedValues& animated_;
+  const SceneSource& source_;
   SceneTextures& textures_;
-  SceneNotes& notes_;
   render::Scene& scene_;
   const bool uvs_;
   std::unordered_map<std::uint32_t, MaterialNeeds> known_;

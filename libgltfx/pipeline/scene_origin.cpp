@@ -36,28 +36,28 @@ bool is_finite_point(const Vector3& v) {
 
 class OriginFinder {
  public:
-  OriginFinder(const model::Asset& asset, const model::Views& views,
-               const model::ResourceData& resources, const model::Pose& pose)
-      : asset_(asset), views_(views), resources_(resources), pose_(pose) {}
-
-  void add(NodeIndex number) {
-    const model::Node& node = views_.nodes[number];
-    const model::Mesh& mesh = views_.meshes[*node.mesh];
+  void add(const PlacedPart& placed, NodeIndex number) {
+    const ScenePart& part = *placed.part;
+    const model::Node& node = part.views.nodes[number];
+    const model::Mesh& mesh = part.views.meshes[*node.mesh];
+    const Affine world = placed.world(number);
     RoughlyDrawn drawn;
     Vector3 middle{};
     for (const model::Primitive& primitive : mesh.primitives) {
       const model::Attribute* positions = primitive.find(model::SemanticKind::position);
       if (positions == nullptr || !positions->accessor) continue;
-      const model::Accessor& accessor = views_.accessors[*positions->accessor];
-      if (drawn.vertices == 0) take_bounds(accessor, pose_.world[number], middle, drawn.size);
+      const model::Accessor& accessor = part.views.accessors[*positions->accessor];
+      if (drawn.vertices == 0) take_bounds(part, accessor, world, middle, drawn.size);
       drawn.vertices += static_cast<double>(accessor.count.value_or(0));
     }
     if (!(drawn.vertices > 0)) return;
-    drawn.middle = pose_.world[number].point(middle);
-    if (const auto copy = model::place_of_copy(asset_, views_, resources_, node)) {
-      drawn.middle = pose_.world[number].point(*copy);
+    drawn.middle = world.point(middle);
+    if (const auto copy = model::place_of_copy(part.asset, part.views, part.resources, node)) {
+      drawn.middle = world.point(*copy);
     }
-    if (const auto joint = first_joint(node)) drawn.middle = pose_.world[*joint].columns[3];
+    if (const auto joint = first_joint(part.asset, node)) {
+      drawn.middle = placed.world(*joint).columns[3];
+    }
     if (is_finite_point(drawn.middle) && std::isfinite(drawn.size)) drawn_.push_back(drawn);
   }
 
@@ -78,9 +78,9 @@ class OriginFinder {
 
  private:
   // Normalized integers are near 0.
-  void take_bounds(const model::Accessor& accessor, const Affine& world, Vector3& middle,
-                   double& size) const {
-    const json::Document& document = asset_.document();
+  static void take_bounds(const ScenePart& part, const model::Accessor& accessor,
+                          const Affine& world, Vector3& middle, double& size) {
+    const json::Document& document = part.asset.document();
     const auto least = model::double_array<3>(document, accessor.min);
     const auto greatest = model::double_array<3>(document, accessor.max);
     if (!least || !greatest || accessor.format.normalized) return;
@@ -88,11 +88,11 @@ class OriginFinder {
     size = length_of(world.vector(difference(*greatest, *least)));
   }
 
-  std::optional<NodeIndex> first_joint(const model::Node& node) const {
+  static std::optional<NodeIndex> first_joint(const model::Asset& asset, const model::Node& node) {
     if (!node.skin) return std::nullopt;
     std::optional<NodeIndex> first;
-    const json::NodeId skin = asset_.elements(model::RootArray::skins)[*node.skin];
-    model::for_each_index(asset_, asset_.document().find(skin, "joints"), model::RootArray::nodes,
+    const json::NodeId skin = asset.elements(model::RootArray::skins)[*node.skin];
+    model::for_each_index(asset, asset.document().find(skin, "joints"), model::RootArray::nodes,
                           [&](std::uint64_t, std::optional<std::uint32_t> joint, Span) {
                             if (!first) first = joint;
                           });
@@ -116,26 +116,32 @@ class OriginFinder {
     return value(drawn_.back());
   }
 
-  const model::Asset& asset_;
-  const model::Views& views_;
-  const model::ResourceData& resources_;
-  const model::Pose& pose_;
   std::vector<RoughlyDrawn> drawn_;
 };
 
+// Calls `use` for each node with a mesh that counts.
+template <class Use>
+void for_each_drawing(const SceneTree& tree, const Use& use) {
+  for (const PlacedPart& placed : tree.placed()) {
+    const ScenePart& part = *placed.part;
+    for (const NodeIndex node : part.drawn) {
+      if (part.pose.visible[node] == 0 || !part.views.nodes[node].mesh) continue;
+      if (tree.framed().empty() || tree.frames(placed, node)) use(placed, node);
+    }
+  }
+}
+
 }  // namespace
 
-Vector3 find_origin(const model::Asset& asset, const model::Views& views,
-                    const model::ResourceData& resources, const model::Pose& pose,
-                    const std::vector<std::uint8_t>& framed) {
-  std::vector<NodeIndex> drawing;
-  for (NodeIndex node = 0; node < views.nodes.size(); ++node) {
-    if (pose.visible[node] == 0 || !views.nodes[node].mesh) continue;
-    if (framed.empty() || framed[node] != 0) drawing.push_back(node);
-  }
-  OriginFinder finder(asset, views, resources, pose);
-  const std::size_t step = drawing.size() / kMostNodes + 1;
-  for (std::size_t i = 0; i < drawing.size(); i += step) finder.add(drawing[i]);
+Vector3 find_origin(const SceneTree& tree) {
+  std::size_t count = 0;
+  for_each_drawing(tree, [&count](const PlacedPart&, NodeIndex) { ++count; });
+  OriginFinder finder;
+  const std::size_t step = count / kMostNodes + 1;
+  std::size_t i = 0;
+  for_each_drawing(tree, [&](const PlacedPart& placed, NodeIndex node) {
+    if (i++ % step == 0) finder.add(placed, node);
+  });
   return finder.run();
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
+#include "model/external_places.hpp"
 #include "model/fields.hpp"
 #include "model/pose.hpp"
 #include "model/skin.hpp"
@@ -30,6 +31,15 @@ using model::SemanticKind;
 // Why something that is drawn is not seen. `none`: it is seen, or nobody can tell.
 enum class Unseen : std::uint8_t { none, hidden, scaled_to_zero, collapsed, clear };
 
+// By node. What it shows is seen in another file.
+std::vector<std::uint8_t> has_external_asset(const Context& context) {
+  std::vector<std::uint8_t> has(context.views.nodes.size(), 0);
+  for (const auto& place : model::external_places(context.document, context.views)) {
+    has[place.node] = 1;
+  }
+  return has;
+}
+
 // The walk over the nodes of a scene, up to the first one that shows something.
 class SceneWalk {
  public:
@@ -37,6 +47,7 @@ class SceneWalk {
       : phase_(phase),
         context_(phase.context),
         meshes_(context_.views.meshes.size()),
+        external_(has_external_asset(context_)),
         moves_(may_change_scales(context_)),
         flat_(context_) {
     const bool decodes = pixel_level(context_.options) != PixelLevel::headers;
@@ -57,6 +68,7 @@ class SceneWalk {
       const model::Node& node = context_.views.nodes[step.node];
       const Step below{step.node, step.parent * model::stored_transform(context_.asset, node),
                        step.hidden || is_hidden(node)};
+      if (external_[step.node] != 0 && !below.hidden) return false;
       if (node.mesh && shows(node, below)) return false;
       model::for_each_index(context_.asset, node.children, RootArray::nodes,
                             [&](std::uint64_t, std::optional<std::uint32_t> child, Span) {
@@ -161,6 +173,7 @@ class SceneWalk {
   const Context& context_;
   std::map<std::uint32_t, std::optional<model::NodeIndex>> flat_joints_;  // by skin
   std::vector<std::optional<Unseen>> meshes_;
+  const std::vector<std::uint8_t> external_;
   const bool moves_;
   FlatNodes flat_;
   PixelSource* pixels_ = nullptr;  ///< null: images are not decoded
@@ -263,7 +276,8 @@ void report_empty(DataPhase& phase, const model::SceneRoots& roots) {
 
 void check_default_scene(DataPhase& phase) {
   const Context& context = phase.context;
-  if (!first_with_mesh(context)) return;
+  const bool external = !model::external_places(context.document, context.views).empty();
+  if (!first_with_mesh(context) && !external) return;
   const std::size_t scenes = context.asset.count(RootArray::scenes);
   const json::NodeId root = context.document.root();
   if (scenes == 0) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "model/external_places.hpp"
 #include "model/instancing.hpp"
 #include "rules/shows/shows.hpp"
 
@@ -50,6 +51,11 @@ PlacedScene::PlacedScene(DataPhase& phase)
   for (NodeIndex i = 0; i < context_.views.nodes.size(); ++i) {
     if (pose_.in_scene[i] != 0 && pose_.visible[i] != 0 && context_.views.nodes[i].mesh) place(i);
   }
+  const auto places = model::external_places(context_.document, context_.views);
+  external_ = std::any_of(places.begin(), places.end(), [this](const model::ExternalPlace& each) {
+    return pose_.in_scene[each.node] != 0 && pose_.visible[each.node] != 0;
+  });
+  complete_ = complete_ && !external_;
 }
 
 // From the nodes that animations name down to what is below them.

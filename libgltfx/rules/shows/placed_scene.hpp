@@ -29,6 +29,8 @@ class PlacedScene {
   const std::vector<Placed>& parts() const { return parts_; }
   /// Whether parts() are all that the scene draws.
   bool complete() const { return complete_; }
+  /// Whether it draws external assets, which are not among parts().
+  bool has_external_assets() const { return external_; }
   /// Whether an animation may move the node or one above it.
   bool moves(model::NodeIndex node) const { return moves_all_ || moves_[node] != 0; }
   /// Whether an animation may move any node.
@@ -52,6 +54,7 @@ class PlacedScene {
   bool moves_all_ = false;
   bool moves_any_ = false;
   bool complete_ = true;
+  bool external_ = false;
 };
 
 /// Whether a box has numbers and is not empty.

@@ -238,7 +238,8 @@ Vector3 middle_of_most(const std::vector<FarNode>& nodes) {
 }
 
 void check_far_parts(DataPhase& phase, const PlacedScene& scene) {
-  constexpr double kFar = 1000;  // in widths
+  constexpr double kFar = 1000;             // in widths
+  if (scene.has_external_assets()) return;  // they may lie between
   std::vector<FarNode> nodes = resting_nodes(scene, kFar);
   if (nodes.size() < 2) return;
   const Vector3 middle = middle_of_most(nodes);
