@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { isFixable, nameOfGlb, toUpgrade } from "../../tools/web/assets.mjs";
+import { compareTexts } from "../../tools/web/comparison.mjs";
 import { groupsOf, openFolder } from "../../tools/web/files.mjs";
 import { fromDrop, titleOf } from "../../tools/web/dropped.mjs";
 import { crc32, readZip, writeZip } from "../../tools/web/zip.mjs";
@@ -112,4 +113,21 @@ test("an archive that is written is read again", async () => {
   assert.deepEqual(await Promise.all(read.map(async (one) => [one.path, await one.read()])), files);
   assert.equal(crc32(new TextEncoder().encode("123456789")), 0xcbf43926);
   assert.equal(titleOf([{ path: "a/b" }, { path: "a/c" }]), "a");
+});
+
+test("two assets are compared with the files that they name", async () => {
+  const named = Buffer.from('{"asset": {"version": "2.0"}, "buffers": [{"uri": "b.bin", "byteLength": 4}]}');
+  const folder = await openFolder([dropped("-a.gltf", named), dropped("z.gltf", GOOD), dropped("b.bin", Buffer.alloc(4))]);
+  const runs = [];
+  const answer = { code: 1, stdout: new TextEncoder().encode("differs"), stderr: "" };
+  const engine = {
+    run: async (words, content) => {
+      runs.push([words.slice(-3), [...content.keys()].sort()]);
+      return answer;
+    },
+  };
+  assert.equal(await compareTexts(engine, folder.files, folder.assets), "differs");
+  assert.deepEqual(runs, [[["--", "-a.gltf", "z.gltf"], ["-a.gltf", "b.bin", "z.gltf"]]]);
+  Object.assign(answer, { code: 3, stderr: "gltfx: z.gltf: no\n" });
+  await assert.rejects(compareTexts(engine, folder.files, folder.assets), { message: "gltfx: z.gltf: no" });
 });

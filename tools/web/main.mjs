@@ -51,6 +51,7 @@ function begin(dropped) {
   byId("results").hidden = false;
   byId("downloads").hidden = true;
   byId("left-out").replaceChildren();
+  byId("comparison").hidden = true;
   say("");
   showBusy("Opening");
   checks = new Checks(dropped, hear);
@@ -97,7 +98,12 @@ function hear(said) {
       const name = count === 1 ? `${kind} file` : `${grouped(count)} ${kind} files`;
       button.textContent = name[0].toUpperCase() + name.slice(1);
     }
+    byId("get-compared").hidden = paths.length !== 2;
     end(verdictOfAll());
+  } else if (said.compared !== undefined) {
+    showBusy("");
+    byId("comparison").textContent = said.compared;
+    byId("comparison").hidden = false;
   } else if (said.broken) {
     stop(`The checks ended early: ${visible(said.broken)}.`);
   } else {
@@ -161,9 +167,9 @@ function start() {
   startList();
   startFields();
   byId("stop").addEventListener("click", () => stop("Stopped."));
-  for (const kind of ["html", "sarif", "fixed", "upgraded", "packed"]) {
+  for (const kind of ["html", "sarif", "fixed", "upgraded", "packed", "compared"]) {
     byId(`get-${kind}`).addEventListener("click", () => {
-      showBusy("Writing");
+      showBusy(kind === "compared" ? "Comparing" : "Writing");
       checks.make(kind, title);
     });
   }

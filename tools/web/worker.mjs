@@ -4,9 +4,11 @@
 //
 //   in   {open: [{path, file}], wasm}            out  {assets, leftOut}, {asset, rules}..., {checked: true}
 //   in   {make: "html" | "sarif" | "fixed" | "upgraded" | "packed"}  out  {made: Blob, name, failed} or {made: null, why}
+//   in   {make: "compared"}                      out  {compared: text} or {made: null, why}
 import { createEngine } from "../npm/wasm/engine.mjs";
 import loader from "gltfx-wasm.mjs";
 import { isFixable, nameOfGlb, toUpgrade } from "./assets.mjs";
+import { compareTexts } from "./comparison.mjs";
 import { groupsOf, openFolder, Reading } from "./files.mjs";
 import { writeZip } from "./zip.mjs";
 
@@ -160,6 +162,7 @@ const MAKERS = {
   fixed: () => change("fix", "fixed"),
   upgraded: () => change("upgrade", "upgraded"),
   packed: pack,
+  compared: async () => ({ compared: await compareTexts(engine, folder.files, folder.assets) }),
 };
 
 async function make(kind, title) {
