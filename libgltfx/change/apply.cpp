@@ -29,13 +29,22 @@ std::string name_of(const OpenedAsset& before, const Change& change) {
   return name.replace_extension(*change.format == Format::glb ? ".glb" : ".gltf").native();
 }
 
-bool changes_chunks(const Change& change) { return !change.bin.empty() || change.sound_chunks; }
+bool changes_chunks(const Change& change) {
+  return !change.bins.empty() || change.sound_chunks || change.glb_version;
+}
 
-Result<std::vector<Bytes>> chunks_of(const Container& old, const Change& change,
-                                     std::string_view text) {
-  if (old.format != Format::glb) return make_glb(text, change.bin.whole.value_or(Pieces()));
-  return change.sound_chunks ? rewrite_sound(old, text, change.bin)
-                             : rewrite_glb(old, text, change.bin);
+Result<Pieces> chunks_of(const Container& old, const Change& change, std::string_view text) {
+  if (old.format != Format::glb) {
+    const auto bin = change.bins.find(kNewBin);
+    return make_glb(text,
+                    bin == change.bins.end() ? Pieces() : bin->second.whole.value_or(Pieces()),
+                    change.glb_version.value_or(2));
+  }
+  if (change.glb_version && change.glb_version != old.glb_version) {
+    return convert_glb(old, text, change.bins, *change.glb_version);
+  }
+  return change.sound_chunks ? rewrite_sound(old, text, change.bins)
+                             : rewrite_glb(old, text, change.bins);
 }
 
 // With the new text if only the text changed; otherwise read again.

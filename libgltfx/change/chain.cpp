@@ -4,12 +4,30 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "change/companions.hpp"
 #include "json/edit.hpp"
 #include "json/parse.hpp"
 
 namespace gltfx::change {
+
+namespace {
+
+// The position of a chunk before changes.
+std::size_t position_before(const BinChanges& changes, std::size_t position) {
+  if (position == kNewBin) return position;
+  if (changes.contains(kNewBin)) {
+    if (position == 1) return kNewBin;
+    if (position > 1) --position;
+  }
+  for (const auto& [old, change] : changes) {
+    if (change.drop && old <= position) ++position;
+  }
+  return position;
+}
+
+}  // namespace
 
 void append(Change& all, const Change& next, std::string_view text) {
   if (all.empty()) {
@@ -21,9 +39,14 @@ void append(Change& all, const Change& next, std::string_view text) {
   all.replaced.insert(all.replaced.end(), next.replaced.begin(), next.replaced.end());
   if (next.format) {  // with all bytes of the asset before it
     all.format = next.format;
-    all.bin = {};
+    all.glb_version = next.glb_version;
+    all.bins.clear();
   }
-  if (!next.bin.empty()) all.bin = next.bin;
+  std::vector<std::pair<std::size_t, BinChange>> bins;
+  for (const auto& [position, bin] : next.bins) {
+    bins.emplace_back(position_before(all.bins, position), bin);
+  }
+  for (auto& [position, bin] : bins) all.bins[position] = std::move(bin);
 }
 
 NewText drop_unnamed_files(Change& all, std::string_view text) {

@@ -3,6 +3,7 @@
 /// apply() makes the new asset, and commit() writes it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -32,18 +33,23 @@ struct BytePatch {
   std::string bytes;
 };
 
-/// Changes of the BIN chunk.
+/// Changes of a BIN chunk.
 struct BinChange {
   /// New data of the chunk, or data of a new chunk, as consecutive pieces. There are no other
   /// changes of the chunk.
   std::optional<std::vector<container::Bytes>> whole = std::nullopt;
-  std::string more = {};            ///< appended to its data; if there is no chunk, one is made
+  std::string more = {};            ///< appended to its data
   std::vector<ByteRange> cut = {};  ///< removed ranges of its data, in order, without overlaps
   bool drop = false;  ///< the whole chunk is removed; there are no other changes of it
   /// Ranges of its data, in order, without overlaps with each other or with a cut.
   std::vector<BytePatch> patches = {};
   bool empty() const { return !whole && more.empty() && cut.empty() && patches.empty() && !drop; }
 };
+
+/// Changes of BIN chunks by the position of the chunk.
+using BinChanges = std::map<std::size_t, BinChange>;
+/// The position of a BIN chunk that does not exist yet. It becomes the chunk after the first one.
+inline constexpr std::size_t kNewBin = SIZE_MAX;
 
 /// A new file that the asset refers to.
 struct NewFile {
@@ -68,7 +74,11 @@ struct Change {
   /// The new container, gltf or glb; nothing: unchanged. Other chunks of a GLB than JSON and BIN do
   /// not go into a .gltf.
   std::optional<container::Format> format = std::nullopt;
-  BinChange bin = {};
+  /// The version of the new GLB; nothing: that of the old one, or 2. With another version `bins`
+  /// has the data of the only BIN chunk, which replaces all BIN chunks with a known encoding when
+  /// the new version is 2, and otherwise that of the asset.
+  std::optional<std::uint32_t> glb_version = std::nullopt;
+  BinChanges bins = {};                     ///< none of them is empty
   std::vector<ReplacedFile> replaced = {};  ///< files with other bytes than before
   std::vector<NewFile> files = {};
   /// Each chunk of a GLB gets a length that is a multiple of 4, and zeros after the last one are
@@ -80,7 +90,7 @@ struct Change {
   BufferContents contents = {};
 
   bool empty() const {
-    return edits.empty() && !format && bin.empty() && replaced.empty() && files.empty() &&
+    return edits.empty() && !format && bins.empty() && replaced.empty() && files.empty() &&
            !sound_chunks && additions.empty() && contents.empty();
   }
 };

@@ -56,7 +56,7 @@ class DeletionPlanner {
     if (auto why = find_doubt()) return Error{*std::move(why)};
     take_out();
     renumber();
-    if (auto why = resolve_bin()) return Error{*std::move(why)};
+    if (auto why = resolve_bins()) return Error{*std::move(why)};
     if (auto why = remove_names()) return Error{*std::move(why)};
     note_doubtful();
     deletion_.change.edits = editor_.take();
@@ -150,32 +150,14 @@ class DeletionPlanner {
     deletion_.renumbered = edits.size();
   }
 
-  // The first buffer of a GLB is its BIN chunk if it has no URI (glTF 2.0 section 4.4.3.3).
-  Reason resolve_bin() {
-    if (container_ == nullptr || !container_->bin) return std::nullopt;
-    const json::NodeId buffers = tree_.member(document().root(), "buffers");
-    const json::NodeId first = buffers == json::kNoNode ? buffers : tree_.element(buffers, 0);
-    if (first == json::kNoNode) return std::nullopt;
-    const bool of_bin = tree_.member(first, "uri") == json::kNoNode;
-    if (removals_.is_gone(first)) {
-      deletion_.change.bin.drop = of_bin;
-      return of_bin || !heir_has_no_uri(buffers)
-                 ? std::nullopt
-                 : Reason("another buffer would become that of the BIN chunk");
-    }
-    if (!of_bin) return std::nullopt;
-    deletion_.change.bin.cut = cut_bin(
-        graph_, [this](json::NodeId object) { return removals_.is_gone(object); },
-        container_->bin->length, editor_);
+  Reason resolve_bins() {
+    if (container_ == nullptr) return std::nullopt;
+    auto changes = cut_bins(
+        graph_, *container_, [this](json::NodeId object) { return removals_.is_gone(object); },
+        editor_);
+    if (!changes) return changes.error().message;
+    deletion_.change.bins = *std::move(changes);
     return std::nullopt;
-  }
-
-  bool heir_has_no_uri(json::NodeId buffers) const {
-    for (std::uint64_t i = 0; i < tree_.size(buffers); ++i) {
-      const json::NodeId buffer = tree_.element(buffers, i);
-      if (!removals_.is_gone(buffer)) return tree_.member(buffer, "uri") == json::kNoNode;
-    }
-    return false;
   }
 
   // Removes names of extensions without objects. An unknown one that stays may affect anything.

@@ -18,7 +18,7 @@ struct DeletionOptions {
   /// Deletes references to deleted values, too: an entry of a list, an optional member, else the
   /// object.
   bool cascade = false;
-  /// The container of the document, from whose BIN chunk unused bytes are cut; null: none.
+  /// The container of the document, from whose BIN chunks unused bytes are cut; null: none.
   const container::Container* container = nullptr;
   /// Extensions without a schema count only where they hold an integer; otherwise any prevents a
   /// deletion.

@@ -14,6 +14,7 @@
 #include "container/uri.hpp"
 #include "json/writer.hpp"
 #include "model/asset_bytes.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
 
 namespace gltfx::change {
@@ -81,7 +82,10 @@ class Placement {
     for (const auto& [array, elements] : additions.elements()) {
       for (const std::string& json : elements) append(array, json);
     }
-    if (!change_.bin.more.empty()) set_length_of_bin();
+    const auto bin = home_.begin ? change_.bins.find(home_.position) : change_.bins.end();
+    if (bin != change_.bins.end() && !bin->second.more.empty()) {
+      set_length_of_bin(bin->second.more.size());
+    }
     return put_arrays() ? Trouble() : Error{"a root array has the wrong type"};
   }
 
@@ -93,25 +97,33 @@ class Placement {
     return change_.additions.old_count(array) + arrays_[array].size() - 1;
   }
 
-  // Finds the bytes of the BIN chunk if it is buffer 0, or can be a new buffer 0; nothing: buffer 0
-  // is not the BIN chunk, or this is not a GLB.
+  // Finds the first buffer that is a BIN chunk, or the chunk that can be a new buffer 0. Other
+  // chunks of a GLB of version 3 keep their positions, so a new BIN chunk must be the last one.
   void find_bin() {
     if (container().format != container::Format::glb) return;
-    const std::uint64_t length = container().bin ? container().bin->length : 0;
+    const auto& bin = container().bin;
     if (change_.additions.old_count("buffers") == 0) {
-      bin_begin_ = length;
-    } else if (bytes_.buffer_storage(0) == Storage::bin_chunk) {
-      const json::NodeId buffer = elements_.elements(RootArray::buffers)[0];
+      const bool has_room = container().glb_version != 3U || container().chunks.size() == 1;
+      if (bin) home_ = {0, model::position_of(container(), *bin), bin->length};
+      if (!bin && has_room) home_ = {0, kNewBin, 0};
+      return;
+    }
+    for (std::uint64_t i = 0; i < elements_.count(RootArray::buffers); ++i) {
+      const auto chunk = bytes_.buffer_chunk(i);
+      if (!chunk) continue;
+      const json::NodeId buffer = elements_.elements(RootArray::buffers)[i];
       const auto declared = model::unsigned_member(document(), buffer, "byteLength");
-      if (declared && *declared <= length) bin_begin_ = length;
+      if (!declared || *declared > chunk->length) return;
+      home_ = {i, model::position_of(container(), *chunk), chunk->length};
+      return;
     }
   }
 
   // Returns the offset in the BIN chunk.
   std::uint64_t append_bytes(std::string_view bytes) {
-    std::string& bin = change_.bin.more;
-    const std::uint64_t offset = aligned(*bin_begin_ + bin.size());
-    bin.resize(offset - *bin_begin_);
+    std::string& bin = change_.bins[home_.position].more;
+    const std::uint64_t offset = aligned(*home_.begin + bin.size());
+    bin.resize(offset - *home_.begin);
     bin += bytes;
     return offset;
   }
@@ -123,8 +135,9 @@ class Placement {
 
   bool add_image(const Additions::Image& image) {
     std::string json;
-    if (bin_begin_) {
-      const std::uint64_t view = add_view(0, append_bytes(*image.png), image.png->size());
+    if (home_.begin) {
+      const std::uint64_t view =
+          add_view(home_.buffer, append_bytes(*image.png), image.png->size());
       json = fmt::format(R"({{"bufferView":{},"mimeType":"image/png"}})", view);
     } else {
       const std::string uri = new_uri(image.beside, ".png", "image/png", image.png);
@@ -177,10 +190,11 @@ class Placement {
   // Without a BIN chunk all of them share a new buffer.
   bool add_accessors() {
     std::string own;
-    const std::uint64_t buffer = bin_begin_ ? 0 : change_.additions.old_count("buffers");
+    const std::uint64_t buffer =
+        home_.begin ? home_.buffer : change_.additions.old_count("buffers");
     for (const Additions::Accessor& accessor : change_.additions.accessors()) {
       std::uint64_t offset = aligned(own.size());
-      if (bin_begin_) {
+      if (home_.begin) {
         offset = append_bytes(accessor.bytes);
       } else {
         own.resize(offset);
@@ -189,7 +203,7 @@ class Placement {
       const std::uint64_t view = add_view(buffer, offset, accessor.bytes.size());
       append("accessors", fmt::format(R"({{"bufferView":{},{})", view, accessor.members.substr(1)));
     }
-    return bin_begin_ || add_buffer(std::make_shared<const std::string>(std::move(own)));
+    return home_.begin || add_buffer(std::make_shared<const std::string>(std::move(own)));
   }
 
   // Adds a buffer beside the first buffer that is a file.
@@ -206,13 +220,13 @@ class Placement {
     return !uri.empty();
   }
 
-  void set_length_of_bin() {
-    const std::string length = std::to_string(*bin_begin_ + change_.bin.more.size());
+  void set_length_of_bin(std::uint64_t more) {
+    const std::string length = std::to_string(*home_.begin + more);
     if (change_.additions.old_count("buffers") == 0) {
       append("buffers", fmt::format(R"({{"byteLength":{}}})", length));
       return;
     }
-    const json::NodeId buffer = elements_.elements(RootArray::buffers)[0];
+    const json::NodeId buffer = elements_.elements(RootArray::buffers)[home_.buffer];
     editor_.replace_scalar(document().find(buffer, "byteLength"), length);
   }
 
@@ -233,7 +247,7 @@ class Placement {
   Trouble put_content(std::uint32_t buffer, std::string content) {
     switch (bytes_.buffer_storage(buffer)) {
       case Storage::bin_chunk:
-        return put_in_chunk(std::move(content));
+        return put_in_chunk(*bytes_.buffer_chunk(buffer), std::move(content));
       case Storage::data_uri:
         return put_in_data_uri(uri_of(buffer), content);
       case Storage::file:
@@ -247,12 +261,13 @@ class Placement {
     return document().find(elements_.elements(RootArray::buffers)[buffer], "uri");
   }
 
-  Trouble put_in_chunk(std::string content) {
-    const std::uint64_t length = container().bin->length;
-    if (content.size() < length) return missing();
-    change_.bin.more = content.substr(length);
-    content.resize(length);
-    change_.bin.patches = {{0, std::move(content)}};
+  Trouble put_in_chunk(const container::Chunk& chunk, std::string content) {
+    if (content.size() < chunk.length) return missing();
+    const auto [bin, is_new] = change_.bins.try_emplace(model::position_of(container(), chunk));
+    if (!is_new) return Error{"two buffers are one chunk"};
+    bin->second.more = content.substr(chunk.length);
+    content.resize(chunk.length);
+    bin->second.patches = {{0, std::move(content)}};
     return std::nullopt;
   }
 
@@ -283,7 +298,12 @@ class Placement {
   const model::AssetBytes bytes_;
   const IsFree& is_free_;
   json::Editor editor_;
-  std::optional<std::uint64_t> bin_begin_;  ///< start of new bytes of the BIN chunk
+  /// The chunk that gets new bytes.
+  struct {
+    std::uint64_t buffer = 0;
+    std::size_t position = 0;
+    std::optional<std::uint64_t> begin;  ///< of new bytes in the chunk; nothing: there is none
+  } home_;
   std::map<std::string, std::vector<std::string>> arrays_;
 };
 

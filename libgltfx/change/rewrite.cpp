@@ -3,65 +3,39 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <utility>
 
 #include "base/codes.hpp"
+#include "change/glb_writer.hpp"
 #include "container/bytes.hpp"
 
 namespace gltfx::change {
 namespace {
 
-constexpr std::size_t kHeader = 12;
-constexpr std::size_t kChunkHeader = 8;
-constexpr std::size_t kAlignment = 4;
+using container::Bytes;
+using container::Chunk;
+using container::Container;
+using Pieces = std::vector<Bytes>;
 
-void append_little_endian(std::string& out, std::uint64_t value) {
-  for (unsigned shift = 0; shift < 32; shift += 8) {
-    out += static_cast<char>((value >> shift) & 0xFFU);
-  }
-}
+constexpr const char* kTooLong = "the new file exceeds the maximum size of a GLB (4 GiB)";
 
 // Errors with which the chunks can still be found: wrong lengths are corrected, the rest is kept.
-constexpr std::array<Code, 10> kHarmless{
-    Code::GLB_CHUNK_LENGTH_UNALIGNED, Code::GLB_CHUNK_TOO_BIG,    Code::GLB_CHUNK_TYPE_NUMBER,
-    Code::GLB_DUPLICATE_CHUNK,        Code::GLB_EMPTY_BIN_CHUNK,  Code::GLB_EXTRA_DATA,
-    Code::GLB_LENGTH_MISMATCH,        Code::GLB_LENGTH_TOO_SMALL, Code::GLB_UNEXPECTED_BIN_CHUNK,
-    Code::GLB_UNKNOWN_CHUNK_TYPE};
+constexpr std::array<Code, 13> kHarmless{Code::GLB_CHUNK_ENCODING_UNKNOWN,
+                                         Code::GLB_CHUNK_GAP,
+                                         Code::GLB_CHUNK_LENGTH_UNALIGNED,
+                                         Code::GLB_CHUNK_ORDER,
+                                         Code::GLB_CHUNK_TOO_BIG,
+                                         Code::GLB_CHUNK_TYPE_NUMBER,
+                                         Code::GLB_DUPLICATE_CHUNK,
+                                         Code::GLB_EMPTY_BIN_CHUNK,
+                                         Code::GLB_EXTRA_DATA,
+                                         Code::GLB_LENGTH_MISMATCH,
+                                         Code::GLB_LENGTH_TOO_SMALL,
+                                         Code::GLB_UNEXPECTED_BIN_CHUNK,
+                                         Code::GLB_UNKNOWN_CHUNK_TYPE};
 
 bool is_harmless(const container::ContainerError& error) {
   return std::find(kHarmless.begin(), kHarmless.end(), error.code) != kHarmless.end();
-}
-
-std::size_t padded(std::size_t size) { return (size + kAlignment - 1) / kAlignment * kAlignment; }
-
-using container::Bytes;
-using container::size_of;
-using Pieces = std::vector<Bytes>;
-
-std::string chunk_header(std::uint32_t type, std::uint64_t length) {
-  std::string header;
-  append_little_endian(header, length);
-  append_little_endian(header, type);
-  return header;
-}
-
-/// What follows the JSON chunk: the BIN chunk's data, and everything before and after that chunk.
-struct Rest {
-  Bytes before, bin, behind;
-};
-
-Rest rest_of(const container::Container& container, bool bin_changes) {
-  const Bytes& old = container.bytes;
-  const auto part = [&](std::size_t begin, std::size_t end) {
-    return old.part(begin, end - begin);
-  };
-  const container::Chunk& chunk = container.chunks.front();
-  const std::size_t begin = chunk.offset + chunk.length;
-  if (!bin_changes || !container.bin) return {{}, {}, part(begin, old.size())};
-  const container::Chunk& bin = *container.bin;
-  const std::size_t end = bin.offset + bin.length;
-  return {part(begin, bin.header_offset), part(bin.offset, end), part(end, old.size())};
 }
 
 Pieces changed_bin(const Bytes& bin, const BinChange& change) {
@@ -86,10 +60,99 @@ Pieces changed_bin(const Bytes& bin, const BinChange& change) {
   return data;
 }
 
+bool is_json_of_asset(const Container& container, const Chunk& chunk) {
+  return chunk.type == container::kChunkJson && chunk.offset == container.json_offset;
+}
+
+std::uint64_t end_of(const Chunk& chunk) { return chunk.offset + chunk.length; }
+
+// The end of the bytes that the header of the file counts. In version 2 these end with the last
+// chunk; in version 3 padding may follow it.
+std::uint64_t counted_end(const Container& container) {
+  const std::uint64_t last = end_of(container.chunks.back());
+  if (container.glb_version != 3U) return last;
+  const std::uint64_t declared = declared_length(container.bytes.text());
+  return std::clamp<std::uint64_t>(declared, last, container.bytes.size());
+}
+
+/// Writes a GLB anew in its version.
+class GlbRewriter {
+ public:
+  GlbRewriter(const Container& container, std::string_view json, const BinChanges& bins)
+      : container_(container), json_(json), bins_(bins), writer_(*container.glb_version) {}
+
+  // Chunks that do not change stay with the bytes between them.
+  Result<Pieces> run() {
+    const std::vector<Chunk>& chunks = container_.chunks;
+    for (std::size_t i = 0; i < chunks.size(); ++i) {
+      if (!changes(i)) continue;
+      keep_to(chunks[i].header_offset);
+      put(i);
+      if (i + 1 < chunks.size()) writer_.align();
+      kept_ = i + 1 < chunks.size() ? chunks[i + 1].header_offset : end_of(chunks[i]);
+    }
+    const std::uint64_t counted = counted_end(container_);
+    if (kept_ == end_of(chunks.back()) && counted > kept_) {
+      writer_.align();
+      kept_ = counted;
+    }
+    keep_to(container_.bytes.size());
+    return finish(container_.bytes.size() - counted);
+  }
+
+  Result<Pieces> run_sound() {
+    for (std::size_t i = 0; i < container_.chunks.size(); ++i) put(i);
+    return finish(0);
+  }
+
+ private:
+  bool changes(std::size_t position) const {
+    return bins_.contains(position) || is_json_of_asset(container_, container_.chunks[position]) ||
+           (position == 0 && bins_.contains(kNewBin));
+  }
+
+  void keep_to(std::uint64_t end) {
+    writer_.put(container_.bytes.part(kept_, end - kept_));
+    kept_ = end;
+  }
+
+  void put(std::size_t position) {
+    const Chunk& chunk = container_.chunks[position];
+    const Bytes data = container_.bytes.part(chunk.offset, chunk.length);
+    const auto change = bins_.find(position);
+    if (is_json_of_asset(container_, chunk)) {
+      writer_.json(json_, chunk.length);
+    } else if (change == bins_.end()) {
+      writer_.chunk(chunk.type, chunk.encoding, {data});
+    } else if (!change->second.drop) {
+      writer_.chunk(chunk.type, chunk.encoding, changed_bin(data, change->second));
+    }
+    const auto added = position == 0 ? bins_.find(kNewBin) : bins_.end();
+    if (added != bins_.end()) {
+      writer_.chunk(container::kChunkBin, 0, changed_bin({}, added->second));
+    }
+  }
+
+  Result<Pieces> finish(std::uint64_t uncounted) {
+    auto pieces = std::move(writer_).finish(uncounted);
+    if (!pieces) return Error{kTooLong};
+    return *std::move(pieces);
+  }
+
+  const Container& container_;
+  const std::string_view json_;
+  const BinChanges& bins_;
+  GlbWriter writer_;
+  std::uint64_t kept_ = header_size(*container_.glb_version);  ///< old bytes before it are done
+};
+
+bool is_too_long(std::string_view json, std::uint32_t version) {
+  return version == 2 && json.size() > UINT32_MAX;
+}
+
 }  // namespace
 
-std::optional<std::string> find_glb_obstacle(const container::Container& container) {
-  if (container.glb_version == 3U) return "gltfx reads GLBs of version 3, but does not write them";
+std::optional<std::string> find_glb_obstacle(const Container& container) {
   for (const auto* errors : {&container.errors, &container.late_errors}) {
     for (const container::ContainerError& error : *errors) {
       if (container.cut_short || !is_harmless(error)) return error.message;
@@ -99,79 +162,63 @@ std::optional<std::string> find_glb_obstacle(const container::Container& contain
 }
 
 // White space that is not all blanks stays longer than padding is: it would be taken for that.
-std::string_view without_padding(std::string_view json) {
+std::string_view without_padding(std::string_view json, std::size_t alignment) {
   const std::size_t end = json.find_last_not_of(" \t\r\n") + 1;
   const bool blank = json.find_first_not_of(' ', end) == std::string_view::npos;
-  const std::size_t least = blank ? end : end + kAlignment;
-  for (std::size_t i = 1; i < kAlignment && json.ends_with(' ') && json.size() > least; ++i) {
+  const std::size_t least = blank ? end : end + alignment;
+  for (std::size_t i = 1; i < alignment && json.ends_with(' ') && json.size() > least; ++i) {
     json.remove_suffix(1);
   }
   return json;
 }
 
-Result<Pieces> rewrite_glb(const container::Container& container, std::string_view json,
-                           const BinChange& change) {
-  const Rest rest = rest_of(container, !change.empty());
-  const Pieces bin = changed_bin(rest.bin, change);
-  const std::size_t bin_size = size_of(bin);
-  json = without_padding(json);
-  const bool has_new = !change.empty() && !change.drop;
-  const std::uint64_t added = has_new ? kChunkHeader + std::uint64_t{padded(bin_size)} : 0;
-  // Bytes after the last chunk are not part of the asset and not counted.
-  const std::size_t end = container.chunks.back().offset + container.chunks.back().length;
-  const std::size_t uncounted = container.bytes.size() - end;
-  const std::uint64_t total = kHeader + kChunkHeader + std::uint64_t{padded(json.size())} +
-                              rest.before.size() + added + rest.behind.size() - uncounted;
-  if (total > UINT32_MAX) return Error{"the new file exceeds the maximum size of a GLB (4 GiB)"};
-  std::string head(container.bytes.text().substr(0, kHeader - 4));  // magic and version
-  append_little_endian(head, total);
-  head += chunk_header(container::kChunkJson, padded(json.size()));
-  head.append(json).append(padded(json.size()) - json.size(), ' ');
-  Pieces pieces{Bytes::from_string(std::move(head)), rest.before};
-  if (has_new) {
-    pieces.push_back(Bytes::from_string(chunk_header(container::kChunkBin, padded(bin_size))));
-    pieces.insert(pieces.end(), bin.begin(), bin.end());
-    pieces.push_back(Bytes::from_string(std::string(padded(bin_size) - bin_size, '\0')));
-  }
-  pieces.push_back(rest.behind);
-  return pieces;
+Result<Pieces> rewrite_glb(const Container& container, std::string_view json,
+                           const BinChanges& bins) {
+  if (is_too_long(json, *container.glb_version)) return Error{kTooLong};
+  return GlbRewriter(container, json, bins).run();
 }
 
-Result<Pieces> rewrite_sound(const container::Container& container, std::string_view json,
-                             const BinChange& bin) {
-  json = without_padding(json);
-  std::vector<std::pair<std::uint32_t, Pieces>> chunks;
-  chunks.push_back({container::kChunkJson, {Bytes::from_string(std::string(json))}});
-  for (const container::Chunk& chunk : std::span(container.chunks).subspan(1)) {
-    const Bytes data = container.bytes.part(chunk.offset, chunk.length);
-    const bool changes = container.bin && container.bin->offset == chunk.offset;
-    chunks.push_back({chunk.type, changes ? changed_bin(data, bin) : Pieces{data}});
-  }
-  Pieces pieces(1);
-  std::uint64_t total = kHeader;
-  for (const auto& [type, data] : chunks) {
-    const std::size_t size = size_of(data);
-    total += kChunkHeader + std::uint64_t{padded(size)};
-    pieces.push_back(Bytes::from_string(chunk_header(type, padded(size))));
-    pieces.insert(pieces.end(), data.begin(), data.end());
-    const char blank = type == container::kChunkJson ? ' ' : '\0';
-    pieces.push_back(Bytes::from_string(std::string(padded(size) - size, blank)));
-  }
-  if (total > UINT32_MAX) return Error{"the new file exceeds the maximum size of a GLB (4 GiB)"};
-  std::string head(container.bytes.text().substr(0, kHeader - 4));  // magic and version
-  append_little_endian(head, total);
-  pieces.front() = Bytes::from_string(std::move(head));
-  return pieces;
+Result<Pieces> rewrite_sound(const Container& container, std::string_view json,
+                             const BinChanges& bins) {
+  if (is_too_long(json, *container.glb_version)) return Error{kTooLong};
+  return GlbRewriter(container, json, bins).run_sound();
 }
 
-Result<Pieces> make_glb(std::string_view json, Pieces bin) {
-  const std::string empty("glTF\2\0\0\0\x18\0\0\0\4\0\0\0JSON{}  ", 24);
-  BinChange change;
-  if (!bin.empty()) change.whole = std::move(bin);
-  return rewrite_glb(container::open_bytes(Bytes::from_string(empty)), json, change);
+bool is_copied(const Container& container, const Chunk& chunk, std::uint32_t version) {
+  if (is_json_of_asset(container, chunk)) return false;
+  if (version == 3) return !container.bin || chunk.header_offset != container.bin->header_offset;
+  return chunk.encoding == 0 && chunk.type != container::kChunkJson &&
+         chunk.type != container::kChunkBin;
 }
 
-Result<Pieces> rewrite(const container::Container& container) {
+Result<Pieces> convert_glb(const Container& container, std::string_view json,
+                           const BinChanges& bins, std::uint32_t version) {
+  if (is_too_long(json, version)) return Error{kTooLong};
+  GlbWriter writer(version);
+  writer.json(json, kAlignmentOf2);
+  for (const auto& [position, bin] : bins) {
+    if (bin.whole) writer.chunk(container::kChunkBin, 0, *bin.whole);
+  }
+  for (const Chunk& chunk : container.chunks) {
+    if (!is_copied(container, chunk, version)) continue;
+    writer.chunk(chunk.type, chunk.encoding, {container.bytes.part(chunk.offset, chunk.length)});
+  }
+  auto pieces = std::move(writer).finish(0);
+  if (!pieces) return Error{kTooLong};
+  return *std::move(pieces);
+}
+
+Result<Pieces> make_glb(std::string_view json, Pieces bin, std::uint32_t version) {
+  if (is_too_long(json, version)) return Error{kTooLong};
+  GlbWriter writer(version);
+  writer.json(json, version == 3 ? kAlignmentOf3 : kAlignmentOf2);
+  if (!bin.empty()) writer.chunk(container::kChunkBin, 0, std::move(bin));
+  auto pieces = std::move(writer).finish(0);
+  if (!pieces) return Error{kTooLong};
+  return *std::move(pieces);
+}
+
+Result<Pieces> rewrite(const Container& container) {
   if (container.format == container::Format::glb) return rewrite_glb(container, *container.json);
   return Pieces{Bytes::from_text(container.json)};
 }

@@ -52,8 +52,7 @@ Result<Bytes> AssetBytes::buffer(std::uint64_t index) {
     if (bytes) buffers_.emplace(index, *bytes);
     return bytes;
   }
-  const auto chunk =
-      chunk_of(container_, asset_.document(), object, index, stated_version(asset_.document()));
+  const auto chunk = buffer_chunk(index);
   if (!chunk) return Error{"its buffer has no data"};
   return container_.bytes.part(chunk->offset, chunk->length);
 }
@@ -101,10 +100,13 @@ Storage AssetBytes::buffer_storage(std::uint64_t index) const {
   if (object == json::kNoNode) return Storage::nowhere;
   const std::string uri = string_member(asset_.document(), object, "uri");
   if (!uri.empty()) return storage_of(uri);
-  const auto chunk =
-      chunk_of(container_, asset_.document(), object, index, stated_version(asset_.document()));
-  const bool is_bin = chunk && container_.bin && chunk->offset == container_.bin->offset;
-  return is_bin ? Storage::bin_chunk : Storage::nowhere;
+  return buffer_chunk(index) ? Storage::bin_chunk : Storage::nowhere;
+}
+
+std::optional<container::Chunk> AssetBytes::buffer_chunk(std::uint64_t index) const {
+  const json::NodeId object = element(RootArray::buffers, index);
+  if (object == json::kNoNode) return std::nullopt;
+  return chunk_of(container_, asset_.document(), object, index, stated_version(asset_.document()));
 }
 
 std::string AssetBytes::image_file_uri(std::uint64_t index) const {

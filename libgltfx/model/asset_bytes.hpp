@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <unordered_map>
 
@@ -14,8 +15,7 @@
 
 namespace gltfx::model {
 
-/// The place of the bytes of a buffer or image; `nowhere` also in another chunk of a GLB than that
-/// of Container::bin.
+/// The place of the bytes of a buffer or image. A buffer of version 2.1 may name any BIN chunk.
 enum class Storage : std::uint8_t { nowhere, file, data_uri, buffer_view, bin_chunk };
 
 /// Keeps references to all constructor arguments. Not thread-safe.
@@ -37,6 +37,8 @@ class AssetBytes {
   const std::string& trouble() const { return trouble_; }
   Storage image_storage(std::uint64_t index) const;
   Storage buffer_storage(std::uint64_t index) const;
+  /// The BIN chunk of a buffer without a URI; nothing: it has none.
+  std::optional<container::Chunk> buffer_chunk(std::uint64_t index) const;
   /// The URI, as written, of the file with an image or with the buffer of its buffer view; empty if
   /// there is none.
   std::string image_file_uri(std::uint64_t index) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/buffer_chunk.hpp"
 
+#include <algorithm>
+
 namespace gltfx::model {
 
 json::NodeId chunk_member(const json::Document& document, json::NodeId buffer,
@@ -19,6 +21,13 @@ std::optional<container::Chunk> chunk_of(const container::Container& container,
   const container::Chunk& found = container.chunks[*chunk];
   if (found.type != container::kChunkBin || found.encoding != 0) return std::nullopt;
   return found;
+}
+
+std::size_t position_of(const container::Container& container, const container::Chunk& chunk) {
+  const auto found = std::lower_bound(
+      container.chunks.begin(), container.chunks.end(), chunk.header_offset,
+      [](const container::Chunk& each, std::uint64_t at) { return each.header_offset < at; });
+  return static_cast<std::size_t>(found - container.chunks.begin());
 }
 
 }  // namespace gltfx::model

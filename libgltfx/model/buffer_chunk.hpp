@@ -2,6 +2,7 @@
 /// Which chunk of a GLB has the bytes of a buffer.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -20,5 +21,8 @@ json::NodeId chunk_member(const json::Document& document, json::NodeId buffer,
 std::optional<container::Chunk> chunk_of(const container::Container& container,
                                          const json::Document& document, json::NodeId buffer,
                                          std::uint64_t index, const schema::Version& version);
+
+/// The position of a chunk of the container. Precondition: it has that chunk.
+std::size_t position_of(const container::Container& container, const container::Chunk& chunk);
 
 }  // namespace gltfx::model

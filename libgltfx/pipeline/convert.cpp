@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "change/apply.hpp"
 #include "change/chain.hpp"
+#include "pipeline/convert_form.hpp"
 #include "pipeline/convert_places.hpp"
 #include "pipeline/convert_savings.hpp"
 #include "pipeline/convert_targets.hpp"
@@ -43,16 +44,6 @@ using model::OpenedAsset;
 using validate::ValidatedAsset;
 using SchemaSet = std::shared_ptr<const schema::Set>;
 using Reason = std::optional<std::string>;
-
-// How the output is to be stored where that is not how the input is; asked for, or told by a name.
-std::optional<StoredAs> form_of(const OpenedAsset& asset, const ConvertOptions& options) {
-  if (options.to || options.output.empty() || options.in_place) return options.to;
-  const bool is_glb = asset.container().format == container::Format::glb;
-  if (is_glb && ending_of(options.output) == ".gltf") return StoredAs::gltf;
-  if (is_glb && options.flatten) return StoredAs::glb;  // the bytes of other assets, too
-  if (!is_glb && has_glb_ending(options.output)) return StoredAs::glb;
-  return std::nullopt;
-}
 
 std::string with_place(const ConvertNote& note) {
   return note.pointer.empty() ? note.reason : fmt::format("{}: {}", note.pointer, note.reason);
@@ -332,6 +323,7 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, const S
     return std::nullopt;
   }
   options.to = form_of(opened.asset, options);
+  options.glb_version = glb_version_of(opened.asset, options);
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   const ConvertTargets targets(opened.asset, schemas, options);
   if (!options.verify) {

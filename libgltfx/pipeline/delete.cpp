@@ -95,10 +95,10 @@ class DeleteRun {
     report_.renumbered = planned.renumbered;
     report_.names_removed = std::move(planned.names);
     report_.doubtful = std::move(planned.doubtful);
-    for (const change::ByteRange& range : planned.change.bin.cut)
-      report_.bytes += range.end - range.begin;
-    const auto& bin = before_.asset().container().bin;
-    if (planned.change.bin.drop && bin) report_.bytes = bin->length;
+    for (const auto& [position, bin] : planned.change.bins) {
+      for (const change::ByteRange& range : bin.cut) report_.bytes += range.end - range.begin;
+      if (bin.drop) report_.bytes += before_.asset().container().chunks[position].length;
+    }
   }
 
   Reason find_error(const ValidatedAsset& after) {

@@ -189,7 +189,9 @@ void look_for_orphans(const OpenedAsset& asset, const Elements& referred,
   }
   std::vector<json::Edit>& edits = planned.change.edits;
   edits = json::chain_edits(*asset.container().json, edits, (*pruned)->change.edits);
-  planned.change.bin.cut = std::move((*pruned)->change.bin.cut);
+  for (auto& [position, bin] : (*pruned)->change.bins) {
+    if (!bin.cut.empty()) planned.change.bins[position].cut = std::move(bin.cut);
+  }
   for (UpgradeOrphan& orphan : report.orphans) orphan.removed = true;
   report.names_removed = std::move((*pruned)->names);
   planned.now = {new_text(asset, edits), {}};

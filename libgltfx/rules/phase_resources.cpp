@@ -228,6 +228,14 @@ void report_truncated(const Context& context, model::RootArray array, std::size_
 
 // --- Fixes ---
 
+// The BIN chunk of a buffer; nothing if it has none.
+std::optional<container::Chunk> chunk_for(Fixing& fixing, json::NodeId buffer) {
+  const auto index = fixing.index(model::RootArray::buffers, buffer);
+  if (!index) return std::nullopt;
+  return model::chunk_of(fixing.opened().container(), fixing.document(), buffer, *index,
+                         schema::stated_version(fixing.document()));
+}
+
 // The bytes of a buffer, regardless of its declared length; nothing if there are none.
 std::optional<Bytes> bytes_of(Fixing& fixing, json::NodeId buffer) {
   const std::string uri = model::string_member(fixing.document(), buffer, "uri");
@@ -235,9 +243,9 @@ std::optional<Bytes> bytes_of(Fixing& fixing, json::NodeId buffer) {
     auto bytes = container::fetch(fixing.opened().resolver(), uri);
     return bytes ? std::optional(*std::move(bytes)) : std::nullopt;
   }
-  const container::Container& glb = fixing.opened().container();
-  if (!glb.bin || fixing.document().holds(buffer, "uri")) return std::nullopt;
-  return glb.bytes.part(glb.bin->offset, glb.bin->length);
+  const auto chunk = chunk_for(fixing, buffer);
+  if (!chunk) return std::nullopt;
+  return fixing.opened().container().bytes.part(chunk->offset, chunk->length);
 }
 
 /// The bytes that buffer views need of each buffer.
@@ -264,14 +272,15 @@ bool declare_actual_length(Fixing& fixing, const Subject& length) {
 
 bool declare_whole_chunk(Fixing& fixing, const Subject& buffer) {
   const json::NodeId length = fixing.document().find(buffer.value, "byteLength");
-  const auto& bin = fixing.opened().container().bin;
-  return length != json::kNoNode && bin &&
-         fixing.replace_scalar(length, std::to_string(bin->length));
+  const auto chunk = chunk_for(fixing, buffer.value);
+  return length != json::kNoNode && chunk &&
+         fixing.replace_scalar(length, std::to_string(chunk->length));
 }
 
 bool pad_with_zeros(Fixing& fixing, const Subject& buffer) {
   const auto declared = model::unsigned_member(fixing.document(), buffer.value, "byteLength");
-  std::string* const chunk = fixing.content(0);
+  const auto index = fixing.index(model::RootArray::buffers, buffer.value);
+  std::string* const chunk = index ? fixing.content(static_cast<std::uint32_t>(*index)) : nullptr;
   if (!declared || chunk == nullptr || chunk->size() < *declared) return false;
   std::fill(chunk->begin() + static_cast<std::ptrdiff_t>(*declared), chunk->end(), '\0');
   return true;

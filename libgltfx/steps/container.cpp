@@ -21,7 +21,8 @@ namespace gltfx::steps {
 namespace {
 
 Result<StepOutcome> store(const StepInput& input) {
-  return input.options.to == StoredAs::glb ? pack(input) : store_as_text(input);
+  return input.options.to.value_or(StoredAs::glb) == StoredAs::glb ? pack(input)
+                                                                   : store_as_text(input);
 }
 
 }  // namespace
@@ -81,13 +82,25 @@ std::string describe_moves(std::string_view form, std::uint64_t buffers, std::ui
   return what;
 }
 
+// Up to three blanks at the end are replaced by new padding.
+std::optional<json::Edit> blanks_after(std::string_view text) {
+  constexpr std::size_t kEnough = 7;
+  const std::size_t end = text.find_last_not_of(" \t\r\n") + 1;
+  const std::string_view space = text.substr(end);
+  if (space.size() >= kEnough || space.find_first_not_of(' ') == space.npos) return std::nullopt;
+  const auto size = static_cast<std::uint32_t>(text.size());
+  return json::Edit{{size, size}, std::string(kEnough - space.size(), ' ')};
+}
+
 StepDescription container_step();
 StepDescription container_step() {
   return {"container",
-          "moves buffers and images into one GLB, files or data URIs",
-          "all bytes, and the text except `uri`, `buffer`, offsets and views of images",
-          "the `name` of a buffer that becomes part of another",
-          [](const ConvertOptions& options) { return options.to.has_value(); },
+          "moves buffers and images into one GLB of version 2 or 3, files or data URIs",
+          "all bytes, and the text except `uri`, `chunk`, `buffer`, offsets and views of images",
+          "the `name` of a buffer that becomes part of another, and numbers of other chunks",
+          [](const ConvertOptions& options) {
+            return options.to.has_value() || options.glb_version.has_value();
+          },
           store};
 }
 

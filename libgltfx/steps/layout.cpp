@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "change/buffer_layout.hpp"
+#include "change/bin_cut.hpp"
 #include "change/commit.hpp"
 #include "change/companions.hpp"
 #include "container/near_files.hpp"
@@ -24,6 +24,7 @@
 #include "graph/unknown_indices.hpp"
 #include "json/writer.hpp"
 #include "model/asset_bytes.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
 #include "steps/file_names.hpp"
 #include "steps/json_edits.hpp"
@@ -94,7 +95,7 @@ class Layout {
       if (auto trouble = fill(first)) return *trouble;
       changed.push_back(first);
     }
-    renumber();
+    if (auto trouble = renumber()) return *trouble;
     for (const std::uint64_t first : changed) {
       if (auto trouble = store(first, input)) return *trouble;
     }
@@ -122,14 +123,18 @@ class Layout {
     return index >= before_.buffers && NewBuffer::is_own(path_of(buffer(index)));
   }
 
-  // Old buffers with the same file share its bytes, so their bytes change together.
+  // Old buffers with the same file or chunk share its bytes, so their bytes change together.
   void group_buffers() {
     std::map<std::string, unsigned> references;
     for (const auto& [node, path] : change::referred_files(document_)) ++references[path];
     std::map<std::string, std::uint64_t> known;
+    std::map<std::uint64_t, std::uint64_t> chunks;
     for (std::uint64_t i = 0; i < count(); ++i) {
       const bool is_file = i < before_.buffers && bytes_.buffer_storage(i) == Storage::file;
-      const std::uint64_t first = is_file ? known.emplace(path_of(buffer(i)), i).first->second : i;
+      const auto chunk = bytes_.buffer_chunk(i);
+      const std::uint64_t first = is_file ? known.emplace(path_of(buffer(i)), i).first->second
+                                  : chunk ? chunks.emplace(chunk->offset, i).first->second
+                                          : i;
       members_[first].push_back(i);
     }
     for (const auto& [path, first] : known) {
@@ -218,7 +223,9 @@ class Layout {
     if (!now_.graph.users(object).empty()) return false;
     for (const auto member : document_.members(object)) {
       const std::string_view name = document_.key(member.key_id);
-      if (name != "uri" && name != "byteLength" && name != "extensions") return false;
+      if (name != "uri" && name != "chunk" && name != "byteLength" && name != "extensions") {
+        return false;
+      }
     }
     return true;
   }
@@ -229,11 +236,11 @@ class Layout {
     if (!is_new(first)) {
       const auto bytes = bytes_.buffer(first);
       if (!bytes) return bytes.error();
-      const auto declared =
-          model::unsigned_member(document_, buffer(first), "byteLength").value_or(bytes->size());
-      const std::uint64_t length = bytes_.buffer_storage(first) == Storage::bin_chunk
-                                       ? chunk_data_length(declared, bytes->size())
-                                       : bytes->size();
+      std::uint64_t length = bytes->size();
+      if (bytes_.buffer_storage(first) == Storage::bin_chunk && members_.at(first).size() == 1) {
+        const auto declared = model::unsigned_member(document_, buffer(first), "byteLength");
+        length = chunk_data_length(declared.value_or(length), length);
+      }
       for (const ByteRange& range : without({{0, length}}, freed(first))) {
         const std::uint64_t to = content.add(*bytes, range);
         for (const std::uint64_t i : members_.at(first)) outcome_.moved[i].push_back({range, to});
@@ -252,7 +259,7 @@ class Layout {
   }
 
   // Updates the offsets of all users and removes buffers.
-  void renumber() {
+  Trouble renumber() {
     for (const BufferUser& user : *now_.users) move(user);
     std::vector<std::uint64_t> position(count());
     std::uint64_t next = 0;
@@ -261,13 +268,19 @@ class Layout {
       if (is_new(i)) position[i] = position[outcome_.home];
     }
     const json::NodeId list = document_.find(document_.root(), "buffers");
+    std::set<json::NodeId> removed;
     for (std::uint64_t i = 0; i < count(); ++i) {
       if (!outcome_.removed[i]) continue;
       editor_.remove(list, buffer(i));
-      if (bytes_.buffer_storage(i) == Storage::bin_chunk) change_.bin.drop = true;
+      removed.insert(buffer(i));
     }
     if (next == 0 && count() > 0) editor_.remove(document_.root(), list - 1);
-    if (next == count()) return;
+    if (removed.empty()) return std::nullopt;
+    auto dropped = change::drop_bins(
+        now_.graph, asset_.container(),
+        [&](json::NodeId object) { return removed.contains(object); }, editor_);
+    if (!dropped) return dropped.error();
+    change_.bins = *std::move(dropped);
     auto edits = graph::renumber(
         now_.graph,
         [&](json::NodeId array, std::uint64_t index) {
@@ -275,6 +288,7 @@ class Layout {
         },
         [](graph::Place) { return false; });
     for (json::Edit& edit : edits) editor_.replace_text(edit.span, std::move(edit.text));
+    return std::nullopt;
   }
 
   void move(const BufferUser& user) {
@@ -301,7 +315,8 @@ class Layout {
     }
     switch (bytes_.buffer_storage(first)) {
       case Storage::bin_chunk:
-        change_.bin.whole = std::move(content.pieces);
+        change_.bins[model::position_of(asset_.container(), *bytes_.buffer_chunk(first))].whole =
+            std::move(content.pieces);
         return std::nullopt;
       case Storage::data_uri: {
         const json::NodeId uri = document_.find(buffer(first), "uri");

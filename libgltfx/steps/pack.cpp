@@ -14,10 +14,12 @@
 #include "graph/renumber.hpp"
 #include "image/header.hpp"
 #include "model/asset_bytes.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
-#include "model/meshopt_view.hpp"
 #include "report/wording.hpp"
+#include "steps/glb_chunks.hpp"
 #include "steps/json_edits.hpp"
+#include "steps/merged_buffers.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
@@ -27,7 +29,7 @@ using container::Bytes;
 using model::RootArray;
 using model::Storage;
 
-constexpr std::uint64_t kMostBytes = UINT32_MAX;
+constexpr std::uint64_t kMostBytes = UINT32_MAX;  // of a GLB of version 2
 constexpr const char* kNoFirst = "buffer 0 has no data, but the BIN chunk of a GLB is its data";
 
 /// A buffer that becomes a part of the BIN chunk.
@@ -38,37 +40,44 @@ struct Packed {
 
 class Packer {
  public:
-  explicit Packer(const StepInput& input)
+  Packer(const StepInput& input, std::uint32_t version)
       : input_(input),
         document_(input.asset.document()),
         elements_(document_),
         bytes_(elements_, input.asset.container(), input.asset.resolver()),
-        editor_(document_) {
+        editor_(document_),
+        version_(version) {
     outcome_.change.additions = change::Additions(document_);
   }
 
   Result<StepOutcome> run() {
+    if (becomes_other()) note_chunks(glb(), used_chunks(bytes_), version_, outcome_.row);
     take_buffers();
-    take_images();
-    const bool is_glb = input_.asset.container().format == container::Format::glb;
-    if (is_glb && moved_ == 0) return std::move(outcome_);
-    if (size_ > kMostBytes - std::min<std::uint64_t>(kMostBytes, document_.text().size())) {
-      return Error{"a GLB has at most 4 GiB; use --to gltf for separate files"};
+    if (takes_files()) take_images();
+    if (is_glb() && moved_ == 0 && !becomes_other()) return std::move(outcome_);
+    if (is_too_large()) {
+      return Error{
+          "a GLB of version 2 has at most 4 GiB; use --glb 3, or --to gltf for separate files"};
     }
-    outcome_.change.format = container::Format::glb;
-    if (size_ > 0) {
-      const auto& bin = input_.asset.container().bin;
-      if (bin && bin->length > 0 && bytes_.buffer_storage(0) != Storage::bin_chunk) {
-        return Error{kUnusedChunk};
-      }
-      outcome_.change.bin.whole = std::move(data_);
-      declare_buffer();
+    // The other chunks of a GLB of version 3 may have changed before.
+    if (!is_glb() || becomes_other() || version_ == 2) {
+      outcome_.change.format = container::Format::glb;
+      outcome_.change.glb_version = version_;
     }
+    if (auto trouble = store_chunk()) return *std::move(trouble);
     outcome_.change.edits = editor_.take();
-    if (!is_glb) keep_line_break();
-    outcome_.row.what =
-        describe_moves(is_glb ? "the rest into the GLB" : "one GLB", moved_ - images_, images_);
+    if (!is_glb()) {
+      if (auto blanks = blanks_after(document_.text())) {
+        outcome_.change.edits.push_back(*std::move(blanks));
+      }
+    }
+    describe();
     return std::move(outcome_);
+  }
+
+  bool is_too_large() const {
+    return version_ == 2 &&
+           size_ > kMostBytes - std::min<std::uint64_t>(kMostBytes, document_.text().size());
   }
 
  private:
@@ -76,6 +85,65 @@ class Packer {
     return elements_.elements(RootArray::buffers)[index];
   }
   std::uint64_t count() const { return elements_.count(RootArray::buffers); }
+  const container::Container& glb() const { return input_.asset.container(); }
+  bool is_glb() const { return glb().format == container::Format::glb; }
+  bool becomes_other() const { return is_glb() && glb().glb_version != version_; }
+  bool is_in_chunk(std::uint64_t index) const {
+    return bytes_.buffer_storage(index) == Storage::bin_chunk;
+  }
+  // Whether files and data URIs go into the GLB.
+  bool takes_files() const { return input_.options.to == StoredAs::glb; }
+
+  // Whether a buffer other than the home becomes a part of it. The chunks of a GLB that stays one
+  // of version 3 stay apart.
+  bool is_merged(std::uint64_t index) const {
+    const Storage storage = bytes_.buffer_storage(index);
+    if (buffer(index) == json::kNoNode || storage == Storage::nowhere) return false;
+    if (storage != Storage::bin_chunk) return takes_files();
+    return becomes_other() || version_ == 2;
+  }
+
+  // The buffer that is the BIN chunk: the first one, but in version 3 any may be one.
+  std::uint64_t choose_home() const {
+    for (std::uint64_t i = 0; is_glb() && !becomes_other() && i < count(); ++i) {
+      if (is_in_chunk(i)) return i;
+    }
+    return 0;
+  }
+
+  std::optional<Error> store_chunk() {
+    const auto& bin = glb().bin;
+    const auto chunk = bytes_.buffer_chunk(home_);
+    const auto lone = lone_bin(glb());
+    std::size_t position = bin ? model::position_of(glb(), *bin) : change::kNewBin;
+    if (packed_.empty() && images_ == 0) {
+      if (!becomes_other() || !lone) return std::nullopt;
+      data_ = {glb().bytes.part(lone->offset, lone->length)};
+    } else if (chunk) {
+      position = model::position_of(glb(), *chunk);
+      if (moved_ + joined_ == 0) data_ = {glb().bytes.part(chunk->offset, chunk->length)};
+      declare_buffer();
+    } else {
+      if (size_ == 0) return std::nullopt;
+      if (bin && bin->length > 0) return Error{kUnusedChunk};
+      declare_buffer();
+    }
+    outcome_.change.bins[position].whole = std::move(data_);
+    return std::nullopt;
+  }
+
+  void describe() {
+    std::string form = "one GLB";
+    if (becomes_other()) {
+      form = fmt::format("GLB version {} -> {}", *glb().glb_version, version_);
+      if (joined_ > 0) form += fmt::format(", {} BIN chunks joined", joined_ + 1);
+    } else if (is_glb()) {
+      form = "the rest into the GLB";
+    } else if (version_ == 3) {
+      form = "one GLB of version 3";
+    }
+    outcome_.row.what = describe_moves(form, moved_ - images_, images_);
+  }
 
   void refuse(std::string_view array, std::uint64_t index, std::string reason) {
     outcome_.row.refused.push_back({fmt::format("/{}/{}", array, index), std::move(reason)});
@@ -121,24 +189,27 @@ class Packer {
   }
 
   void take_buffers() {
-    if (count() == 0 || buffer(0) == json::kNoNode) return;
-    auto first = bytes_of(0);
+    home_ = choose_home();
+    if (count() == 0 || buffer(home_) == json::kNoNode) return;
+    std::vector<std::uint64_t> merged;
+    for (std::uint64_t i = 0; i < count(); ++i) {
+      if (i != home_ && is_merged(i)) merged.push_back(i);
+    }
+    if (!is_in_chunk(home_) && !takes_files() && merged.empty()) return;
+    auto first = bytes_of(home_);
     if (!first) {
-      for (std::uint64_t i = 1; i < count(); ++i) {
-        if (bytes_.buffer_storage(i) == Storage::nowhere) continue;
-        refuse("buffers", i, kNoFirst);
-      }
+      for (const std::uint64_t i : merged) refuse("buffers", i, kNoFirst);
       return;
     }
-    const bool in_chunk = bytes_.buffer_storage(0) == Storage::bin_chunk;
-    put(0, *std::move(first));
-    moved_ += in_chunk ? 0U : 1U;
-    if (count() > 1) merge();
+    put(home_, *std::move(first));
+    moved_ += is_in_chunk(home_) ? 0U : 1U;
+    if (!merged.empty()) merge(merged);
   }
 
-  // Buffers with the same file share its bytes.
+  // Buffers with the same file or chunk share its bytes.
   void put(std::uint64_t index, Bytes bytes) {
-    const std::string file = path_of(buffer(index));
+    std::string file = path_of(buffer(index));
+    if (const auto chunk = bytes_.buffer_chunk(index)) file = fmt::format("/{}", chunk->offset);
     const auto known = files_.find(file);
     if (!file.empty() && known != files_.end() &&
         bytes.size() <= known->second.end - known->second.begin) {
@@ -151,22 +222,21 @@ class Packer {
     packed_.push_back({index, base});
   }
 
-  // Merges all buffers with data into the first one.
-  void merge() {
+  // Merges buffers with data into the home.
+  void merge(const std::vector<std::uint64_t>& merged) {
     const graph::Graph graph(document_, input_.schemas);
     const auto users = change::buffer_users(graph);
     std::string doubt = find_doubt(graph, "buffers");
-    if (doubt.empty()) doubt = users ? find_overrun(graph, *users) : users.error().message;
-    for (std::uint64_t i = 1; i < count(); ++i) {
+    if (doubt.empty()) doubt = users ? find_overrun(graph, bytes_, *users) : users.error().message;
+    for (const std::uint64_t i : merged) {
       const json::NodeId object = buffer(i);
-      if (object == json::kNoNode || bytes_.buffer_storage(i) == Storage::nowhere) continue;
-      if (is_plain_copy(object)) {
+      if (!is_in_chunk(i) && is_plain_copy(document_, object)) {
         outcome_.row.left.push_back(
             {fmt::format("/buffers/{}", i),
              "it is the plain copy of compressed buffer views, which readers may skip"});
         continue;
       }
-      const std::string why = doubt.empty() ? find_lost_member(object) : doubt;
+      const std::string why = doubt.empty() ? find_lost_member(document_, object) : doubt;
       if (!why.empty()) {
         refuse("buffers", i, why);
       } else if (auto bytes = bytes_of(i)) {
@@ -174,45 +244,10 @@ class Packer {
           outcome_.row.losses.push_back({fmt::format("the name of /buffers/{}", i), 0, 0, {}});
         }
         put(i, *std::move(bytes));
-        ++moved_;
+        ++(is_in_chunk(i) ? joined_ : moved_);
       }
     }
     if (packed_.size() > 1) move_users(graph, *users);
-  }
-
-  // An object that refers to bytes after the end of its buffer, which would be those of another one
-  // after merging; empty: there is none.
-  std::string find_overrun(const graph::Graph& graph,
-                           const std::vector<change::BufferUser>& users) const {
-    for (const change::BufferUser& user : users) {
-      if (bytes_.buffer_storage(user.buffer) == Storage::nowhere) continue;
-      const auto declared = model::unsigned_member(document_, buffer(user.buffer), "byteLength");
-      if (user.bytes.end <= declared.value_or(0)) continue;
-      return fmt::format("{} refers to bytes after the end of its buffer",
-                         printable(graph.tree().pointer(user.object)));
-    }
-    return {};
-  }
-
-  // Whether readers that support compressed views need not load the buffer
-  // (EXT_meshopt_compression, "fallback").
-  bool is_plain_copy(json::NodeId object) const {
-    const json::NodeId extensions = document_.find(object, "extensions");
-    return std::any_of(model::kMeshoptExtensions.begin(), model::kMeshoptExtensions.end(),
-                       [&](std::string_view name) {
-                         return model::true_member(document_, document_.find(extensions, name),
-                                                   "fallback");
-                       });
-  }
-
-  // The first member of a merged buffer, other than length, place and name, that would be lost.
-  std::string find_lost_member(json::NodeId object) const {
-    for (const auto member : document_.members(object)) {
-      const std::string_view name = document_.key(member.key_id);
-      if (name == "uri" || name == "byteLength" || name == "name") continue;
-      return fmt::format("its {} would be lost in another buffer", gltfx::quoted(name));
-    }
-    return {};
   }
 
   void move_users(const graph::Graph& graph, const std::vector<change::BufferUser>& users) {
@@ -220,13 +255,16 @@ class Packer {
     std::vector<bool> goes(count());
     for (const Packed& packed : packed_) {
       base[packed.index] = packed.base;
-      goes[packed.index] = packed.index > 0;
+      goes[packed.index] = packed.index != home_;
     }
     std::uint64_t next = 0;
     const json::NodeId list = document_.find(document_.root(), "buffers");
     for (std::uint64_t i = 0; i < count(); ++i) {
       position[i] = goes[i] ? 0 : next++;
       if (goes[i]) editor_.remove(list, buffer(i));
+    }
+    for (std::uint64_t i = 0; i < count(); ++i) {
+      if (goes[i]) position[i] = position[home_];
     }
     for (const change::BufferUser& user : users) {
       change::move_user(document_, user, user.bytes.begin + base[user.buffer], editor_);
@@ -283,8 +321,8 @@ class Packer {
   std::uint64_t add_view(Bytes bytes) {
     const std::uint64_t length = bytes.size();
     const std::uint64_t begin = append(std::move(bytes));
-    return outcome_.change.additions.add_element("bufferViews",
-                                                 view_json({.offset = begin, .length = length}));
+    return outcome_.change.additions.add_element(
+        "bufferViews", view_json({.buffer = home_position(), .offset = begin, .length = length}));
   }
 
   void refer(json::NodeId image, std::uint64_t view, std::string_view media_type) {
@@ -295,7 +333,14 @@ class Packer {
     editor_.append_member(image, "mimeType", fmt::format("\"{}\"", media_type));
   }
 
-  // Buffer 0 is the whole chunk.
+  // The index of the home without the buffers that are merged into it.
+  std::uint64_t home_position() const {
+    const auto before = std::count_if(packed_.begin(), packed_.end(),
+                                      [&](const Packed& packed) { return packed.index < home_; });
+    return home_ - static_cast<std::uint64_t>(before);
+  }
+
+  // The home is the whole chunk.
   void declare_buffer() {
     const std::string length = std::to_string(size_);
     if (count() == 0) {
@@ -303,24 +348,16 @@ class Packer {
                                             fmt::format(R"({{"byteLength":{}}})", length));
       return;
     }
-    const json::NodeId first = buffer(0);
+    const json::NodeId first = buffer(home_);
     const json::NodeId uri = document_.find(first, "uri");
     if (uri != json::kNoNode) editor_.remove(first, uri - 1);
+    const json::NodeId chunk =
+        model::chunk_member(document_, first, schema::stated_version(document_));
+    if (chunk != json::kNoNode && becomes_other() && version_ == 2) {
+      editor_.remove(first, chunk - 1);
+    }
     const bool grew = packed_.size() > 1 || images_ > 0;
     if (grew) editor_.replace_scalar(document_.find(first, "byteLength"), length);
-  }
-
-  // White space at the end of the JSON would count as padding of the chunk, which may only have
-  // blanks, unless it is longer than any padding. Up to three blanks at the end are replaced by new
-  // padding.
-  void keep_line_break() {
-    constexpr std::size_t kEnough = 7;
-    const std::string_view text = document_.text();
-    const std::size_t end = text.find_last_not_of(" \t\r\n") + 1;
-    const std::string_view space = text.substr(end);
-    if (space.size() >= kEnough || space.find_first_not_of(' ') == space.npos) return;
-    const auto size = static_cast<std::uint32_t>(text.size());
-    outcome_.change.edits.push_back({{size, size}, std::string(kEnough - space.size(), ' ')});
   }
 
   const StepInput& input_;
@@ -329,16 +366,28 @@ class Packer {
   model::AssetBytes bytes_;
   json::Editor editor_;
   StepOutcome outcome_;
-  std::vector<Packed> packed_;  ///< in the order of the chunk; the first is buffer 0
+  std::vector<Packed> packed_;  ///< in the order of the chunk; the first is the home
   std::vector<Bytes> data_;     ///< data of the chunk
   std::uint64_t size_ = 0;      ///< size of this data
   std::map<std::string, change::ByteRange> files_;  ///< files in the chunk, by path
+  const std::uint32_t version_;                     ///< of the new GLB
+  std::uint64_t home_ = 0;                          ///< the buffer that becomes the BIN chunk
+  std::uint64_t joined_ = 0;                        ///< BIN chunks that become a part of it
   std::uint64_t moved_ = 0;   ///< buffers and images that were in other places
   std::uint64_t images_ = 0;  ///< images among them
 };
 
 }  // namespace
 
-Result<StepOutcome> pack(const StepInput& input) { return Packer(input).run(); }
+Result<StepOutcome> pack(const StepInput& input) {
+  const container::Container& old = input.asset.container();
+  const bool keeps = !input.options.glb_version && old.glb_version == 3U;
+  const bool is_asked = input.options.glb_version == GlbVersion::three;
+  Packer packer(input, keeps || is_asked ? 3 : 2);
+  auto outcome = packer.run();
+  const bool may_be_larger = input.options.glb_version != GlbVersion::two;
+  if (outcome || !may_be_larger || !packer.is_too_large()) return outcome;
+  return Packer(input, 3).run();
+}
 
 }  // namespace gltfx::steps

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -11,6 +12,7 @@
 #include "base/result.hpp"
 #include "container/bytes.hpp"
 #include "graph/graph.hpp"
+#include "json/edit.hpp"
 #include "steps/step.hpp"
 
 namespace gltfx::steps {
@@ -30,7 +32,7 @@ constexpr std::uint64_t aligned_like(std::uint64_t begin, std::uint64_t size) {
   return size + (begin % kAlignment + kAlignment - size % kAlignment) % kAlignment;
 }
 
-/// One GLB with all buffers and images.
+/// One GLB with all buffers and images, or only in another version if the options say no storage.
 Result<StepOutcome> pack(const StepInput& input);
 
 /// JSON text, with files or data URIs according to the options.
@@ -63,6 +65,10 @@ std::string find_doubt(const graph::Graph& graph, std::string_view things);
 constexpr std::uint64_t chunk_data_length(std::uint64_t declared, std::uint64_t size) {
   return declared <= size && size - declared < 4 ? declared : size;
 }
+
+/// Blanks after a JSON text that goes into a chunk, if it ends in white space: that would count as
+/// padding of the chunk, which may only have blanks, unless it is longer than any padding.
+std::optional<json::Edit> blanks_after(std::string_view text);
 
 /// "FORM, 2 buffers, 1 image".
 std::string describe_moves(std::string_view form, std::uint64_t buffers, std::uint64_t images);

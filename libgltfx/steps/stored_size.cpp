@@ -13,7 +13,12 @@ std::uint64_t stored_size(const model::OpenedAsset& asset) {
   const container::Container& container = asset.container();
   const std::string_view json = container.json ? *container.json : std::string_view();
   std::uint64_t bytes = json.size();
-  if (container.format == container::Format::glb) {
+  if (container.glb_version == 3U) {
+    const auto file = container.json && !change::find_glb_obstacle(container)
+                          ? change::rewrite(container)
+                          : std::vector{container.bytes};
+    if (file) bytes = container::size_of(*file);
+  } else if (container.format == container::Format::glb) {
     constexpr std::uint64_t kHeader = 12, kChunkHeader = 8, kWord = 4;
     const std::uint64_t words = (change::without_padding(json).size() + kWord - 1) / kWord;
     bytes = kHeader + kChunkHeader + words * kWord;

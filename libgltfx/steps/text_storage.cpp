@@ -18,8 +18,10 @@
 #include "image/header.hpp"
 #include "json/writer.hpp"
 #include "model/asset_bytes.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
 #include "steps/file_names.hpp"
+#include "steps/glb_chunks.hpp"
 #include "steps/json_edits.hpp"
 #include "steps/storage.hpp"
 
@@ -50,12 +52,11 @@ class TextStorage {
     if (embeds_ && !fits_in_text()) {
       return Error{"JSON text has at most 4 GiB; use --to glb or --to gltf"};
     }
-    const bool has_bin =
-        count(RootArray::buffers) > 0 && bytes_.buffer_storage(0) == Storage::bin_chunk;
-    if (has_bin && !embeds_) {
-      split_chunk();
-    } else if (has_bin) {
-      name_buffer(0, {chunk()});
+    const std::vector<std::uint64_t> chunks = in_chunks();
+    if (!embeds_ && !chunks.empty() && has_images_in_views()) {
+      split_chunks();
+    } else {
+      for (const std::uint64_t i : chunks) name_buffer(i, {chunk(i)});
     }
     for (std::uint64_t i = 0; i < count(RootArray::buffers); ++i) store_buffer(i);
     for (std::uint64_t i = 0; i < count(RootArray::images); ++i) store_image(i);
@@ -92,11 +93,19 @@ class TextStorage {
     }
     return true;
   }
-  // The data of buffer 0 in the chunk.
-  Bytes chunk() const {
-    const container::Chunk& bin = *container().bin;
+  // The buffers that are BIN chunks.
+  std::vector<std::uint64_t> in_chunks() const {
+    std::vector<std::uint64_t> found;
+    for (std::uint64_t i = 0; i < count(RootArray::buffers); ++i) {
+      if (bytes_.buffer_storage(i) == Storage::bin_chunk) found.push_back(i);
+    }
+    return found;
+  }
+  // The data of a buffer in its chunk.
+  Bytes chunk(std::uint64_t index) const {
+    const container::Chunk bin = *bytes_.buffer_chunk(index);
     const auto declared =
-        model::unsigned_member(document_, element(RootArray::buffers, 0), "byteLength");
+        model::unsigned_member(document_, element(RootArray::buffers, index), "byteLength");
     return container().bytes.part(bin.offset,
                                   chunk_data_length(declared.value_or(bin.length), bin.length));
   }
@@ -104,25 +113,24 @@ class TextStorage {
   // Finds chunks of a GLB that a .gltf cannot hold.
   std::optional<Error> find_chunk_obstacle() const {
     if (!is_glb()) return std::nullopt;
+    const std::set<std::uint64_t> used = used_chunks(bytes_);
     const auto& bin = container().bin;
-    for (std::size_t i = 1; i < container().chunks.size(); ++i) {
-      const container::Chunk& other = container().chunks[i];
-      if (bin && other.offset == bin->offset) continue;
-      const std::string_view type = container().bytes.text().substr(other.header_offset + 4, 4);
-      return Error{fmt::format("a .gltf cannot hold the chunk {}", gltfx::quoted(type))};
+    bool has_unused = false;
+    for (const container::Chunk& other : container().chunks) {
+      if (used.contains(other.offset) || other.offset == container().json_offset) continue;
+      const bool is_bin = other.type == container::kChunkBin && other.encoding == 0 &&
+                          (container().glb_version == 3U || (bin && other.offset == bin->offset));
+      if (!is_bin) return Error{"a .gltf cannot hold the chunk " + chunk_type(other)};
+      has_unused = has_unused || other.length > 0;
     }
-    const bool owned =
-        !bin || bin->length == 0 ||
-        (count(RootArray::buffers) > 0 && bytes_.buffer_storage(0) == Storage::bin_chunk);
-    if (owned) return std::nullopt;
-    return Error{kUnusedChunk};
+    if (has_unused) return Error{kUnusedChunk};
+    return std::nullopt;
   }
 
-  // Makes a file of the BIN chunk, and files of the images in it.
-  void split_chunk() {
-    if (!has_images_in_views()) return name_buffer(0, {chunk()});
+  // Makes files of the BIN chunks, and files of the images in them.
+  void split_chunks() {
     const graph::Graph graph(document_, input_.schemas);
-    const std::map<std::uint64_t, Bytes> images = images_in_chunk(graph);
+    const std::map<std::uint64_t, Bytes> images = images_in_chunks(graph);
     std::map<json::NodeId, std::string> uris;  // by view
     std::set<json::NodeId> gone, moved;
     for (const auto& [index, bytes] : images) {
@@ -147,12 +155,23 @@ class TextStorage {
       outcome_.row.losses.push_back(
           {fmt::format("the name of /bufferViews/{}", graph.tree().position(view)), 0, 0, {}});
     }
-    const auto cut = change::cut_bin(
-        graph, [&](json::NodeId object) { return gone.contains(object); }, chunk().size(), editor_);
-    const bool empties = !gone.empty() && holds_nothing_but(graph, gone);
-    take_out(graph, gone, moved, empties);
-    if (empties) return;
-    name_buffer(0, change::without(chunk(), cut));
+    std::map<std::uint64_t, std::vector<change::BufferUser>> users;
+    if (const auto all = change::buffer_users(graph)) {
+      for (const change::BufferUser& user : *all) users[user.buffer].push_back(user);
+    }
+    std::set<json::NodeId> emptied;
+    for (const std::uint64_t i : in_chunks()) {
+      const json::NodeId buffer = element(RootArray::buffers, i);
+      const auto cut = change::cut_bin(
+          graph.tree(), users[i], [&](json::NodeId object) { return gone.contains(object); },
+          chunk(i).size(), editor_);
+      if (holds_nothing_but(graph, buffer, gone)) {
+        emptied.insert(buffer);
+      } else {
+        name_buffer(i, change::without(chunk(i), cut));
+      }
+    }
+    take_out(graph, gone, moved, emptied);
   }
 
   // Replaces the buffer view of an image by a URI. An image with a buffer view may have an empty
@@ -176,14 +195,14 @@ class TextStorage {
   }
 
   // The images that go into files, by index.
-  std::map<std::uint64_t, Bytes> images_in_chunk(const graph::Graph& graph) {
+  std::map<std::uint64_t, Bytes> images_in_chunks(const graph::Graph& graph) {
     std::map<std::uint64_t, Bytes> found;
     const std::string doubt = find_doubt(graph, "buffer views");
     for (std::uint64_t i = 0; i < count(RootArray::images); ++i) {
       if (bytes_.image_storage(i) != Storage::buffer_view) continue;
       const json::NodeId image = element(RootArray::images, i);
       const auto buffer = elements_.index(view_of(image), "buffer", RootArray::buffers);
-      if (!buffer || *buffer != 0) continue;
+      if (!buffer || bytes_.buffer_storage(*buffer) != Storage::bin_chunk) continue;
       std::string why = doubt;
       for (const std::string_view name : free_members(document_, view_of(image))) {
         if (name != "name" && why.empty()) {
@@ -206,11 +225,12 @@ class TextStorage {
     return view ? element(RootArray::buffer_views, *view) : json::kNoNode;
   }
 
-  // Whether buffer 0 has only these views as users, and no other members.
-  bool holds_nothing_but(const graph::Graph& graph, const std::set<json::NodeId>& views) const {
-    const json::NodeId first = element(RootArray::buffers, 0);
-    const auto users = graph.users(first);
-    return document_.object_size(first) == 1 &&
+  // Whether a buffer has only these views as users, at least one, and no other members.
+  bool holds_nothing_but(const graph::Graph& graph, json::NodeId buffer,
+                         const std::set<json::NodeId>& views) const {
+    const auto users = graph.users(buffer);
+    const std::size_t places = chunk_member(buffer) == json::kNoNode ? 0 : 1;
+    return !users.empty() && document_.object_size(buffer) == 1 + places &&
            std::all_of(users.begin(), users.end(), [&](const graph::Use& use) {
              return views.contains(graph.tree().parent(use.at.node));
            });
@@ -223,27 +243,29 @@ class TextStorage {
     for (const json::NodeId element : elements) editor_.remove(list, element);
   }
 
-  // Removes buffer views, and also buffer 0 if it becomes empty.
-  void take_out(const graph::Graph& graph, const std::set<json::NodeId>& gone,
-                const std::set<json::NodeId>& moved, bool empties) {
-    if (gone.empty()) return;
+  // Removes buffer views and buffers.
+  void take_out(const graph::Graph& graph, const std::set<json::NodeId>& views,
+                const std::set<json::NodeId>& moved, const std::set<json::NodeId>& buffers) {
+    if (views.empty()) return;
     const graph::Tree& tree = graph.tree();
-    const json::NodeId list = tree.parent(*gone.begin());
-    const json::NodeId first = element(RootArray::buffers, 0);
-    remove(tree, gone);
-    if (empties) remove(tree, {first});
-    std::vector<std::uint64_t> positions;
-    for (const json::NodeId view : gone) positions.push_back(tree.position(view));
+    std::map<json::NodeId, std::vector<std::uint64_t>> gone;  // positions, by list
+    for (const auto* elements : {&views, &buffers}) {
+      if (!elements->empty()) remove(tree, *elements);
+      for (const json::NodeId each : *elements) {
+        gone[tree.parent(each)].push_back(tree.position(each));
+      }
+    }
     auto edits = graph::renumber(
         graph,
         [&](json::NodeId array, std::uint64_t index) {
-          if (empties && array == tree.parent(first)) return index - 1;
-          if (array != list) return index;
-          const auto behind = std::lower_bound(positions.begin(), positions.end(), index);
-          return index - static_cast<std::uint64_t>(behind - positions.begin());
+          const auto positions = gone.find(array);
+          if (positions == gone.end()) return index;
+          const auto& list = positions->second;
+          const auto behind = std::lower_bound(list.begin(), list.end(), index);
+          return index - static_cast<std::uint64_t>(behind - list.begin());
         },
         [&](graph::Place at) {
-          return moved.contains(at.node) || gone.contains(tree.parent(at.node));
+          return moved.contains(at.node) || views.contains(tree.parent(at.node));
         });
     for (json::Edit& edit : edits) editor_.replace_text(edit.span, std::move(edit.text));
   }
@@ -287,6 +309,10 @@ class TextStorage {
     ++images_;
   }
 
+  json::NodeId chunk_member(json::NodeId buffer) const {
+    return model::chunk_member(document_, buffer, schema::stated_version(document_));
+  }
+
   // Returns the URI.
   std::string image_file(std::uint64_t index, const Bytes& bytes) {
     const json::NodeId image = element(RootArray::images, index);
@@ -309,10 +335,14 @@ class TextStorage {
   void set_uri(json::NodeId object, const std::string& uri) {
     std::string json = json::string_value(uri);
     const json::NodeId old = document_.find(object, "uri");
-    if (old == json::kNoNode) {
-      editor_.append_member(object, "uri", json);
-    } else {
+    const json::NodeId chunk = chunk_member(object);
+    if (old != json::kNoNode) {
       editor_.replace_scalar(old, std::move(json));
+    } else if (chunk != json::kNoNode) {
+      editor_.rename(chunk - 1, "uri");
+      editor_.replace_scalar(chunk, std::move(json));
+    } else {
+      editor_.append_member(object, "uri", json);
     }
   }
 

@@ -23,12 +23,16 @@ CutView without_first_view(const std::string& text, std::uint64_t bin_size,
   const json::Parsed parsed = json::parse(std::string_view(text));
   EXPECT_TRUE(parsed.ok()) << text;
   container::Container container;
-  container.bin.emplace().length = bin_size;
+  container.chunks = {{container::kChunkJson, 0, 12, 20, 0},
+                      {container::kChunkBin, 0, 20, 28, bin_size}};
+  container.bin = container.chunks[1];
   const std::vector<std::string> pointers{"/bufferViews/0"};
   const auto done = plan_deletion(parsed.document, set, pointers, {false, &container});
   EXPECT_TRUE(done && done->obstacles.empty()) << text;
   CutView result{json::apply_edits(text, done->change.edits), {}};
-  for (const ByteRange& range : done->change.bin.cut) {
+  const auto bin = done->change.bins.find(1);
+  if (bin == done->change.bins.end()) return result;
+  for (const ByteRange& range : bin->second.cut) {
     result.cut.push_back(std::to_string(range.begin) + "-" + std::to_string(range.end));
   }
   return result;

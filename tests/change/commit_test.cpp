@@ -126,7 +126,7 @@ TEST(Apply, OfAGlbTheBinChunkGrowsAndTheTextIsTheNewOne) {
   const model::OpenedAsset old("a.glb", container::open_bytes(Bytes::from_string(bytes)), {});
   Change change;
   change.edits = {{{5, 6}, "12"}};
-  change.bin.more = "efgh";
+  change.bins[1].more = "efgh";
   const auto draft = apply(old, change);
   ASSERT_TRUE(draft);
   const container::Container& now = draft->container();

@@ -102,10 +102,10 @@ TEST(GlbRewrite, PartsOfTheBinChunkAreTakenOut) {
   const Container opened = container::open_bytes(Bytes::from_string(old));
   BinChange change;
   change.cut = {{0, 4}, {8, 12}};
-  EXPECT_EQ(join(*rewrite_glb(opened, "[]", change)),
+  EXPECT_EQ(join(*rewrite_glb(opened, "[]", {{1, change}})),
             file("[]", chunk(container::kChunkBin, "efgh")));
   change.more = "xyzw";
-  EXPECT_EQ(join(*rewrite_glb(opened, "[]", change)),
+  EXPECT_EQ(join(*rewrite_glb(opened, "[]", {{1, change}})),
             file("[]", chunk(container::kChunkBin, "efghxyzw")));
 }
 

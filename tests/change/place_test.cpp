@@ -166,7 +166,7 @@ std::string with_bin(const std::string& json) {
 TEST(Place, OfAGlbTheBinChunkGrows) {
   const Placed done =
       placed(with_bin(R"({"buffers":[{"byteLength":6}],"accessors":[{}]})"), add_vectors);
-  EXPECT_EQ(done.change.bin.more, std::string("abc\0de", 6));
+  EXPECT_EQ(done.change.bins.at(1).more, std::string("abc\0de", 6));
   EXPECT_EQ(done.json["buffers"].dump(), R"([{"byteLength":14}])");
   EXPECT_EQ(done.json["bufferViews"].dump(), R"([{"buffer":0,"byteOffset":8,"byteLength":3},)"
                                              R"({"buffer":0,"byteOffset":12,"byteLength":2}])");
@@ -177,7 +177,7 @@ TEST(Place, OfAGlbWhoseBufferIsNotItsBinChunkDataUrisAreMade) {
        {R"({"byteLength":6,"uri":"a.bin"})", R"({"byteLength":9})", R"({"byteLength":"6"})"}) {
     const Placed done = placed(
         with_bin(std::string(R"({"accessors":[{}],"buffers":[)") + buffer + "]}"), add_vectors);
-    EXPECT_EQ(done.change.bin.more, "") << buffer;
+    EXPECT_TRUE(done.change.bins.empty()) << buffer;
     EXPECT_EQ(done.json["buffers"][1]["uri"], "data:application/octet-stream;base64,YWJjAGRl");
   }
 }
@@ -190,7 +190,7 @@ TEST(Place, AnImageMayTakeThePlaceOfAnother) {
                EXPECT_EQ(additions.add_image({png, "", 0}), 0U);
              });
   EXPECT_EQ(done.json["images"].dump(), R"([{"bufferView":0,"mimeType":"image/png"},{}])");
-  EXPECT_EQ(done.change.bin.more, "pixels");
+  EXPECT_EQ(done.change.bins.at(1).more, "pixels");
 }
 
 TEST(Place, ContentsStayWhereTheOldOnesAre) {

@@ -58,7 +58,7 @@ const std::vector<Verb>& verbs() {
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"convert",
-       words("PATH --to --compress --quantize --images --quality --texture-size --dedup --prune "
+       words("PATH --to --glb --compress --quantize --images --quality --texture-size --dedup --prune "
              "--weld "
              "--reorder --resample --shrink --simplify --center --scale --rebase --target "
              "--target-file --gltf --flatten --verify "

@@ -36,7 +36,7 @@ const std::vector<Ban> kBans{
     {{"FileDraft", "TemporaryFile", "replace_file(", "create_file(", "write_file(", "std::ofstream",
       "fs::rename(", "fs::copy_file(", "filesystem::rename(", "::rename(", "::renameat("},
      "replaces a file; change::commit() does that"},
-    {{"BinChange", "BytePatch", "bin.more", "bin.patches"},
+    {{"BinChange", "BytePatch", "second.more", "second.patches", ".more", ".patches"},
      "appends bytes; change::place() does that"},
 };
 
@@ -80,7 +80,7 @@ TEST(OneCommit, OtherWritersAreFound) {
               ElementsAre("a.cpp:2: replaces a file; change::commit() does that"));
   EXPECT_THAT(check_commit({"a.cpp", "fs::rename(from, to);\n"}),
               ElementsAre(HasSubstr("a.cpp:1")));
-  EXPECT_THAT(check_commit({"a.cpp", "change.bin.more += png;\n"}),
+  EXPECT_THAT(check_commit({"a.cpp", "change.bins[1].more += png;\n"}),
               ElementsAre("a.cpp:1: appends bytes; change::place() does that"));
   EXPECT_THAT(check_commit({"a.cpp", "// FileDraft\nreplaced.push_back(file);\n"}), IsEmpty());
 }

@@ -228,6 +228,8 @@ void declare_convert(Options& options, ConvertRequest& request) {
       one_of(request.convert.to,
              {{"glb", StoredAs::glb}, {"gltf", StoredAs::gltf}, {"embedded", StoredAs::embedded}}));
   ConvertOptions& convert = request.convert;
+  options.add("--glb", "VERSION", "Write GLBs of version 2 (default) or 3",
+              one_of(convert.glb_version, {{"2", GlbVersion::two}, {"3", GlbVersion::three}}));
   options.add("--compress", "CODEC", "Store geometry as meshopt, draco or none (plain)",
               one_of(convert.compress, {{"none", Compression::none},
                                         {"meshopt", Compression::meshopt},
@@ -293,6 +295,9 @@ void read_convert(Reading& reading, ConvertRequest& request) {
   const bool contradicts = request.convert.to && (binary || ending == ".gltf") &&
                            !request.convert.output.ends_with('/') &&
                            binary != (request.convert.to == StoredAs::glb);
+  const bool is_text = request.convert.to ? request.convert.to != StoredAs::glb : ending == ".gltf";
+  reading.require(!options.given("--glb") || !is_text,
+                  "convert: --glb is for GLBs, but the output is a .gltf.");
   reading.require(!contradicts,
                   fmt::format("convert: --to {} contradicts the ending {} of --output.",
                               options.word("--to"), ending));

@@ -22,6 +22,13 @@ enum class StoredAs : std::uint8_t {
   embedded,  ///< JSON text with data URIs for buffers and images
 };
 
+/// The version of a GLB.
+enum class GlbVersion : std::uint8_t {
+  least,  ///< 2, or 3 for more than 4 GiB
+  two,    ///< at most 4 GiB, and one BIN chunk
+  three,  ///< of the draft of glTF 2.1
+};
+
 /// How geometry is stored.
 enum class Compression : std::uint8_t { none, meshopt, draco };
 
@@ -69,6 +76,9 @@ struct Simplification {
 struct ConvertOptions : EditOptions {
   /// Nothing: from the ending of the output, or unchanged if there is no output.
   std::optional<StoredAs> to;
+  /// Nothing: `least`, but an asset that is replaced in place, or goes nowhere, keeps its version
+  /// unless `to` is glb.
+  std::optional<GlbVersion> glb_version;
   /// Nothing: compressed geometry stays as its bytes.
   std::optional<Compression> compress;
   /// The first that applies to an image decides.
