@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "prove/compare.hpp"
 
-#include <gltfx/compare.hpp>
-
 #include <new>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "pipeline/compare_opened.hpp"
 #include "pipeline/open_asset.hpp"
 #include "schema/compile.hpp"
 
@@ -30,11 +29,11 @@ std::string problem_of(const Result<model::OpenedAsset>& opened, const std::stri
   return {};
 }
 
-// Opens both, and compares what can be opened. `open_old` and `open_new` give the opened assets.
-template <class OpenOld, class OpenNew>
+}  // namespace
+
 CompareReport compare_opened(std::string old_name, std::string new_name,
-                             const CompareOptions& options, const OpenOld& open_old,
-                             const OpenNew& open_new) {
+                             const CompareOptions& options, const OpenCompared& open_old,
+                             const OpenCompared& open_new) {
   CompareReport report;
   report.old_path = std::move(old_name);
   report.new_path = std::move(new_name);
@@ -55,8 +54,6 @@ CompareReport compare_opened(std::string old_name, std::string new_name,
   }
   return report;
 }
-
-}  // namespace
 
 CompareReport compare_files(const std::string& old_path, const std::string& new_path,
                             const CompareOptions& options) {
