@@ -11,6 +11,7 @@
 #include "commands.hpp"
 #include "input_paths.hpp"
 #include "inspect_text.hpp"
+#include "pipeline/outline.hpp"
 #include "read_input.hpp"
 #include "terminal.hpp"
 
@@ -31,6 +32,7 @@ class InspectRun {
       complain(inputs.error().message);
       return ExitCode::usage;
     }
+    if (request_.format == InspectFormat::outline) return print_outlines(inputs->paths);
     std::string text;
     if (json()) writer_.begin(text);
     say(text);
@@ -44,8 +46,17 @@ class InspectRun {
   }
 
  private:
-  bool json() const { return request_.format == TableFormat::json; }
+  bool json() const { return request_.format == InspectFormat::json; }
   void say(const std::string& text) { code_ = worse(code_, print(text)); }
+
+  // A file without an outline is no failure: git would stop at it.
+  ExitCode print_outlines(const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) {
+      if (paths.size() > 1) say(fmt::format("{}:\n", style_.bold(report::safe(path))));
+      say(outline_file(path, options_));
+    }
+    return code_;
+  }
 
   void take(const InspectReport& report) {
     std::string text;
@@ -82,7 +93,7 @@ ExitCode run(const InspectRequest& request) {
     return ExitCode::usage;
   }
   options.schemas = *std::move(schemas);
-  options.measures = request.format == TableFormat::json;
+  options.measures = request.format == InspectFormat::json;
   return InspectRun(request, std::move(options)).execute();
 }
 

@@ -163,6 +163,11 @@ struct CompareRequest {
   bool has_bounds = false;
   bool all = false;  ///< text lists all changes
   CompareFormat format = CompareFormat::text;
+  /// Commits whose assets are compared; empty: none. `paths` restricts them.
+  std::string git;
+  bool git_driver = false;  ///< `paths` are the arguments that git gives
+  bool setup_git = false;   ///< set up git, and do nothing else
+  bool global = false;      ///< for all repositories of the user
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
 };
@@ -182,12 +187,15 @@ struct BakeRequest {
   std::vector<std::string> schema_folders;
 };
 
+/// How `gltfx inspect` prints an asset.
+enum class InspectFormat : std::uint8_t { text, json, outline };
+
 struct InspectRequest {
   CommonOptions common;
   NamedPaths paths;
   /// All except `schemas`, which comes from the files below.
   InspectOptions inspect;
-  TableFormat format = TableFormat::text;
+  InspectFormat format = InspectFormat::text;
   std::size_t most = 10;  ///< rows of a table of text; 0: all
   bool quiet = false;
   std::vector<std::string> schema_files;

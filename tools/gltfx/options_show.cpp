@@ -13,7 +13,10 @@ namespace gltfx::tool {
 
 void declare_inspect(Options& options, InspectRequest& request) {
   add_asset_arguments(options, request.paths);
-  add_table_format(options, request.format);
+  options.add("-f,--format", "NAME", "Output format: text (default), json, outline",
+              one_of(request.format, {{"text", InspectFormat::text},
+                                      {"json", InspectFormat::json},
+                                      {"outline", InspectFormat::outline}}));
   options.add("--top", "N", "Rows per table, largest first (default: 10, 0: all)",
               number(request.most));
   options.add("--pixels", "LEVEL", "Decode images (json): headers (none), needed",
