@@ -51,6 +51,9 @@ ELSEWHERE = {
     "cmake -S . -B build -DCMAKE_PREFIX_PATH=/opt/gltfx": "tests/packaging/run find_package",
     "g++ -std=c++20 main.cpp $(PKG_CONFIG_PATH=/opt/gltfx/lib/pkgconfig pkg-config --cflags --libs gltfx)":
         "tests/packaging/run pkg_config",
+    "gltfx compare --git HEAD": "test program, CompareGit: it takes a repository",
+    "gltfx compare --git v1.0..v1.1 props/": "test program, CompareGit",
+    "gltfx compare --setup-git": "test program, GitDriver",
     'curl --fail --location --output gltfx.tar.zst -- "$GLTFX_ARCHIVE"': "tests/packaging/run action, as action.yml",
     'echo "$GLTFX_SHA256  gltfx.tar.zst" | sha256sum --check --strict': "tests/packaging/run action, as action.yml",
     "mkdir gltfx && tar -xf gltfx.tar.zst -C gltfx --strip-components=1": "tests/packaging/run action, as action.yml",

@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "program/git_support.hpp"
 #include "program/upgrade_support.hpp"
 
 namespace gltfx::program {
@@ -16,40 +17,13 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-std::string asset_with(const std::string& uri) {
-  return R"({"asset":{"version":"2.0"},"images":[{"uri":")" + uri + R"("}],)" +
-         R"("textures":[{"source":0}],"materials":[{"emissiveTexture":{"index":0}}]})";
-}
-
-const std::string kPointer =
-    "version https://git-lfs.github.com/spec/v1\noid sha256:" + std::string(64, 'a') +
-    "\nsize 12345\n";
-
-class GitHook : public testing::Test {
+class GitHook : public GitRepository {
  protected:
-  void SetUp() override {
-    if (bash("command -v git").code != 0) GTEST_SKIP() << "git is not installed";
-    picture_ = read_file(fixture("good/leaf_color.png"));
-    shell("git init -q . && git config user.name a && git config user.email a@example.com");
-  }
-  Outcome shell(const std::string& line, const std::string& where = {}) const {
-    return bash(line, {(folder_.path() / where).native(),
-                       {},
-                       {{"HOME", folder_.path().native()}, {"GIT_CONFIG_NOSYSTEM", "1"}}});
-  }
-  void commit() const {
-    const Outcome outcome = shell("git add -A && git commit -qm x");
-    ASSERT_EQ(outcome.code, 0) << outcome.err;
-  }
   Outcome hook(const std::string& words, const std::string& where = {}) const {
     return shell("\"$GLTFX\" hook " + words, where);
   }
-  std::string content(const std::string& name) const {
-    return read_file((folder_.path() / name).native());
-  }
 
-  container::test::TempFolder folder_;
-  std::string picture_;
+  const std::string picture_ = picture();
 };
 
 TEST_F(GitHook, LooksAtWhatIsStagedAndAtNothingElse) {
@@ -201,7 +175,7 @@ TEST_F(GitHook, ANewTextureThatLfsWouldNotKeepIsWarnedOf) {
   folder_.write(".gitattributes", "*.jpg filter=lfs -text\n");
   folder_.write("leaf.gltf", asset_with("leaf.png"));
   folder_.write("leaf.png", picture_);
-  folder_.write("old.jpg", kPointer);
+  folder_.write("old.jpg", kLfsPointer);
   // As with the filter: the index holds the pointer.
   shell("git -c filter.lfs.clean=cat -c filter.lfs.required=false add -A");
   const Outcome outcome = hook("validate");
@@ -214,7 +188,7 @@ TEST_F(GitHook, ANewTextureThatLfsWouldNotKeepIsWarnedOf) {
 }
 
 TEST_F(GitHook, AssetsThatAreLfsPointersAreReadInTheFolder) {
-  folder_.write("leaf.gltf", kPointer);
+  folder_.write("leaf.gltf", kLfsPointer);
   shell("git add -A && git commit -qm x");
   folder_.write("leaf.gltf", asset_with("leaf.png"));
   folder_.write("leaf.png", picture_);

@@ -67,8 +67,9 @@ const std::vector<Verb>& verbs() {
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"compare",
-       words("OLD NEW --allow --bounds --drawn --ignore --count --format --all --root --schema "
-             "--schema-dir --config --isolated --unsandboxed-decoders --jobs --color")},
+       words("OLD NEW --allow --bounds --drawn --ignore --count --format --all --git --git-driver "
+             "--setup-git --global --root --schema --schema-dir --config --isolated "
+             "--unsandboxed-decoders --jobs --color")},
       {"hook", words("VERB")},
       {"bake",
        words(

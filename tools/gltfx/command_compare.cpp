@@ -13,7 +13,10 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "compare_pairs.hpp"
 #include "compare_print.hpp"
+#include "git_driver.hpp"
+#include "git_setup.hpp"
 #include "input_paths.hpp"
 #include "read_input.hpp"
 #include "report/safe_text.hpp"
@@ -22,20 +25,15 @@
 namespace gltfx::tool {
 namespace {
 
-/// Two paths to compare; an empty one: the asset is missing there.
-struct PathPair {
-  std::string before, after;
-};
-
 bool is_folder(const std::string& path) {
   std::error_code error;
   return std::filesystem::is_directory(path, error);
 }
 
 // The assets of both folders by their paths below them.
-Result<std::vector<PathPair>> pair_folders(const std::vector<std::string>& folders,
-                                           CompareOptions& options) {
-  std::map<std::string, PathPair> pairs;
+Result<std::vector<ComparePair>> pair_folders(const std::vector<std::string>& folders,
+                                              CompareOptions& options) {
+  std::map<std::string, ComparePair> pairs;
   auto searched = std::make_shared<SearchedFolders>();
   for (std::size_t i = 0; i < 2; ++i) {
     NamedPaths named;
@@ -45,12 +43,12 @@ Result<std::vector<PathPair>> pair_folders(const std::vector<std::string>& folde
     if (!inputs) return inputs.error();
     if (inputs->searched) searched->insert(inputs->searched->begin(), inputs->searched->end());
     for (std::size_t k = 0; k < inputs->paths.size(); ++k) {
-      PathPair& pair = pairs[inputs->places[k]];
+      ComparePair& pair = pairs[inputs->places[k]];
       (i == 0 ? pair.before : pair.after) = inputs->paths[k];
     }
   }
   options.searched = std::move(searched);
-  std::vector<PathPair> list;
+  std::vector<ComparePair> list;
   for (auto& [place, pair] : pairs) list.push_back(std::move(pair));
   return list;
 }
@@ -66,28 +64,38 @@ class CompareRun {
         style_(colors_on_stdout(request.common.color)) {}
 
   ExitCode execute() {
-    const bool folders = is_folder(request_.paths[0]) && is_folder(request_.paths[1]);
-    std::vector<PathPair> pairs{{request_.paths[0], request_.paths[1]}};
-    if (folders) {
-      auto found = pair_folders(request_.paths, options_);
-      if (!found) {
-        complain(found.error().message);
-        return ExitCode::usage;
-      }
-      pairs = *std::move(found);
+    const auto pairs = find_pairs();
+    if (!pairs) {
+      complain(pairs.error().message);
+      return ExitCode::usage;
     }
     json::Writer writer(text_, true);
     if (request_.format == CompareFormat::json) begin(writer);
-    for (const PathPair& pair : pairs) take(compare(pair), writer);
+    for (const ComparePair& pair : *pairs) take(compare(pair), writer);
     finish(writer);
+    name_unread_files();
     say();
     return code_;
   }
 
  private:
-  CompareReport compare(const PathPair& pair) const {
+  Result<std::vector<ComparePair>> find_pairs() {
+    if (!request_.git.empty()) {
+      auto found = find_git_pairs(request_.git, request_.paths);
+      if (!found) return found.error();
+      repository_ = *std::move(found);
+      return std::exchange(repository_.pairs, {});
+    }
+    if (is_folder(request_.paths[0]) && is_folder(request_.paths[1])) {
+      return pair_folders(request_.paths, options_);
+    }
+    return std::vector<ComparePair>{{request_.paths[0], request_.paths[1]}};
+  }
+
+  CompareReport compare(const ComparePair& pair) const {
     if (!pair.before.empty() && !pair.after.empty()) {
-      return compare_files(pair.before, pair.after, options_);
+      if (!pair.open_before) return compare_files(pair.before, pair.after, options_);
+      return compare_opened(pair.before, pair.after, options_, pair.open_before, pair.open_after);
     }
     CompareReport report;
     report.old_path = pair.before;
@@ -142,12 +150,23 @@ class CompareRun {
       writer.end_object();
       text_ += '\n';
       report::defuse_json(text_, 0);
+    } else if (summary_.pairs == 0) {
+      text_ += "No asset changed.\n";
     } else if (left_out_ > 0) {
       text_ += fmt::format("{} more pairs are not listed.\n", left_out_);
     } else if (request_.format == CompareFormat::text && summary_.pairs > 1) {
       text_ += fmt::format("{} pairs: {} identical, {} storage, {} bounds, {} differ\n",
                            summary_.pairs, summary_.levels[0], summary_.levels[1],
                            summary_.levels[2], summary_.levels[3]);
+    }
+  }
+
+  void name_unread_files() {
+    for (const auto& tree : repository_.trees) {
+      for (const std::string& problem : tree->take_problems()) {
+        complain(problem);
+        code_ = worse(code_, ExitCode::unreadable);
+      }
     }
   }
 
@@ -160,6 +179,7 @@ class CompareRun {
   CompareOptions options_;
   const CompareLevel allow_;
   const Style style_;
+  GitPairs repository_;  ///< of --git
   CompareSummary summary_;
   std::string text_;
   std::size_t markdown_bytes_ = 0;
@@ -170,6 +190,7 @@ class CompareRun {
 }  // namespace
 
 ExitCode run(const CompareRequest& request) {
+  if (request.setup_git) return set_up_git(request.global);
   permit_unsandboxed_decoders(request.common.unsandboxed_decoders);
   CompareOptions options = request.compare;
   auto problem = check_root(options.root);
@@ -177,10 +198,14 @@ ExitCode run(const CompareRequest& request) {
   if (!problem && !schemas) problem = schemas.error();
   if (problem) {
     complain(problem->message);
-    return ExitCode::usage;
+    if (!request.git_driver) return ExitCode::usage;
   }
-  options.schemas = *std::move(schemas);
+  if (schemas) options.schemas = *std::move(schemas);
   options.jobs = request.common.jobs;
+  if (request.git_driver) {
+    print_for_git(request, options);
+    return ExitCode::ok;
+  }
   return CompareRun(request, std::move(options)).execute();
 }
 

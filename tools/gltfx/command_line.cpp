@@ -321,6 +321,19 @@ std::vector<std::string> Declaration::with_values(const std::vector<std::string>
   return all;
 }
 
+// Git appends names of files to its commands, which may look like options. Where they begin, or the
+// end.
+const char* const* words_of_git(const char* const* begin, const char* const* end) {
+  for (const char* const* word = begin; word != end; ++word) {
+    const auto rest = end - word - 1;
+    const bool one = rest == 1 && is_asset_name(word[1]);
+    const bool driver =
+        *word == std::string_view("--git-driver") && (one || rest == 7 || rest == 9);
+    if (driver || (one && *word == std::string_view("outline"))) return word + 1;
+  }
+  return end;
+}
+
 CommandLine Declaration::read(int argc, const char* const* argv) {
   if (argc > 1 && argv[1] == std::string_view("help")) {
     const std::vector<const char*> words{argv[0], argc > 2 ? argv[2] : "--help", "--help"};
@@ -334,7 +347,12 @@ CommandLine Declaration::read(int argc, const char* const* argv) {
   }
   const char* const* mark =
       std::find(argv + std::min(argc, 1), argv + argc, std::string_view("--"));
-  if (mark != argv + argc) after_mark_.assign(mark + 1, argv + argc);
+  if (mark != argv + argc) {
+    after_mark_.assign(mark + 1, argv + argc);
+  } else {
+    mark = words_of_git(argv + std::min(argc, 1), mark);
+    after_mark_.assign(mark, argv + argc);
+  }
   argc = static_cast<int>(mark - argv);
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (const std::string problem = option_mistake(table(), words); !problem.empty()) {

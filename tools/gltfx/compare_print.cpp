@@ -20,7 +20,9 @@ using report::counted;
 
 std::string pair_name(const CompareReport& report) {
   if (report.old_path.empty()) return report::safe(report.new_path);
-  if (report.new_path.empty()) return report::safe(report.old_path);
+  if (report.new_path.empty() || report.new_path == report.old_path) {
+    return report::safe(report.old_path);
+  }
   return fmt::format("{} -> {}", report::safe(report.old_path), report::safe(report.new_path));
 }
 

@@ -13,8 +13,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "base/unique_fd.hpp"
-
 extern char** environ;  // NOLINT(readability-redundant-declaration): not everywhere in <unistd.h>
 
 namespace gltfx::tool {
@@ -76,23 +74,6 @@ void feed(UniqueFd& to, std::string_view& input) {
   if (input.empty() || (written < 0 && !later)) to = UniqueFd();
 }
 
-void exchange(Pipes& pipes, std::string_view input,
-              const std::function<void(std::string_view)>& consume) {
-  std::vector<char> buffer(std::size_t{1} << 16U);
-  if (input.empty()) pipes.to = UniqueFd();
-  while (true) {
-    std::array<pollfd, 2> waits{
-        {{pipes.from.get(), POLLIN, 0}, {pipes.to ? pipes.to.get() : -1, POLLOUT, 0}}};
-    if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) return;
-    if (waits[1].revents != 0) feed(pipes.to, input);
-    if (waits[0].revents == 0) continue;
-    const ssize_t got = ::read(pipes.from.get(), buffer.data(), buffer.size());
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return;
-    consume({buffer.data(), static_cast<std::size_t>(got)});
-  }
-}
-
 int wait_for(pid_t id) {
   int status = 0;
   while (::waitpid(id, &status, 0) < 0) {
@@ -103,18 +84,73 @@ int wait_for(pid_t id) {
 
 }  // namespace
 
-Result<int> Git::stream(const std::vector<std::string>& arguments, std::string_view input,
-                        const std::function<void(std::string_view)>& consume) const {
+GitProcess::GitProcess(GitProcess&& other) noexcept
+    : id_(std::exchange(other.id_, 0)), to_(std::move(other.to_)), from_(std::move(other.from_)) {}
+
+GitProcess::~GitProcess() { wait(); }
+
+int GitProcess::wait() {
+  to_ = UniqueFd();
+  from_ = UniqueFd();
+  const pid_t id = std::exchange(id_, 0);
+  return id == 0 ? 0 : wait_for(id);
+}
+
+Result<GitProcess> GitProcess::start(const std::string& folder,
+                                     const std::vector<std::string>& arguments) {
   Pipes pipes = open_pipes();
   if (!pipes.complete()) return failure(errno);
-  std::vector<std::string> words{"git", "-C", folder_};
+  std::vector<std::string> words{"git", "-C", folder};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t id = spawn(std::move(words), pipes);
   if (id < 0) return failure(-id);
-  pipes.its_in = UniqueFd();
-  pipes.its_out = UniqueFd();
-  exchange(pipes, input, consume);
-  return wait_for(id);
+  return GitProcess(id, std::move(pipes.to), std::move(pipes.from));
+}
+
+int GitProcess::exchange(std::string_view input,
+                         const std::function<void(std::string_view)>& consume) {
+  std::vector<char> buffer(std::size_t{1} << 16U);
+  if (input.empty()) to_ = UniqueFd();
+  while (true) {
+    std::array<pollfd, 2> waits{{{from_.get(), POLLIN, 0}, {to_ ? to_.get() : -1, POLLOUT, 0}}};
+    if (::poll(waits.data(), waits.size(), -1) < 0 && errno != EINTR) break;
+    if (waits[1].revents != 0) feed(to_, input);
+    if (waits[0].revents == 0) continue;
+    const std::size_t got = read(buffer.data(), buffer.size());
+    if (got == 0) break;
+    consume({buffer.data(), got});
+  }
+  return wait();
+}
+
+bool GitProcess::ask(std::string_view text) {
+  while (to_ && !text.empty()) {
+    const ssize_t written = ::write(to_.get(), text.data(), text.size());
+    if (written < 0 && errno == EAGAIN) {
+      pollfd room{to_.get(), POLLOUT, 0};
+      ::poll(&room, 1, -1);
+    } else if (written < 0 && errno != EINTR) {
+      to_ = UniqueFd();
+    } else if (written > 0) {
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+  return text.empty();
+}
+
+std::size_t GitProcess::read(char* to, std::size_t most) {
+  ssize_t got = 0;
+  do {
+    got = ::read(from_.get(), to, most);
+  } while (got < 0 && errno == EINTR);
+  return got < 0 ? 0 : static_cast<std::size_t>(got);
+}
+
+Result<int> Git::stream(const std::vector<std::string>& arguments, std::string_view input,
+                        const std::function<void(std::string_view)>& consume) const {
+  auto process = GitProcess::start(folder_, arguments);
+  if (!process) return process.error();
+  return process->exchange(input, consume);
 }
 
 Result<GitOutcome> Git::run(const std::vector<std::string>& arguments,

@@ -119,22 +119,40 @@ Result<GitIndex> GitIndex::open() {
   }
   top->out.pop_back();  // the line break; one in the name itself is kept
   GitIndex index(std::move(top->out));
-  if (auto trouble = index.read_entries()) return *std::move(trouble);
+  auto trouble = index.read_entries({"ls-files", "-z", "--cached", "--stage", "--full-name"});
+  if (trouble) return *std::move(trouble);
   return index;
 }
 
-// "<mode> <object> <stage>\t<name>"; stages other than 0 are those of an unfinished merge.
-std::optional<Error> GitIndex::read_entries() {
-  const auto text = ask({"ls-files", "-z", "--cached", "--stage", "--full-name"});
+Result<GitIndex> GitIndex::at(const std::string& commit) {
+  auto bare = Git(".").run({"rev-parse", "--is-bare-repository"});
+  if (!bare) return bare.error();
+  const char* top_folder = bare->out == "true\n" ? "--absolute-git-dir" : "--show-toplevel";
+  auto top = Git(".").run({"rev-parse", top_folder});
+  if (!top) return top.error();
+  if (top->code != 0 || top->out.size() < 2) return failed("rev-parse", top->code);
+  top->out.pop_back();
+  GitIndex index(std::move(top->out));
+  auto trouble = index.read_entries({"ls-tree", "-r", "-z", "--full-tree", commit});
+  if (trouble) return *std::move(trouble);
+  return index;
+}
+
+// "<mode> <object> <stage>\t<name>" or "<mode> <type> <object>\t<name>"; stages other than 0 are
+// those of an unfinished merge.
+std::optional<Error> GitIndex::read_entries(const std::vector<std::string>& listing) {
+  const auto text = ask(listing);
   if (!text) return text.error();
+  constexpr std::size_t kLeastDigits = 40;
   for (const std::string_view line : split_at_zeros(*text)) {
     const std::size_t tab = line.find('\t');
     const std::size_t first = line.find(' ');
     const std::size_t second = line.find(' ', first + 1);
     if (tab == std::string_view::npos || second >= tab) continue;
+    std::string_view object = line.substr(first + 1, second - first - 1);
+    if (object.size() < kLeastDigits) object = line.substr(second + 1, tab - second - 1);
     entries_.insert_or_assign(std::string(line.substr(tab + 1)),
-                              IndexEntry{std::string(line.substr(0, first)),
-                                         std::string(line.substr(first + 1, second - first - 1))});
+                              IndexEntry{std::string(line.substr(0, first)), std::string(object)});
   }
   return std::nullopt;
 }

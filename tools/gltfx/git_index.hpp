@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The contents of the next commit: the index of the repository around the working directory.
+/// The files of a commit of the repository around the working directory: of the next one (its
+/// index) or of an earlier one.
 #pragma once
 
 #include <functional>
@@ -26,6 +27,11 @@ struct IndexEntry {
 class GitIndex {
  public:
   static Result<GitIndex> open();
+  /// The files of a commit, which may be one of a repository without a working tree.
+  static Result<GitIndex> at(const std::string& commit);
+
+  /// The top folder of the working tree.
+  const std::string& folder() const { return git_.folder(); }
 
   const std::map<RepositoryName, IndexEntry>& entries() const { return entries_; }
   /// A regular file of that name.
@@ -57,7 +63,7 @@ class GitIndex {
   explicit GitIndex(std::string top) : git_(std::move(top)) {}
   Result<std::string> ask(const std::vector<std::string>& arguments,
                           std::string_view input = {}) const;
-  std::optional<Error> read_entries();
+  std::optional<Error> read_entries(const std::vector<std::string>& listing);
 
   Git git_;
   std::map<RepositoryName, IndexEntry> entries_;

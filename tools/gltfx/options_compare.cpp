@@ -57,6 +57,9 @@ Values kind_values() {
   return values;
 }
 
+// Git gives seven arguments, nine for a rename, and one for a file of an unfinished merge.
+bool is_driver_call(std::size_t words) { return words == 7 || words == 9 || words == 1; }
+
 }  // namespace
 
 void declare_compare(Options& options, CompareRequest& request) {
@@ -80,6 +83,13 @@ void declare_compare(Options& options, CompareRequest& request) {
                                       {"json", CompareFormat::json},
                                       {"markdown", CompareFormat::markdown}}));
   options.add("--all", "", "List all changes, not only the first 40", flag(request.all));
+  options.add("--git", "RANGE", "Changed assets: since BASE, or of A..B, A...B", text(request.git));
+  options.add("--git-driver", "", "Print one file for 'git diff'; arguments follow",
+              flag(request.git_driver));
+  options.add("--setup-git", "", "Let 'git diff' compare assets in this repository",
+              flag(request.setup_git));
+  options.add("--global", "", "With --setup-git: in all repositories of the user",
+              flag(request.global));
   add_root(options, compare.root);
   add_schema_sources(options, request.schema_files, request.schema_folders);
   add_configuration(options);
@@ -88,8 +98,23 @@ void declare_compare(Options& options, CompareRequest& request) {
 }
 
 void read_compare(Reading& reading, CompareRequest& request) {
-  reading.require(reading.options().arguments().words.size() == 2,
-                  "compare: name two assets, or two folders: OLD NEW.");
+  const Options& options = reading.options();
+  const std::size_t words = options.arguments().words.size();
+  const bool git = options.given("--git");
+  const bool driver = options.given("--git-driver");
+  const bool setup = options.given("--setup-git");
+  reading.require(git + driver + setup <= 1,
+                  "--git, --git-driver and --setup-git are mutually exclusive.");
+  reading.require(setup || !options.given("--global"), "--global goes with --setup-git.");
+  reading.require(!(git || driver) || !options.given("--root"),
+                  "--root goes with files; the assets of a repository are inside of it.");
+  if (driver) {
+    reading.require(is_driver_call(words), "--git-driver: git gives 7 or 9 arguments.");
+  } else if (setup) {
+    reading.require(words == 0, "--setup-git takes no paths.");
+  } else if (!git) {
+    reading.require(words == 2, "compare: name two assets, or two folders: OLD NEW.");
+  }
   reading.require_files("compare");
   reading.read();
   request.has_bounds = reading.options().given("--bounds");
