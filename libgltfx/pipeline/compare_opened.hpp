@@ -15,8 +15,8 @@ namespace gltfx {
 /// Opens one of two assets. The Error is half a sentence.
 using OpenCompared = std::function<Result<model::OpenedAsset>()>;
 
-/// Opens both, one after the other, and compares them. `root` and `searched` of the options are not
-/// used.
+/// Opens both, one after the other, compares and draws them. Without a name there is no asset.
+/// `root` and `searched` of the options are not used.
 CompareReport compare_opened(std::string old_name, std::string new_name,
                              const CompareOptions& options, const OpenCompared& open_old,
                              const OpenCompared& open_new);

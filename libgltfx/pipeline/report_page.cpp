@@ -6,13 +6,12 @@
 #include <new>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "base/pages.hpp"
-#include "codec/client.hpp"
 #include "container/base64.hpp"
 #include "pipeline/asset_verbs.hpp"
 #include "pipeline/bake_asset.hpp"
+#include "pipeline/encode_pixels.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/kept_pictures.hpp"
 #include "pipeline/open_asset.hpp"
@@ -45,21 +44,13 @@ PagePicture picture_of(const BakeReport& baked) {
   PagePicture picture;
   picture.problem = baked.error;
   if (baked.problem != BakeProblem::none) return picture;
-  const BakedPixels& pixels = baked.pixels;
-  codec::EncodeRequest request;
-  request.format = codec::EncodedFormat::webp;
-  request.raster = {pixels.width, pixels.height, pixels.channels, 8};
-  request.quality = kQuality;
-  request.pixels = std::as_bytes(std::span(pixels.bytes));
-  const auto encoded = codec::Client::shared().encode_image(request);
-  if (const auto* error = std::get_if<codec::DecodeError>(&encoded)) {
-    picture.problem = "the picture cannot be encoded: " + error->message;
+  const auto bytes = encode_pixels(baked.pixels, codec::EncodedFormat::webp, kQuality);
+  if (!bytes) {
+    picture.problem = bytes.error().message;
     return picture;
   }
-  const auto& file = std::get<codec::EncodedImage>(encoded);
-  const std::string_view bytes(reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size());
-  picture.uri = container::data_uri("image/webp", bytes);
-  picture.size = pixels.width;
+  picture.uri = container::data_uri("image/webp", *bytes);
+  picture.size = baked.pixels.width;
   return picture;
 }
 

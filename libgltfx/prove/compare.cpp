@@ -6,6 +6,7 @@
 #include "prove/compare_drawn.hpp"
 #include "prove/compare_motion.hpp"
 #include "prove/compare_nodes.hpp"
+#include "prove/compare_sizes.hpp"
 #include "prove/compare_texels.hpp"
 #include "prove/compare_values.hpp"
 
@@ -40,13 +41,14 @@ bool same_resources(const model::OpenedAsset& ours, const model::OpenedAsset& th
 
 }  // namespace
 
-void compare_assets(const model::OpenedAsset& ours, const model::OpenedAsset& theirs,
-                    const schema::Set& schemas, const CompareOptions& options,
-                    CompareReport& report) {
+std::vector<ChangedBoxes> compare_assets(const model::OpenedAsset& ours,
+                                         const model::OpenedAsset& theirs,
+                                         const schema::Set& schemas, const CompareOptions& options,
+                                         CompareReport& report) {
   const bool same_bytes = container::same_bytes(ours.container().bytes, theirs.container().bytes);
   if (same_bytes && same_resources(ours, theirs, options.jobs)) {
     report.level = CompareLevel::identical;
-    return;
+    return {};
   }
   const Side here(ours, schemas, Scope::all, options.jobs);
   const Side there(theirs, schemas, Scope::all, options.jobs);
@@ -70,7 +72,11 @@ void compare_assets(const model::OpenedAsset& ours, const model::OpenedAsset& th
   compare_image_texels(all);
   compare_stored_objects(all);
   if (match.is_renumbered()) log.note_storage("objects have other numbers");
+  report.sizes = compare_sizes(all, ours, theirs);
   log.take(report);
+  locate_changes(all, ours.container().json_offset, theirs.container().json_offset, report);
+  if (options.picture_size == 0) return {};
+  return find_changed_boxes(all, report);
 }
 
 }  // namespace gltfx::prove

@@ -256,6 +256,7 @@ class MotionComparison {
         factor == 1 ? fmt::format("{:.4g} s {}", std::fabs(shift), shift > 0 ? "later" : "earlier")
                     : fmt::format("{:.4g} times as {}", factor > 1 ? factor : 1 / factor,
                                   factor > 1 ? "slow" : "fast");
+    change.time = (before.time(0) + before.last()) / 2;
     all_.log.add(std::move(change));
     return true;
   }
@@ -316,6 +317,7 @@ class MotionComparison {
                           : model::animation_path_name(before.path),
                       when, greatest);
     }
+    change.time = when;
     const bool place = before.path == AnimationPath::translation;
     const double value = place && all_.diagonal > 0 ? greatest / all_.diagonal : greatest;
     const double bound = all_.options.bounds.animation;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
@@ -90,8 +91,8 @@ double similarity_around(const std::vector<float>& a, const std::vector<float>& 
 
 double square_difference(const preview::Picture& a, const preview::Picture& b) {
   double greatest = 0;
-  for (std::uint32_t y = 0; y < a.height; y += kSquare) {
-    for (std::uint32_t x = 0; x < a.width; x += kSquare) {
+  for (std::uint32_t y = 0; y + kSquare <= a.height; y += kSquare) {
+    for (std::uint32_t x = 0; x + kSquare <= a.width; x += kSquare) {
       for (std::uint32_t channel = 0; channel < 3; ++channel) {
         const std::size_t first = (std::size_t{y} * a.width + x) * a.channels + channel;
         greatest = std::max(greatest, mean_difference(a, b, first));
@@ -100,6 +101,8 @@ double square_difference(const preview::Picture& a, const preview::Picture& b) {
   }
   return greatest;
 }
+
+double noise_limit(double noise) { return kStep + kNoiseFactor * noise; }
 
 void PictureProof::add(preview::Picture drawn, const preview::Picture& again) {
   noise_ = std::max(noise_, square_difference(drawn, again));
@@ -111,7 +114,7 @@ std::string PictureProof::find_difference(const std::vector<preview::Picture>& n
   for (std::size_t i = 0; i < pictures_.size(); ++i) {
     difference = std::max(difference, square_difference(pictures_[i], now[i]));
   }
-  const double limit = kStep + kNoiseFactor * noise_;
+  const double limit = noise_limit(noise_);
   if (difference <= limit) return {};
   return fmt::format(
       "the picture would change by {:.1f} of 255 steps; noise explains at most {:.1f}", difference,
@@ -158,6 +161,30 @@ preview::Picture difference(const preview::Picture& a, const preview::Picture& b
       const int apart = static_cast<int>(a.bytes[i * a.channels + c]) -
                         static_cast<int>(b.bytes[i * b.channels + c]);
       result.bytes.push_back(static_cast<std::uint8_t>(std::clamp(128 + 4 * apart, 0, 255)));
+    }
+  }
+  return result;
+}
+
+preview::Picture marked_difference(const preview::Picture& a, const preview::Picture& b) {
+  constexpr float kUnseen = 3;  // steps, about as much as the noise of a pixel
+  constexpr float kFull = 40;   // steps that are as orange as any
+  constexpr float kPaleness = 0.6F;
+  constexpr std::array<float, 3> kMark{226, 74, 0};
+  preview::Picture result;
+  result.width = a.width;
+  result.height = a.height;
+  const std::vector<float> luma = luma_of(b);
+  for (std::size_t i = 0; i < luma.size(); ++i) {
+    int apart = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      apart = std::max(apart, std::abs(static_cast<int>(a.bytes[i * a.channels + c]) -
+                                       static_cast<int>(b.bytes[i * b.channels + c])));
+    }
+    const float part = std::clamp((static_cast<float>(apart) - kUnseen) / kFull, 0.0F, 1.0F);
+    const float pale = luma[i] + (255 - luma[i]) * kPaleness;
+    for (const float mark : kMark) {
+      result.bytes.push_back(static_cast<std::uint8_t>(pale + (mark - pale) * part));
     }
   }
   return result;

@@ -33,8 +33,13 @@ class PictureProof {
   double noise_ = 0;  ///< the greatest difference between two seeds
 };
 
-/// The greatest difference between means over squares of 8 by 8 pixels, in steps of 255.
+/// The greatest difference between means over squares of 8 by 8 pixels, in steps of 255. Pixels
+/// beside the last whole square do not count.
 double square_difference(const preview::Picture& a, const preview::Picture& b);
+
+/// Up to which difference of such means pictures may show the same: `noise` is that between two
+/// seeds.
+double noise_limit(double noise);
 
 /// The mean square of the difference of bytes, over pixels that are covered in one of the buffers.
 /// Precondition: pictures and buffers of the same size and number of channels; the buffers have
@@ -54,5 +59,8 @@ double structural_similarity(const preview::Picture& a, const preview::Picture& 
 
 /// The difference by pixel: grey, plus four times the difference.
 preview::Picture difference(const preview::Picture& a, const preview::Picture& b);
+
+/// For people: `b` pale and without colors, what differs orange.
+preview::Picture marked_difference(const preview::Picture& a, const preview::Picture& b);
 
 }  // namespace gltfx::prove

@@ -141,17 +141,6 @@ void write_shard(Writer& writer, const PageOptions& options) {
   writer.end_object();
 }
 
-// In JSON a '<' can only be inside a string.
-void add_json(std::string& out, std::string_view json) {
-  while (!json.empty()) {
-    const std::size_t at = std::min(json.find('<'), json.size());
-    out += json.substr(0, at);
-    if (at == json.size()) return;
-    out += "\\u003c";
-    json.remove_prefix(at + 1);
-  }
-}
-
 // The data after the assets.
 std::string tail_of(const std::set<std::string_view>& codes, const std::set<std::string>& targets,
                     std::span<const RuleDescription> rules, const RunSummary& summary) {
@@ -180,7 +169,7 @@ std::string tail_of(const std::set<std::string_view>& codes, const std::set<std:
   writer.end_object();
   writer.end_object();
   std::string out = "\n],\n";
-  add_json(out, std::string_view(json).substr(1));
+  report::append_page_json(out, std::string_view(json).substr(1));
   return out.append(report::page_end());
 }
 
@@ -197,7 +186,7 @@ void PageWriter::begin(std::string& out) const {
   writer.member("pixels", options_.pixel_level);
   if (options_.shard.count > 1) write_shard(writer, options_);
   writer.key("assets");
-  add_json(out, json);
+  report::append_page_json(out, json);
   out += "[";
 }
 
@@ -209,7 +198,7 @@ void PageWriter::asset(const PageAsset& asset, std::string& out) {
   std::string json;
   Writer writer(json);
   write_asset(writer, asset, options_.shard.count > 1);
-  add_json(out, json);
+  report::append_page_json(out, json);
 }
 
 void PageWriter::end(const RunSummary& summary, std::string& out) const {

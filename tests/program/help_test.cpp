@@ -58,7 +58,8 @@ const std::vector<Verb>& verbs() {
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"convert",
-       words("PATH --to --glb --compress --quantize --images --quality --texture-size --dedup --prune "
+       words("PATH --to --glb --compress --quantize --images --quality --texture-size --dedup "
+             "--prune "
              "--weld "
              "--reorder --resample --shrink --simplify --center --scale --rebase --target "
              "--target-file --gltf --flatten --verify "
@@ -67,8 +68,9 @@ const std::vector<Verb>& verbs() {
              "--root --schema --schema-dir --config --files-from --shard --exclude --no-ignore "
              "--allow-empty --isolated --unsandboxed-decoders --quiet --jobs --color")},
       {"compare",
-       words("OLD NEW --allow --bounds --drawn --ignore --count --format --all --git --git-driver "
-             "--setup-git --global --root --schema --schema-dir --config --isolated "
+       words("OLD NEW --allow --bounds --drawn --ignore --count --format --output --pictures "
+             "--picture-url --size --all --git --git-driver --setup-git --global "
+             "--root --schema --schema-dir --config --isolated "
              "--unsandboxed-decoders --jobs --color")},
       {"hook", words("VERB")},
       {"bake",

@@ -13,11 +13,14 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "compare_page.hpp"
 #include "compare_pairs.hpp"
+#include "compare_pictures.hpp"
 #include "compare_print.hpp"
 #include "git_driver.hpp"
 #include "git_setup.hpp"
 #include "input_paths.hpp"
+#include "output.hpp"
 #include "read_input.hpp"
 #include "report/safe_text.hpp"
 #include "terminal.hpp"
@@ -53,6 +56,67 @@ Result<std::vector<ComparePair>> pair_folders(const std::vector<std::string>& fo
   return list;
 }
 
+bool is_page(const std::string& output) { return ending_of(output) == ".html"; }
+
+/// Where the answer goes: a page, or text in a file or on standard output; pictures in a folder.
+class CompareOutputs {
+ public:
+  explicit CompareOutputs(const CompareRequest& request)
+      : files_(request.pictures),
+        answer_(is_page(request.output) ? std::string() : request.output, true) {
+    if (is_page(request.output)) page_file_.emplace(request.output, true);
+    const bool slash = request.pictures.ends_with('/');
+    url_ = link_prefix(request.picture_url.empty() ? request.pictures + (slash ? "" : "/")
+                                                   : request.picture_url);
+  }
+
+  /// The prefix of links to pictures.
+  const std::string& url() const { return url_; }
+
+  /// Says why there is no room for what is to be written; empty: there is.
+  std::string begin(const std::string& title) {
+    if (!problem().empty()) return problem();
+    if (const auto trouble = files_.prepare()) return "--pictures: " + trouble->message;
+    if (page_file_) write_page([&](std::string& text) { ComparePageWriter::begin(title, text); });
+    return {};
+  }
+  /// Writes the pictures of a pair, sets their names in the report, and adds it to the page.
+  /// `place`: what the names are made of.
+  std::optional<Error> add(CompareReport& report, const std::string& place) {
+    auto trouble = files_.write(report, place);
+    if (page_file_) write_page([&](std::string& text) { page_.pair(report, text); });
+    return trouble;
+  }
+  void write(const std::string& text) { answer_.write(text); }
+  /// What went wrong, or empty.
+  std::string end(const CompareSummary& summary) {
+    answer_.finish();
+    if (page_file_) {
+      write_page([&](std::string& text) { ComparePageWriter::end(summary, text); });
+      page_file_->finish();
+    }
+    return problem();
+  }
+
+ private:
+  template <class Fill>
+  void write_page(const Fill& fill) {
+    std::string text;
+    fill(text);
+    page_file_->write(text);
+  }
+  std::string problem() const {
+    if (!answer_.problem().empty() || !page_file_) return answer_.problem();
+    return page_file_->problem();
+  }
+
+  ComparePictureFiles files_;
+  Output answer_;
+  std::optional<Output> page_file_;
+  ComparePageWriter page_;
+  std::string url_;
+};
+
 /// A run over all pairs.
 class CompareRun {
  public:
@@ -61,13 +125,19 @@ class CompareRun {
         options_(std::move(options)),
         allow_(request.allow.value_or(request.has_bounds ? CompareLevel::bounds
                                                          : CompareLevel::storage)),
-        style_(colors_on_stdout(request.common.color)) {}
+        style_((request.output.empty() || is_page(request.output)) &&
+               colors_on_stdout(request.common.color)),
+        outputs_(request) {}
 
   ExitCode execute() {
-    const auto pairs = find_pairs();
+    auto pairs = find_pairs();
     if (!pairs) {
       complain(pairs.error().message);
       return ExitCode::usage;
+    }
+    if (const std::string problem = outputs_.begin(title()); !problem.empty()) {
+      complain(problem);
+      return ExitCode::internal;
     }
     json::Writer writer(text_, true);
     if (request_.format == CompareFormat::json) begin(writer);
@@ -75,6 +145,7 @@ class CompareRun {
     finish(writer);
     name_unread_files();
     say();
+    if (const std::string problem = outputs_.end(summary_); !problem.empty()) fail(problem);
     return code_;
   }
 
@@ -86,25 +157,40 @@ class CompareRun {
       repository_ = *std::move(found);
       return std::exchange(repository_.pairs, {});
     }
-    if (is_folder(request_.paths[0]) && is_folder(request_.paths[1])) {
-      return pair_folders(request_.paths, options_);
-    }
+    folders_ = is_folder(request_.paths[0]) && is_folder(request_.paths[1]);
+    if (folders_) return pair_folders(request_.paths, options_);
     return std::vector<ComparePair>{{request_.paths[0], request_.paths[1]}};
   }
 
-  CompareReport compare(const ComparePair& pair) const {
-    if (!pair.before.empty() && !pair.after.empty()) {
-      if (!pair.open_before) return compare_files(pair.before, pair.after, options_);
-      return compare_opened(pair.before, pair.after, options_, pair.open_before, pair.open_after);
-    }
-    CompareReport report;
-    report.old_path = pair.before;
-    report.new_path = pair.after;
-    report.level = CompareLevel::differs;
-    return report;
+  std::string title() const {
+    if (!request_.git.empty()) return request_.git;
+    return fmt::format("{} \u2192 {}", request_.paths[0], request_.paths[1]);
   }
 
-  void take(const CompareReport& report, json::Writer& writer) {
+  // Of two folders the path below them, of commits that in the repository, of two files the name of
+  // the file.
+  std::string place_of(const CompareReport& report) const {
+    const bool removed = report.new_path.empty();
+    const std::filesystem::path path = removed ? report.old_path : report.new_path;
+    if (!request_.git.empty()) return path.native();
+    if (!folders_) return path.filename().native();
+    return path.lexically_relative(request_.paths[removed ? 0 : 1]).native();
+  }
+
+  void fail(const std::string& problem) {
+    complain(problem);
+    code_ = worse(code_, ExitCode::internal);
+  }
+
+  CompareReport compare(const ComparePair& pair) const {
+    if (!pair.open_before && !pair.open_after) {
+      return compare_files(pair.before, pair.after, options_);
+    }
+    return compare_opened(pair.before, pair.after, options_, pair.open_before, pair.open_after);
+  }
+
+  void take(CompareReport report, json::Writer& writer) {
+    if (const auto trouble = outputs_.add(report, place_of(report))) fail(trouble->message);
     summary_.add(report, allow_);
     if (!report.is_within(allow_)) code_ = worse(code_, ExitCode::findings);
     if (!report.error.empty()) {
@@ -118,11 +204,10 @@ class CompareRun {
         write_compare_pair(writer, report);
         break;
       case CompareFormat::markdown:
-        if (markdown_bytes_ + 2000 > kMostMarkdown) {
-          ++left_out_;
-          break;
-        }
-        text_ += compare_markdown(report, kMostMarkdown - markdown_bytes_ - 500);
+        text_ = left_out_ > 0 ? std::string()
+                              : compare_markdown(report, kMostMarkdown - markdown_bytes_ - 100,
+                                                 outputs_.url());
+        if (text_.empty()) ++left_out_;
         markdown_bytes_ += text_.size();
         break;
       case CompareFormat::text:
@@ -171,7 +256,7 @@ class CompareRun {
   }
 
   void say() {
-    if (!text_.empty()) code_ = worse(code_, print(text_));
+    outputs_.write(text_);
     text_.clear();
   }
 
@@ -180,6 +265,8 @@ class CompareRun {
   const CompareLevel allow_;
   const Style style_;
   GitPairs repository_;  ///< of --git
+  CompareOutputs outputs_;
+  bool folders_ = false;
   CompareSummary summary_;
   std::string text_;
   std::size_t markdown_bytes_ = 0;

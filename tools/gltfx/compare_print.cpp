@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "compare_pictures.hpp"
 #include "report/safe_text.hpp"
 #include "report/wording.hpp"
 
@@ -31,6 +32,53 @@ std::string place_of(const Change& change) {
   if (!change.new_pointer) return fmt::format("- {}", *change.old_pointer);
   if (*change.old_pointer == *change.new_pointer) return *change.old_pointer;
   return fmt::format("{} -> {}", *change.old_pointer, *change.new_pointer);
+}
+
+// "12:18", or "12:18 -> 14:18" where both texts have the value at other places.
+std::string lines_of(const Change& change) {
+  const auto line = [](const Location& at) {
+    return at.line == 0 ? std::string() : fmt::format("{}:{}", at.line, at.column);
+  };
+  const std::string before = line(change.old_location);
+  const std::string after = line(change.new_location);
+  if (before.empty() || before == after) return after;
+  return after.empty() ? before : fmt::format("{} -> {}", before, after);
+}
+
+// "files 1.20 MB -> 400 kB (-67 %)"
+std::string size_row(const CompareSize& size) {
+  std::string text =
+      fmt::format("{} {} -> {}", size.what, size_text(size.old_bytes), size_text(size.new_bytes));
+  if (size.old_bytes > 0) {
+    const auto before = static_cast<double>(size.old_bytes);
+    const auto after = static_cast<double>(size.new_bytes);
+    text += fmt::format(" ({:+.2g} %)", 100 * (after - before) / before);
+  }
+  return text;
+}
+
+// What is stored differently, with sizes: of other changes only where the files are larger or
+// smaller by a hundredth.
+std::vector<std::string> storage_rows(const CompareReport& report) {
+  std::vector<std::string> rows = report.storage;
+  if (report.sizes.empty()) return rows;
+  const auto& files = report.sizes.front();
+  const std::uint64_t apart =
+      std::max(files.old_bytes, files.new_bytes) - std::min(files.old_bytes, files.new_bytes);
+  if (report.level == CompareLevel::differs && apart * 100 < files.old_bytes) return rows;
+  for (const CompareSize& size : report.sizes) {
+    if (size.old_bytes != size.new_bytes) rows.push_back(size_row(size));
+  }
+  return rows;
+}
+
+bool has_both(const ComparePicture& picture) { return !picture.difference.bytes.empty(); }
+
+// "the picture changes by 12.3 of 255 steps; noise explains at most 1.4"
+std::string picture_row(const ComparePicture& picture) {
+  return fmt::format(
+      "{} view: the picture {} by {:.1f} of 255 steps; noise explains at most {:.1f}", picture.view,
+      picture.changed() ? "changes" : "differs", picture.distance, picture.limit);
 }
 
 std::string measure_of(const Change& change) {
@@ -117,33 +165,81 @@ std::string compare_text(const CompareReport& report, std::size_t most, const St
       most == 0 ? report.changes.size() : std::min(most, report.changes.size());
   for (std::size_t i = 0; i < shown; ++i) {
     const Change& change = report.changes[i];
-    text += fmt::format(
-        "  {}\n",
-        style.dim(fmt::format("{}  {}", report::safe_cut(place_of(change), 200), change.kind)));
+    const std::string lines = lines_of(change);
+    text += fmt::format("  {}\n",
+                        style.dim(fmt::format("{}  {}{}", report::safe_cut(place_of(change), 200),
+                                              change.kind, lines.empty() ? lines : "  " + lines)));
     text += wrapped(report::safe_cut(sentence_of(change), 400), 4);
   }
   if (shown < report.changes.size()) {
     text +=
         fmt::format("  ... {} more (--all)\n", counted(report.changes.size() - shown, "change"));
   }
-  for (const std::string& each : report.storage) {
+  for (const std::string& each : storage_rows(report)) {
     text += wrapped("storage: " + report::safe_cut(each, 400), 2);
   }
   for (const std::string& each : report.unproven) {
     text += wrapped("unproven: " + report::safe_cut(each, 400), 2);
   }
+  for (const ComparePicture& picture : report.pictures) {
+    if (has_both(picture)) text += wrapped("picture: " + picture_row(picture), 2);
+  }
+  if (!report.picture_problem.empty()) {
+    text += wrapped("picture: " + report::safe_cut(report.picture_problem, 400), 2);
+  }
   return text;
 }
 
-void write_compare_pair(json::Writer& writer, const CompareReport& report) {
-  const auto path = [&](std::string_view name, const std::string& value) {
-    writer.key(name);
-    if (value.empty()) {
+void write_picture_verdict(json::Writer& writer, const ComparePicture& picture) {
+  writer.member("view", picture.view);
+  if (picture.change) writer.member("change", std::uint64_t{*picture.change});
+  if (!has_both(picture)) return;
+  writer.member("changed", picture.changed());
+  writer.key("distance");
+  writer.number(picture.distance);
+  writer.key("limit");
+  writer.number(picture.limit);
+}
+
+void write_picture_names(json::Writer& writer, const ComparePicture& picture) {
+  writer.begin_object();
+  write_picture_verdict(writer, picture);
+  const auto name = [&](std::string_view key, const std::string& file) {
+    writer.key(key);
+    if (file.empty()) {
       writer.null();
     } else {
-      writer.string(value);
+      writer.string(file);
     }
   };
+  name("old", picture.old_file);
+  name("new", picture.new_file);
+  name("difference", picture.difference_file);
+  writer.end_object();
+}
+
+namespace {
+
+void write_line(json::Writer& writer, const char* line, const char* column, const Location& at) {
+  if (at.line == 0) return;
+  writer.member(line, std::uint64_t{at.line});
+  writer.member(column, std::uint64_t{at.column});
+}
+
+void write_sizes(json::Writer& writer, const std::vector<CompareSize>& sizes) {
+  writer.key("sizes");
+  writer.begin_array();
+  for (const CompareSize& size : sizes) {
+    writer.begin_object();
+    writer.member("what", size.what);
+    writer.member("old", size.old_bytes);
+    writer.member("new", size.new_bytes);
+    writer.end_object();
+  }
+  writer.end_array();
+}
+
+void write_change(json::Writer& writer, const Change& change) {
   const auto pointer = [&](std::string_view name, const std::optional<std::string>& value) {
     writer.key(name);
     if (value) {
@@ -153,43 +249,72 @@ void write_compare_pair(json::Writer& writer, const CompareReport& report) {
     }
   };
   writer.begin_object();
+  writer.member("kind", change.kind);
+  writer.member("level", compare_level_name(change.level));
+  pointer("old", change.old_pointer);
+  pointer("new", change.new_pointer);
+  write_line(writer, "oldLine", "oldColumn", change.old_location);
+  write_line(writer, "newLine", "newColumn", change.new_location);
+  if (!change.name.empty()) writer.member("name", report::long_value(change.name));
+  writer.member("what", report::long_value(change.what));
+  if (!change.before.empty()) writer.member("before", report::long_value(change.before));
+  if (!change.after.empty()) writer.member("after", report::long_value(change.after));
+  if (change.time) {
+    writer.key("time");
+    writer.number(*change.time);
+  }
+  if (change.measure) {
+    writer.key("measure");
+    writer.begin_object();
+    writer.member("quantity", change.measure->quantity);
+    writer.key("value");
+    if (std::isfinite(change.measure->value)) {
+      writer.number(change.measure->value);
+    } else {
+      writer.null();
+    }
+    writer.member("unit", change.measure->unit);
+    writer.key("bound");
+    writer.number(change.measure->bound);
+    writer.end_object();
+  }
+  if (!change.also.empty()) report::write_long_values(writer, "also", change.also);
+  writer.end_object();
+}
+
+}  // namespace
+
+void write_compare_pair(json::Writer& writer, const CompareReport& report,
+                        WriteComparePicture write_picture) {
+  const auto path = [&](std::string_view name, const std::string& value) {
+    writer.key(name);
+    if (value.empty()) {
+      writer.null();
+    } else {
+      writer.string(value);
+    }
+  };
+  writer.begin_object();
   path("old", report.old_path);
   path("new", report.new_path);
   if (!report.error.empty()) writer.member("error", report::long_value(report.error));
   writer.member("level", compare_level_name(report.level));
   writer.key("changes");
   writer.begin_array();
-  for (const Change& change : report.changes) {
-    writer.begin_object();
-    writer.member("kind", change.kind);
-    writer.member("level", compare_level_name(change.level));
-    pointer("old", change.old_pointer);
-    pointer("new", change.new_pointer);
-    if (!change.name.empty()) writer.member("name", report::long_value(change.name));
-    writer.member("what", report::long_value(change.what));
-    if (!change.before.empty()) writer.member("before", report::long_value(change.before));
-    if (!change.after.empty()) writer.member("after", report::long_value(change.after));
-    if (change.measure) {
-      writer.key("measure");
-      writer.begin_object();
-      writer.member("quantity", change.measure->quantity);
-      writer.key("value");
-      if (std::isfinite(change.measure->value)) {
-        writer.number(change.measure->value);
-      } else {
-        writer.null();
-      }
-      writer.member("unit", change.measure->unit);
-      writer.key("bound");
-      writer.number(change.measure->bound);
-      writer.end_object();
-    }
-    if (!change.also.empty()) report::write_long_values(writer, "also", change.also);
-    writer.end_object();
-  }
+  for (const Change& change : report.changes) write_change(writer, change);
   writer.end_array();
   report::write_long_values(writer, "storage", report.storage);
   report::write_long_values(writer, "unproven", report.unproven);
+  if (!report.sizes.empty()) write_sizes(writer, report.sizes);
+  if (!report.pictures.empty()) {
+    writer.key("pictures");
+    writer.begin_array();
+    for (const ComparePicture& picture : report.pictures) write_picture(writer, picture);
+    writer.end_array();
+  }
+  if (!report.picture_problem.empty()) {
+    writer.member("pictureProblem", report::long_value(report.picture_problem));
+  }
   writer.end_object();
 }
 
@@ -205,13 +330,17 @@ void write_compare_summary(json::Writer& writer, const CompareSummary& summary) 
   writer.end_object();
 }
 
-std::string compare_markdown(const CompareReport& report, std::size_t budget) {
+std::string compare_markdown(const CompareReport& report, std::size_t budget,
+                             const std::string& picture_url) {
   constexpr std::size_t kOpen = 20;       // rows outside of the fold
   constexpr std::size_t kReserved = 400;  // bytes of what follows the rows
   constexpr std::string_view kHead = "| place | kind | change | level |\n|---|---|---|---|\n";
   std::string text =
       fmt::format("### {}\n\n**{}**\n\n", escaped(pair_name(report)),
                   escaped(report.error.empty() ? compare_headline(report) : report.error));
+  if (text.size() + kReserved > budget) return {};
+  const std::string pictures = markdown_pictures(report, picture_url);
+  if (text.size() + pictures.size() + kReserved <= budget) text += pictures;
   std::size_t shown = 0;
   bool folded = false;
   for (const Change& change : report.changes) {
@@ -237,7 +366,7 @@ std::string compare_markdown(const CompareReport& report, std::size_t budget) {
       text += row;
     }
   };
-  list("storage", report.storage);
+  list("storage", storage_rows(report));
   list("unproven", report.unproven);
   return text + "\n\n";
 }

@@ -168,6 +168,9 @@ struct CompareRequest {
   bool git_driver = false;  ///< `paths` are the arguments that git gives
   bool setup_git = false;   ///< set up git, and do nothing else
   bool global = false;      ///< for all repositories of the user
+  std::string output;       ///< file for the page (.html) or else the answer; empty: stdout
+  std::string pictures;     ///< folder for pictures; empty: none are written
+  std::string picture_url;  ///< prefix of links to them; empty: the folder
   std::vector<std::string> schema_files;
   std::vector<std::string> schema_folders;
 };

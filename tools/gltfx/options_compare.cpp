@@ -82,6 +82,14 @@ void declare_compare(Options& options, CompareRequest& request) {
               one_of(request.format, {{"text", CompareFormat::text},
                                       {"json", CompareFormat::json},
                                       {"markdown", CompareFormat::markdown}}));
+  options.add("-o,--output", "FILE", "Output file: .html is a page with pictures",
+              text(request.output, [] { return values::files({"html"}); }));
+  options.add("--pictures", "DIR", "Write pictures of both assets and of what differs",
+              text(request.pictures, values::folder));
+  options.add("--picture-url", "PREFIX", "Prefix of links to pictures in Markdown",
+              text(request.picture_url));
+  options.add("--size", "N", "Pixels along the sides of pictures (256)",
+              number(compare.picture_size, 32, kMostComparePicture));
   options.add("--all", "", "List all changes, not only the first 40", flag(request.all));
   options.add("--git", "RANGE", "Changed assets: since BASE, or of A..B, A...B", text(request.git));
   options.add("--git-driver", "", "Print one file for 'git diff'; arguments follow",
@@ -116,7 +124,16 @@ void read_compare(Reading& reading, CompareRequest& request) {
     reading.require(words == 2, "compare: name two assets, or two folders: OLD NEW.");
   }
   reading.require_files("compare");
+  const auto given = [&](std::string_view name) { return reading.options().given(name); };
+  reading.require(given("--pictures") || !given("--picture-url"),
+                  "compare: --picture-url is for the files of --pictures DIR.");
   reading.read();
+  const bool page = ending_of(request.output) == ".html";
+  reading.require(given("--pictures") || page || !given("--size"),
+                  "compare: --size is for --pictures DIR, or a page: --output FILE.html.");
+  if (request.output == "-") request.output.clear();
+  const bool draws = !request.pictures.empty() || page;
+  if (draws && request.compare.picture_size == 0) request.compare.picture_size = 256;
   request.has_bounds = reading.options().given("--bounds");
 }
 

@@ -3,6 +3,8 @@
 /// What changed between two assets: each change with its place, a sentence and a measure.
 #pragma once
 
+#include <gltfx/bake.hpp>
+#include <gltfx/diagnostic.hpp>
 #include <gltfx/memory_asset.hpp>
 #include <gltfx/schema.hpp>
 #include <gltfx/searched_folders.hpp>
@@ -65,7 +67,13 @@ struct CompareOptions {
   std::set<std::string, std::less<>> ignore;  ///< names of kinds that do not count
   std::set<std::string, std::less<>> count;   ///< kinds that count although they do not by default
   unsigned jobs = 1;                          ///< threads for decoding; results do not depend on it
+  /// Pixels along the sides of pictures of both assets, at most kMostComparePicture; 0: there are
+  /// none.
+  std::uint32_t picture_size = 0;
 };
+
+/// Maximum of CompareOptions::picture_size: no PNG file of such a picture is larger than 5 MB.
+constexpr std::uint32_t kMostComparePicture = 1024;
 
 /// A measured distance.
 struct CompareMeasure {
@@ -86,8 +94,46 @@ struct Change {
   std::string before;  ///< the old value, cut; empty: there is none, or it is not short
   std::string after;   ///< likewise, the new one
   std::optional<CompareMeasure> measure;  ///< if the change is a distance
+  std::optional<double> time;             ///< of an animation: where values differ most, in seconds
+  Location old_location;  ///< of the value at `old_pointer`; line 0: it has no place
+  Location new_location;  ///< likewise, at `new_pointer`
   /// Pointers to further values that differ for the same cause; at most 100.
   std::vector<std::string> also;
+};
+
+/// Bytes of one use in the files of both assets.
+struct CompareSize {
+  std::string_view what;        ///< "files" for all of them, or a byte_use_name(); static storage
+  std::uint64_t old_bytes = 0;  ///< of the old asset
+  std::uint64_t new_bytes = 0;  ///< of the new one
+};
+
+/// The part of a picture that shows the object of a change: parts of its width and height, from
+/// the upper left.
+struct PictureRegion {
+  std::size_t change = 0;                           ///< index in CompareReport::changes
+  bool is_old = false;                              ///< of the old asset; else of the new one
+  double left = 0, top = 0, right = 1, bottom = 1;  ///< from 0 to 1
+};
+
+/// Both assets from one camera, in the same light and with the same noise.
+struct ComparePicture {
+  /// "usual"; "opposite", from the other side; or "change", with the object of the greatest change
+  /// in the middle. Static storage.
+  std::string_view view;
+  std::optional<std::size_t> change;  ///< the one in the middle: index in CompareReport::changes
+  BakedPixels old_pixels;             ///< empty: there is no such picture
+  BakedPixels new_pixels;             ///< likewise
+  BakedPixels difference;             ///< what changed in orange on grey; empty without both
+  /// The greatest difference of the means of squares of 8 by 8 pixels, in steps of 255.
+  double distance = 0;
+  double limit = 0;                    ///< what noise and rounding explain of it, at most
+  std::vector<PictureRegion> regions;  ///< of changed objects, at most 2000
+  /// Names of the files that the caller wrote; compare_files() leaves them empty.
+  std::string old_file, new_file, difference_file;
+
+  /// Whether the picture shows a change. The level of the assets does not depend on it.
+  bool changed() const { return distance > limit; }
 };
 
 /// Result for a pair of assets. Owns its text.
@@ -98,6 +144,11 @@ struct CompareReport {
   std::vector<Change> changes;        ///< in the order of the old asset, then of the new one
   std::vector<std::string> storage;   ///< what is stored differently, half sentences
   std::vector<std::string> unproven;  ///< what could not be compared, sentences
+  /// All files first, then each use of their bytes that differs; empty for equal bytes.
+  std::vector<CompareSize> sizes;
+  /// Of CompareOptions::picture_size; none of assets with the same bytes.
+  std::vector<ComparePicture> pictures;
+  std::string picture_problem;  ///< why pictures are missing, sentences; empty: none is
   /// Why there is no comparison, with the name of the asset; empty: there is one.
   std::string error;
 
@@ -109,12 +160,15 @@ struct CompareReport {
 
 /// Compares two files. Reads both, and the files that they refer to. Does not throw; writes
 /// nothing. Time grows with the size of the assets, n log n; memory holds both texts, their
-/// buffers (mapped) and one surface or image of each at a time.
+/// buffers (mapped) and one surface or image of each at a time. An empty path: there is no such
+/// asset, and only the other one is drawn.
 CompareReport compare_files(const std::string& old_path, const std::string& new_path,
                             const CompareOptions& options = {});
 
-/// The same for assets in memory. `root` and `searched` of the options must be empty.
-CompareReport compare_bytes(MemoryAsset old_asset, MemoryAsset new_asset,
+/// The same for assets in memory; nothing: there is no such asset. `root` and `searched` of the
+/// options must be empty.
+CompareReport compare_bytes(std::optional<MemoryAsset> old_asset,
+                            std::optional<MemoryAsset> new_asset,
                             const CompareOptions& options = {});
 
 /// The JSON Schema of what `gltfx compare --format json` writes.

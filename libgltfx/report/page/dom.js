@@ -2,6 +2,8 @@
 "use strict";
 // Elements and numbers. Text of assets is set by textContent only: it never becomes markup.
 
+const byId = (id) => document.getElementById(id);
+
 /** An element: classes after the name ("p.note.soft"), attributes, then children or texts. */
 function make(name, attributes, ...children) {
   const [tag, ...classes] = name.split(".");
@@ -86,4 +88,21 @@ function bar(parts) {
 function link(address, text) {
   const safe = typeof address === "string" && /^https:\/\//.test(address);
   return safe ? make("a", { href: address, rel: "noreferrer" }, text) : make("span", {}, text);
+}
+
+/** "/" goes to the search, as on many sites. */
+function searchByKey(event) {
+  const typing = ["INPUT", "SELECT", "TEXTAREA"].includes(document.activeElement.tagName) &&
+    document.activeElement.type !== "radio";
+  if (event.key !== "/" || typing || event.ctrlKey || event.metaKey || event.altKey) return;
+  event.preventDefault();
+  byId("text").focus();
+}
+
+function chooseTheme(event) {
+  if (event.target.value === "auto") {
+    delete document.documentElement.dataset.theme;
+  } else {
+    document.documentElement.dataset.theme = event.target.value;
+  }
 }

@@ -1,14 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
-# Build step: puts style and scripts into the page, with the hashes by which its policy lets in these
-# and no others, and writes it as C++.
+# Build step: puts styles and scripts into a page, with the hashes by which its policy lets in these
+# and no others, and writes it as C++: NAME_begin() and NAME_end(), which are before and after its data.
 #
-#   cmake -DOUT=page_source.cpp -DFOLDER=report/page -P embed.cmake
-file(READ ${FOLDER}/page.html page)
-file(READ ${FOLDER}/page.css style)
+#   cmake -DOUT=page_source.cpp -DNAME=page -DFILES=page.html,page.css,dom.js,page.js -DFOLDER=report/page
+#     -P embed.cmake
+string(REPLACE "," ";" FILES "${FILES}")
+set(style "")
 set(script "")
-foreach(name dom requirements details page)
-  file(READ ${FOLDER}/${name}.js text)
-  string(APPEND script "${text}")
+foreach(file ${FILES})
+  file(READ ${FOLDER}/${file} text)
+  if(file MATCHES "\\.html$")
+    set(page "${text}")
+  elseif(file MATCHES "\\.css$")
+    string(APPEND style "${text}")
+  else()
+    string(APPEND script "${text}")
+  endif()
 endforeach()
 
 # base64_of_hash(TEXT RESULT): SHA-256 as a policy wants it, of CMake's 64 hexadecimal digits.
@@ -35,19 +42,19 @@ string(REPLACE "@STYLE_HASH@" "${style_hash}" page "${page}")
 string(REPLACE "@SCRIPT_HASH@" "${script_hash}" page "${page}")
 string(REPLACE "@STYLE@" "${style}" page "${page}")
 string(REPLACE "@SCRIPT@" "${script}" page "${page}")
-string(REPLACE "@DATA@" ")page\";\nconstexpr std::string_view kEnd = R\"page(" page "${page}")
+string(REPLACE "@DATA@" ")page\";\nconstexpr std::string_view kEnd_${NAME} = R\"page(" page "${page}")
 file(WRITE ${OUT} "// Written by embed.cmake from report/page/.
 #include \"report/page_source.hpp\"
 
 namespace gltfx::report {
 namespace {
 
-constexpr std::string_view kBegin = R\"page(${page})page\";
+constexpr std::string_view kBegin_${NAME} = R\"page(${page})page\";
 
 }  // namespace
 
-std::string_view page_begin() { return kBegin; }
-std::string_view page_end() { return kEnd; }
+std::string_view ${NAME}_begin() { return kBegin_${NAME}; }
+std::string_view ${NAME}_end() { return kEnd_${NAME}; }
 
 }  // namespace gltfx::report
 ")

@@ -3,7 +3,6 @@
 
 const report = JSON.parse(document.getElementById("data").textContent);
 const ROWS_AT_ONCE = 50;
-const byId = (id) => document.getElementById(id);
 const state = { text: "", path: "", verdict: "all", rule: "", order: "worst", requirement: "", result: "", view: "list" };
 
 // --- Filter and order of the list ---
@@ -373,15 +372,6 @@ function read() {
   writeAddress();
 }
 
-/** "/" goes to the search, as on many sites. */
-function searchByKey(event) {
-  const typing = ["INPUT", "SELECT", "TEXTAREA"].includes(document.activeElement.tagName) &&
-    document.activeElement.type !== "radio";
-  if (event.key !== "/" || typing || event.ctrlKey || event.metaKey || event.altKey) return;
-  event.preventDefault();
-  byId("text").focus();
-}
-
 function reset() {
   for (const name of Object.keys(state)) {
     const field = byId(name);
@@ -405,14 +395,6 @@ function fillFilter(rules) {
   byId("filter").classList.toggle("with-limits", limits.length > 0);
   byId("filter").addEventListener("input", read);
   byId("reset").addEventListener("click", reset);
-}
-
-function chooseTheme(event) {
-  if (event.target.value === "auto") {
-    delete document.documentElement.dataset.theme;
-  } else {
-    document.documentElement.dataset.theme = event.target.value;
-  }
 }
 
 function start() {

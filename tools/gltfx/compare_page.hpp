@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The answer of a comparison as one self-contained web page.
+#pragma once
+
+#include <gltfx/compare.hpp>
+
+#include <string>
+
+#include "compare_print.hpp"
+
+namespace gltfx::tool {
+
+/// Calls: begin, pair for each pair in order, end. Each appends text to `out`. Text of assets is
+/// only in one block of JSON, which no browser takes for markup.
+class ComparePageWriter {
+ public:
+  static void begin(const std::string& title, std::string& out);
+  void pair(const CompareReport& report, std::string& out);
+  static void end(const CompareSummary& summary, std::string& out);
+
+ private:
+  bool has_pairs_ = false;
+};
+
+}  // namespace gltfx::tool
