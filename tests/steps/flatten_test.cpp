@@ -82,7 +82,7 @@ TEST(Flatten, PutsRootsBelowTheNodeAfterItsChildren) {
   const ConvertReport report = flattened(folder);
   ASSERT_TRUE(report.written) << report.error;
   EXPECT_EQ(content_of(folder.path() / "out.gltf"), R"({"asset":{"version":"2.1"},
-  "nodes":[{"name":"own"}, {"name":"é", "children":[ 0,3,2 ]}, {"name":"x"}, {"children":[4],"name":"y"}, {"name":"z"}],
+  "nodes":[{"name":"own"}, {"name":"é", "children":[ 0,3,2 ]},{"name":"x"},{"children":[4],"name":"y"},{"name":"z"}],
   "scene":0, "scenes":[{"nodes":[1]}]})");
   ASSERT_EQ(report.steps.size(), 1U);
   EXPECT_EQ(report.steps[0].what, "1 asset at 1 node");

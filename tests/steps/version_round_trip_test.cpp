@@ -40,6 +40,7 @@ TEST(VersionRoundTrip, GivesTheSameText) {
   std::size_t same = 0;
   for (const fs::path& path : assets_of_version_2()) {
     const TempFolder folder;
+    for (const char* name : {"up", "back"}) fs::create_directories(folder.path() / name);
     UpgradeOptions up;
     up.gltf = "2.1";
     up.output = (folder.path() / "up" / path.filename()).native();
