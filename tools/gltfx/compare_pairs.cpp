@@ -35,7 +35,7 @@ std::set<RepositoryName> places_behind_links(GitTree& tree, const std::set<Repos
   std::set<RepositoryName> places;
   constexpr std::size_t kMostPlaces = 100'000;
   for (const auto& [link, entry] : tree.index().entries()) {
-    if (entry.mode != "120000") continue;
+    if (entry.mode != kSymbolicLink) continue;
     const auto target = tree.follow(link);
     if (!target) continue;
     for (auto name = names.lower_bound(*target); name != names.end(); ++name) {

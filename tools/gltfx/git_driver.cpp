@@ -25,8 +25,6 @@
 namespace gltfx::tool {
 namespace {
 
-constexpr std::string_view kLink = "120000";
-
 /// One of the two files.
 struct DriverSide {
   std::string name;  ///< in the repository
@@ -127,7 +125,7 @@ class GitDriver {
     if (!before_.is_missing()) report.old_path = "a/" + before_.name;
     if (!after_.is_missing()) report.new_path = "b/" + after_.name;
     report.level = CompareLevel::differs;
-    const bool link = before_.mode == kLink || after_.mode == kLink;
+    const bool link = before_.mode == kSymbolicLink || after_.mode == kSymbolicLink;
     if (link) {
       report.error = "a symbolic link is not compared";
     } else if (!before_.is_missing() && !after_.is_missing()) {

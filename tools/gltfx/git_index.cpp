@@ -14,7 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kSymbolicLink = "120000";
 constexpr std::string_view kSubmodule = "160000";
 
 std::vector<std::string_view> split_at_zeros(std::string_view text) {

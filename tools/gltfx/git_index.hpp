@@ -18,8 +18,11 @@ namespace gltfx::tool {
 /// Paths below the top folder of the working tree, with '/', of arbitrary bytes.
 using RepositoryName = std::string;
 
+/// IndexEntry::mode of a symbolic link.
+inline constexpr std::string_view kSymbolicLink = "120000";
+
 struct IndexEntry {
-  std::string mode;    ///< "100644", of a symbolic link "120000", of a submodule "160000"
+  std::string mode;    ///< "100644", of a submodule "160000"
   std::string object;  ///< in hexadecimal digits
 };
 

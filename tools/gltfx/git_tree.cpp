@@ -14,7 +14,6 @@
 namespace gltfx::tool {
 namespace {
 
-constexpr std::string_view kLink = "120000";
 // Files of a commit are held in memory.
 constexpr std::uint64_t kLargestBlob = std::uint64_t{1} << 30U;
 
@@ -81,7 +80,7 @@ std::optional<RepositoryName> GitTree::follow(const RepositoryName& name) {
     }
     RepositoryName whole = place.empty() ? part : fmt::format("{}/{}", place, part);
     const auto entry = index_.entries().find(whole);
-    if (entry == index_.entries().end() || entry->second.mode != kLink) {
+    if (entry == index_.entries().end() || entry->second.mode != kSymbolicLink) {
       place = std::move(whole);
       continue;
     }
