@@ -132,17 +132,26 @@ Result<ReferredFile> ExternalAssets::open_uri(AssetInTree& parent, std::uint32_t
   const auto alias = parent.aliases_.find(uri);
   if (alias != parent.aliases_.end()) return alias->second;
   const container::Resolver& resolver = parent.asset().resolver();
+  const Uri reference = container::classify_uri(uri);
+  if (reference.kind == UriKind::relative_path) {
+    const std::string place = resolver.place_of(reference.path);
+    const auto known = by_place_.find(place);
+    if (known != by_place_.end()) return known->second;
+    return by_place_.emplace(place, open_path(resolver, reference)).first->second;
+  }
   auto bytes = container::fetch(resolver, uri);
   if (!bytes) return bytes.error();
-  const Uri reference = container::classify_uri(uri);
-  if (reference.kind == UriKind::data) {
-    return ReferredFile{*std::move(bytes), identity_in(parent, index), place_in(parent, index),
-                        resolver.without_aliases(), parent.depth_ + 1};
-  }
-  const std::string place = resolver.place_of(reference.path);
-  return ReferredFile{*std::move(bytes), identity_of(resolver.state(reference.path), place),
-                      folder_of(root_->asset().name()) + place,
-                      resolver.in_folder_of(reference.path), 0};
+  return ReferredFile{*std::move(bytes), identity_in(parent, index), place_in(parent, index),
+                      resolver.without_aliases(), parent.depth_ + 1};
+}
+
+Result<ReferredFile> ExternalAssets::open_path(const container::Resolver& resolver,
+                                               const Uri& uri) {
+  auto bytes = container::fetch(resolver, uri.normalized);
+  if (!bytes) return bytes.error();
+  const std::string place = resolver.place_of(uri.path);
+  return ReferredFile{*std::move(bytes), identity_of(resolver.state(uri.path), place),
+                      folder_of(root_->asset().name()) + place, resolver.in_folder_of(uri.path), 0};
 }
 
 // Why a file is not opened as an asset: nested packages and aliases could make a small file endless

@@ -88,6 +88,7 @@ class ExternalAssets {
  private:
   Result<ReferredFile> open(AssetInTree& parent, std::uint32_t index);
   Result<ReferredFile> open_uri(AssetInTree& parent, std::uint32_t index, const std::string& uri);
+  Result<ReferredFile> open_path(const container::Resolver& resolver, const container::Uri& uri);
   AssetInTree::Aliases aliases_of(AssetInTree& parent, json::NodeId file);
   Result<AssetInTree*> open_asset(AssetInTree& parent, std::uint32_t file);
   std::optional<Error> find_excess(const ReferredFile& file);
@@ -96,6 +97,7 @@ class ExternalAssets {
   AssetInTree* root_;
   /// By identity and aliases.
   std::map<std::pair<FileIdentity, std::string>, AssetInTree*> known_;
+  std::map<std::string, Result<ReferredFile>> by_place_;  ///< files of their own, as place_of()
   std::set<FileIdentity> files_on_disk_;
   std::set<std::string, std::less<>> names_;
   std::uint64_t opened_bytes_ = 0, bytes_on_disk_ = 0;

@@ -153,11 +153,12 @@ void add(HashParts& parts, const TargetChoice& choice) {
 // Taken apart by name: a member that is added to the options has to be decided upon here.
 Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
   const auto& [profile, pixels, limits, products, lfs, inline_suppressions, root, searched,
-               max_issues, changed_lines, propose_fixes, targets, jobs, select, ignore, severity,
-               schemas, own_rules, cache] = options;
+               max_issues, changed_lines, changed_lines_of, propose_fixes, targets, jobs, select,
+               ignore, severity, schemas, own_rules, cache] = options;
   // The same report comes of any number of threads, with and without cache; with lines that changed
   // nothing is kept.
   static_cast<void>(changed_lines);
+  static_cast<void>(changed_lines_of);
   // Says whether the asset may be opened, not what is in it.
   static_cast<void>(searched);
   static_cast<void>(products);  // key_of_file() has that of the file
@@ -224,6 +225,25 @@ Validation with_report(validate::ValidatedAsset validated) {
   return {std::move(report), validated.take_asset()};
 }
 
+// A kept report is found by bytes, wherever the file lies: external assets are named from its
+// folder on.
+std::string folder_with_slash(const std::string& path) {
+  return path.substr(0, path.rfind('/') + 1);
+}
+
+std::string pack_with_places(FileReport report) {
+  const std::size_t folder = folder_with_slash(report.path).size();
+  for (FileReport& external : report.external_assets) external.path.erase(0, folder);
+  return report::pack(report);
+}
+
+void name_places(FileReport& report, const std::string& path) {
+  report.path = path;
+  for (FileReport& external : report.external_assets) {
+    external.path.insert(0, folder_with_slash(path));
+  }
+}
+
 /// Validation of one file, for cached().
 struct ValidateVerb {
   using Report = Validation;
@@ -239,12 +259,12 @@ struct ValidateVerb {
   }
   static std::optional<std::string> pack(const Validation& validation) {
     if (!validation.report.readable) return std::nullopt;
-    return report::pack(validation.report);
+    return pack_with_places(validation.report);
   }
   std::optional<Validation> unpack(const std::string& kept, model::OpenedAsset* asset) const {
     auto report = report::unpack(kept, rules(options.own_rules.get()));
     if (!report) return std::nullopt;
-    report->path = path;
+    name_places(*report, path);
     Validation validation{*std::move(report), std::nullopt};
     if (asset != nullptr) validation.asset = std::move(*asset);
     return validation;
@@ -264,7 +284,7 @@ Hash128 key_of_file(const std::string& path, const ValidateOptions& options) {
 
 Validation validate_or_recall(const std::string& path, const ValidateOptions& options) {
   const ValidateVerb verb{path, options};
-  if (options.cache && !options.changed_lines) {
+  if (options.cache && !options.changed_lines && !options.changed_lines_of) {
     return cached(path, AssetBounds::of(options), *options.cache, key_of_file(path, options), verb);
   }
   auto opened = verb.open();

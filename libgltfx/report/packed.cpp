@@ -154,6 +154,13 @@ class Unpacker : public PackedForm {
       fields(*this, values.emplace_back());
     }
   }
+  // An element takes at least a byte: neither a list nor a text is longer than the remaining bytes.
+  std::uint64_t length() {
+    const std::uint64_t size = next();
+    whole_ = whole_ && size <= rest_.size();
+    return whole_ ? size : 0;
+  }
+  bool is_whole() const { return whole_; }
   bool finished() const { return whole_ && rest_.empty(); }
 
  private:
@@ -169,12 +176,6 @@ class Unpacker : public PackedForm {
     const std::string_view value = rest_.substr(0, size);
     rest_.remove_prefix(size);
     return value;
-  }
-  // An element takes at least a byte: neither a list nor a text is longer than the remaining bytes.
-  std::uint64_t length() {
-    const std::uint64_t size = next();
-    whole_ = whole_ && size <= rest_.size();
-    return whole_ ? size : 0;
   }
 
   std::string_view rest_;
@@ -218,6 +219,11 @@ std::uint64_t Unpacker::next() {
 std::string pack(const FileReport& report) {
   Packer packer;
   fields(packer, report);
+  packer.number("externalAssets", report.external_assets.size());
+  for (const FileReport& external : report.external_assets) {
+    packer.text("path", external.path);
+    fields(packer, external);
+  }
   return packer.finish();
 }
 
@@ -225,6 +231,11 @@ std::optional<FileReport> unpack(std::string_view bytes, std::span<const RuleDes
   Unpacker unpacker(bytes, rules);
   FileReport report;
   fields(unpacker, report);
+  for (std::uint64_t left = unpacker.length(); left > 0 && unpacker.is_whole(); --left) {
+    FileReport& external = report.external_assets.emplace_back();
+    unpacker.text("path", external.path);
+    fields(unpacker, external);
+  }
   if (!unpacker.finished()) return std::nullopt;
   return report;
 }

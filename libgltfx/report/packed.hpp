@@ -11,7 +11,7 @@
 
 namespace gltfx::report {
 
-/// All members except path and position.
+/// All members except path and position; of external assets, with the path.
 std::string pack(const FileReport& report);
 
 /// Nothing when the bytes are not from pack(). `rules`: sorted by code, with codes

@@ -317,6 +317,7 @@ Resources load_resources(const Context& context, Sink& sink, FileReport& report)
   resources.data.origin = context.files.resolver().origin();
   load_buffers(context, sink, report, resources);
   load_images(context, sink, report, resources);
+  load_files(context, sink, report, resources);
   return resources;
 }
 

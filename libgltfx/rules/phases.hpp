@@ -22,6 +22,8 @@ class Source;
 
 namespace gltfx::validate {
 
+struct ExternalLinks;
+
 /// Phase 1: the form of the container. True if there is a JSON text to read.
 bool check_container(const container::Container& container, const std::string& name,
                      FileReport& report, Collector& collector);
@@ -41,7 +43,7 @@ struct Resources {
   std::vector<ResourceInfo> listed;
 };
 
-/// Phase 5: opens the resources of buffers and images, once. Reports those that are missing,
+/// Phase 5: opens the resources of buffers, images and files, once. Reports those that are missing,
 /// outside the root, too short, a Git-LFS pointer, and images whose header is invalid.
 Resources load_resources(const Context& context, Sink& sink, FileReport& report);
 
@@ -53,6 +55,13 @@ std::string mime_type(const container::Container& container, bool has_root);
 
 /// Opens every image, reads its header and reports problems. Buffers must be loaded before.
 void load_images(const Context& context, Sink& sink, FileReport& report, Resources& resources);
+
+/// The files of an asset of glTF 2.1: opens them and reports those that are missing, media types
+/// that do not fit, and aliases without effect. Buffers must be loaded before.
+void load_files(const Context& context, Sink& sink, FileReport& report, Resources& resources);
+
+/// Reports external assets that have errors or lead into a cycle, and aliases that they do not use.
+void report_external_assets(const Context& context, const ExternalLinks& links, Sink& sink);
 
 /// Measures what the options limit, lists the limits in the report, and reports those that do not
 /// hold.

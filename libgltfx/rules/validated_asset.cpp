@@ -9,8 +9,8 @@ namespace {
 // Lists all members, so that a new member of the options does not compile until it is handled here.
 bool validates_by_default(const ValidateOptions& options) {
   const auto& [profile, pixels, limits, products, lfs, inline_suppressions, root, searched,
-               max_issues, changed_lines, propose_fixes, targets, jobs, select, ignore, severity,
-               schemas, own_rules, cache] = options;
+               max_issues, changed_lines, changed_lines_of, propose_fixes, targets, jobs, select,
+               ignore, severity, schemas, own_rules, cache] = options;
   // The root and the schemas depend on the asset, not on preferences.
   static_cast<void>(root);
   static_cast<void>(searched);
@@ -22,8 +22,8 @@ bool validates_by_default(const ValidateOptions& options) {
   return profile == Profile::standard &&
          pixels.value_or(PixelLevel::headers) == PixelLevel::headers && limits.empty() &&
          lfs == LfsPolicy::skip && !inline_suppressions && targets.empty() && max_issues == 0 &&
-         !changed_lines && select.empty() && ignore.empty() && severity.empty() &&
-         own_rules == nullptr;
+         !changed_lines && !changed_lines_of && select.empty() && ignore.empty() &&
+         severity.empty() && own_rules == nullptr;
 }
 
 }  // namespace

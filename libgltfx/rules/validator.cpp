@@ -13,6 +13,7 @@
 #include "rules/collector.hpp"
 #include "rules/context.hpp"
 #include "rules/extensions/interactivity_draft.hpp"
+#include "rules/external_assets.hpp"
 #include "rules/own/own_measures.hpp"
 #include "rules/own/own_rules.hpp"
 #include "rules/payload/phases.hpp"
@@ -162,10 +163,39 @@ bool check_document(Context& context, json::Document& own, Collector& collector,
   return true;
 }
 
-}  // namespace
+/// What a validation has and gives beside its options and its report.
+struct Extras {
+  Sites* sites = nullptr;
+  std::vector<Shortfall>* shortfalls = nullptr;
+  std::optional<model::Views>* views = nullptr;
+  const ExternalLinks* links = nullptr;  ///< of an external asset; null: they are not known yet
+};
 
-FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, Sites* sites,
-                    std::vector<Shortfall>* shortfalls) {
+FileReport check_asset(const model::OpenedAsset& opened, const ValidateOptions& options,
+                       const Extras& extras);
+
+// The options for an external asset: it is checked as the asset that the user named.
+ValidateOptions options_of_external(const ValidateOptions& options, const std::string& path) {
+  ValidateOptions own = options;
+  own.changed_lines = options.changed_lines_of ? options.changed_lines_of(path) : std::nullopt;
+  return own;
+}
+
+void check_external_assets(const Context& context, const model::OpenedAsset& opened,
+                           const Extras& extras, Sink& sink, FileReport& report) {
+  if (context.version <= schema::kVersion2) return;
+  if (extras.links != nullptr) return report_external_assets(context, *extras.links, sink);
+  if (!context.document.holds(context.document.root(), "externalAssets")) return;
+  ExternalTree tree(opened, [&](const model::OpenedAsset& asset, const ExternalLinks& links) {
+    return check_asset(asset, options_of_external(context.options, asset.name()),
+                       {.links = &links});
+  });
+  report_external_assets(context, tree.links(), sink);
+  report.external_assets = tree.take_reports();
+}
+
+FileReport check_asset(const model::OpenedAsset& opened, const ValidateOptions& options,
+                       const Extras& extras) {
   ++work_count.validated;
   const Deviations& deviations = deviations_of(options.profile);
   const bool literal = deviations.mistakes_of_glbs_are_not_named;
@@ -215,22 +245,34 @@ FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, 
     BrokenPlaces broken;
     if (options.own_rules && additions) collector.note_broken(&broken);
     CheckedBytes bytes;
-    bytes.shortfalls = shortfalls;
+    bytes.shortfalls = extras.shortfalls;
     if (check_identity(context, collector) &&
         check_document(context, own, collector, report, bytes)) {
+      check_external_assets(context, opened, extras, collector.sink(Phase::resources), report);
       if (options.own_rules && additions) {
         broken.finish();
         check_own_rules(context, broken, report.path, bytes.measured ? &*bytes.measured : nullptr,
                         collector);
       }
       suppressions.report(options, links);
-      if (!hides) opened.keep_views(std::move(context.views));
+      if (!hides && extras.views != nullptr) extras.views->emplace(std::move(context.views));
     }
     report.left_out = suppressions.total();
   }
   report.mime_type = mime_type(container, readable && document.is_object(document.root()));
-  if (sites != nullptr) *sites = collector.take_sites();
+  if (extras.sites != nullptr) *extras.sites = collector.take_sites();
   collector.finish(report, document, container.json_offset);
+  return report;
+}
+
+}  // namespace
+
+FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, Sites* sites,
+                    std::vector<Shortfall>* shortfalls) {
+  std::optional<model::Views> views;
+  FileReport report =
+      check_asset(opened, options, {.sites = sites, .shortfalls = shortfalls, .views = &views});
+  if (views) opened.keep_views(*std::move(views));
   return report;
 }
 

@@ -53,6 +53,9 @@ std::vector<std::string> found(const std::string& asset, Profile profile,
   ValidateOptions options;
   options.profile = profile;
   if (profile == Profile::standard) options.pixels = pixels;
+  // Assets of that folder refer to each other.
+  const std::string together = "gltf-2.1/";
+  if (asset.starts_with(together)) options.root = (folder() / together).string();
   std::vector<std::string> lines;
   for (const Diagnostic& one : validate_file((folder() / asset).string(), options).diagnostics) {
     std::string line(one.code);

@@ -58,10 +58,14 @@ std::string text_of(const FileReport& report, const gltfx::ValidateOptions& opti
   const auto writer =
       gltfx::make_report_writer(khronos ? ReportFormat::khronos : ReportFormat::json, format);
   gltfx::RunSummary summary;
-  summary.add(report);
   std::string out;
   writer->begin(out);
-  writer->file(report, out);
+  const auto write = [&](const FileReport& each) {
+    summary.add(each);
+    writer->file(each, out);
+  };
+  write(report);
+  for (const FileReport& external : report.external_assets) write(external);
   writer->end(summary, out);
   return out;
 }

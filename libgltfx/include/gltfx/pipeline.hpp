@@ -28,7 +28,7 @@
 
 namespace gltfx {
 
-/// Validates the file at `path`. Never throws; a file that cannot be read gives a report with
+/// Validates the file at `path`, and its external assets. Never throws; a file that cannot be read gives a report with
 /// `readable == false` and one IO_ERROR. Safe to call from several threads.
 FileReport validate_file(const std::string& path, const ValidateOptions& options = {});
 

@@ -103,11 +103,14 @@ struct FileReport {
   std::optional<AssetInfo> info;          ///< where the JSON text could be read
   std::vector<Requirement> requirements;  ///< all limits that were checked, also those that are met
   std::uint64_t unlisted_requirements = 0;  ///< those that are not in the list: it is bounded
+  /// On all external assets (glTF 2.1) below this one, each once; their own lists are empty.
+  /// Writers get them as files of their own.
+  std::vector<FileReport> external_assets;
 };
 
 /// Totals of a run.
 struct RunSummary {
-  std::uint64_t files = 0;                                     ///< named
+  std::uint64_t files = 0;                                     ///< reported
   std::uint64_t files_with_errors = 0;                         ///< those with at least one
   std::uint64_t unreadable = 0;                                ///< that could not be opened
   std::uint64_t unverified = 0, suppressed = 0, left_out = 0;  ///< sums of those of the files

@@ -10,6 +10,7 @@
 #include <gltfx/targets.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -72,6 +73,8 @@ struct ValidateOptions {
   /// Leave out findings on other lines of the JSON text, those of own rules by all lines of their
   /// object. Those without a place and on limits stay when there is any range. Nothing: all lines.
   std::optional<std::vector<LineRange>> changed_lines;
+  /// The same for each external asset, by the path of its report; null: all lines of all of them.
+  std::function<std::optional<std::vector<LineRange>>(const std::string& path)> changed_lines_of;
   /// Fill Diagnostic::fix where a program can fix the finding and the picture stays the same. Each
   /// proposal is validated, which takes longer than the validation itself.
   bool propose_fixes = false;

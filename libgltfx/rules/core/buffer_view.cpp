@@ -73,6 +73,28 @@ void check_extents(const Context& context) {
   }
 }
 
+// A file in a view takes all of it (glTF 2.1).
+void check_file_views(const Context& context) {
+  const json::Document& document = context.document;
+  if (context.version <= schema::kVersion2) return;
+  const json::NodeId files = document.find(document.root(), "files");
+  if (files == json::kNoNode || document.kind(files) != json::Kind::array) return;
+  const Path root;
+  const Path array(root, "files");
+  std::uint64_t index = 0;
+  for (const json::NodeId file : document.elements(files)) {
+    const Path object(array, index++);
+    const auto view = context.asset.index(file, "bufferView", model::RootArray::buffer_views);
+    if (!view) continue;
+    const Path path(object, "bufferView");
+    const json::NodeId place = document.find(file, "bufferView");
+    report_file_use(context, *view, place, path);
+    if (!context.views.buffer_views[*view].byte_stride) continue;
+    report_link(context, path, place, Code::BUFFER_VIEW_INVALID_BYTE_STRIDE,
+                fmt::format("Buffer view {} contains a file, but has a byteStride.", *view));
+  }
+}
+
 // The subject is the stride, or refers to what uses its view.
 bool drop_stride(Fixing& fixing, const Subject& subject) {
   if (subject.name != "byteStride") return remove_used_stride(fixing, subject);
@@ -87,7 +109,7 @@ constexpr FixEntry kStrideFixes[] = {{Code::BUFFER_VIEW_INVALID_BYTE_STRIDE, dro
 
 const RuleGroup& buffer_view_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
-  static constexpr LinkRule kLinkRules[] = {check_extents};
+  static constexpr LinkRule kLinkRules[] = {check_extents, check_file_views};
   static constexpr RuleGroup group{
       .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kStrideFixes};
   return group;

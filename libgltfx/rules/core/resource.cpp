@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sources of buffers and images: the form of a URI, and the media type and data of data URIs.
+// Sources of buffers, images and files: the form of a URI, and the media type and data of data
+// URIs.
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -58,7 +60,9 @@ void check_data_uri(const Context& context, json::NodeId value, const Path& path
   }
 }
 
-void check_uri(const Context& context, json::NodeId object, const Path& path, bool buffer) {
+enum class Holder : std::uint8_t { buffer, image, file };
+
+void check_uri(const Context& context, json::NodeId object, const Path& path, Holder holder) {
   const json::Document& document = context.document;
   const json::NodeId value = document.find(object, "uri");
   if (value == json::kNoNode || !document.is_string(value)) return;
@@ -67,9 +71,9 @@ void check_uri(const Context& context, json::NodeId object, const Path& path, bo
   const container::Uri uri = container::classify_uri(text, context.uri_reading());
   const Path at(path, "uri");
   const bool data = uri.kind == container::UriKind::data;
-  if (data) check_data_uri(context, value, at, text, buffer);
+  if (data) check_data_uri(context, value, at, text, holder == Holder::buffer);
   check_uri_form(context, context.schema_sink, value, at);
-  if (context.container.format != container::Format::glb) return;
+  if (context.container.format != container::Format::glb || holder == Holder::file) return;
   if (!data || context.deviations.data_uris_are_external) {
     report(context, at, value, Code::URI_GLB, "The GLB references an external file.");
   }
@@ -77,11 +81,15 @@ void check_uri(const Context& context, json::NodeId object, const Path& path, bo
 }
 
 void check_buffer(const Context& context, json::NodeId object, const Path& path) {
-  check_uri(context, object, path, true);
+  check_uri(context, object, path, Holder::buffer);
 }
 
 void check_image(const Context& context, json::NodeId object, const Path& path) {
-  check_uri(context, object, path, false);
+  check_uri(context, object, path, Holder::image);
+}
+
+void check_file(const Context& context, json::NodeId object, const Path& path) {
+  check_uri(context, object, path, Holder::file);
 }
 
 // --- Fixes ---
@@ -104,8 +112,8 @@ constexpr FixEntry kUriFixes[] = {{Code::BUFFER_DATA_URI_MIME_TYPE_INVALID, say_
 }  // namespace
 
 const RuleGroup& resource_rules() {
-  static constexpr ObjectRuleEntry kObjectRules[] = {{"buffer", check_buffer},
-                                                     {"image", check_image}};
+  static constexpr ObjectRuleEntry kObjectRules[] = {
+      {"buffer", check_buffer}, {"image", check_image}, {"file", check_file}};
   static constexpr RuleGroup group{.object_rules = kObjectRules, .fixes = kUriFixes};
   return group;
 }

@@ -42,6 +42,16 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
                   kind == model::ViewUse::vertices ? 34962 : 34963, view));
 }
 
+void report_file_use(const Context& context, std::uint32_t view, json::NodeId place,
+                     const Path& path) {
+  const auto& first = context.views.usage.view(view);
+  if (first.kind == model::ViewUse::none || first.kind == model::ViewUse::image) return;
+  report_link(context, path, place, Code::BUFFER_VIEW_TARGET_OVERRIDE,
+              fmt::format("Buffer view {} contains a file, but {} for {}.", view,
+                          first.place == json::kNoNode ? "its target is" : "it is also used",
+                          model::use_text(first.kind)));
+}
+
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
                 json::NodeId place, const Path& path) {
   const auto& first = context.views.usage.accessor(accessor);
@@ -79,10 +89,13 @@ bool add_target(Fixing& fixing, const Subject& user) {
                                   : fixing.replace(invalid, target_of(*use));
 }
 
-// The target is set by the use: it describes the view's use and changes nothing else.
+// The target is set by the use: it describes the view's use and changes nothing else. A file alone
+// is no use by an accessor or image.
 bool correct_target(Fixing& fixing, const Subject& user) {
   const auto view = view_behind(fixing, user);
-  const auto use = view ? fixing.views().usage.view(*view).only() : std::nullopt;
+  if (!view) return false;
+  const auto& uses = fixing.views().usage.view(*view);
+  const auto use = uses.used() ? uses.only() : std::optional(model::ViewUse::none);
   if (!use) return false;
   const json::NodeId target =
       fixing.document().find(fixing.views().buffer_views[*view].node, "target");

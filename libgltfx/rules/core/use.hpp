@@ -21,6 +21,11 @@ std::string_view unseen_user(const Context& context);
 void report_view_use(const Context& context, std::uint32_t view, model::ViewUse kind,
                      json::NodeId place, const Path& path);
 
+/// A file (glTF 2.1) in buffer view `view`, all of which it takes. Reports
+/// BUFFER_VIEW_TARGET_OVERRIDE for a view with a target or with other data.
+void report_file_use(const Context& context, std::uint32_t view, json::NodeId place,
+                     const Path& path);
+
 /// One use of accessor `accessor`, and thereby of its view. Reports ACCESSOR_USAGE_OVERRIDE and
 /// what report_view_use() does.
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
