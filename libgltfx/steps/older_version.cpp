@@ -81,7 +81,8 @@ class OlderVersionStep {
         return Error{pointer + " shows another asset, which --flatten copies"};
       }
       if (member.name == "chunk" && !is_implied(member)) {
-        return Error{pointer + " is a chunk that only a GLB of version 3 can have"};
+        return Error{pointer +
+                     " is a chunk of a GLB of version 3; convert to version 2 or to .gltf first"};
       }
     }
     for (const graph::Use& use : data_.graph.uses()) {
