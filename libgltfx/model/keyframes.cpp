@@ -133,6 +133,14 @@ class Sampling {
     return std::move(sample_);
   }
 
+  std::vector<ClipChannel> channels(const Animation& animation) {
+    std::vector<ClipChannel> opened;
+    for (const AnimationChannel& channel : animation.channels) {
+      if (!open(animation, channel, opened.emplace_back()).empty()) opened.pop_back();
+    }
+    return opened;
+  }
+
  private:
   // The target of a channel.
   struct Target {
@@ -143,18 +151,28 @@ class Sampling {
   };
 
   std::string_view add(const Animation& animation, const AnimationChannel& channel) {
-    const auto target = find_target(channel);
-    if (!target) return "moves nothing that is drawn";
-    if (!channel.sampler) return "has no sampler";
-    const auto curve = open(animation.samplers[*channel.sampler]);
-    if (!curve) return "has keyframes that cannot be read";
-    if (curve->values.components() != target->components) return "has values of another type";
-    if (!budget_.take(checked_mul(target->width, sizeof(float)))) {
+    ClipChannel opened;
+    const std::string_view problem = open(animation, channel, opened);
+    if (!problem.empty()) return problem;
+    if (!budget_.take(checked_mul(opened.width, sizeof(float)))) {
       return "moves more numbers than may be kept";
     }
-    std::vector<float> values = value_at(*curve, time_, target->width, target->rotation);
+    std::vector<float> values = value_at(opened.curve, time_, opened.width, opened.rotation);
     if (values.empty()) return "has too few values";
-    sample_.values.insert_or_assign(target->pointer, std::move(values));
+    sample_.values.insert_or_assign(std::move(opened.pointer), std::move(values));
+    return {};
+  }
+
+  // What is wrong with the channel; empty: nothing.
+  std::string_view open(const Animation& animation, const AnimationChannel& channel,
+                        ClipChannel& to) {
+    auto target = find_target(channel);
+    if (!target) return "moves nothing that is drawn";
+    if (!channel.sampler) return "has no sampler";
+    auto curve = open(animation.samplers[*channel.sampler]);
+    if (!curve) return "has keyframes that cannot be read";
+    if (curve->values.components() != target->components) return "has values of another type";
+    to = {std::move(target->pointer), target->width, target->rotation, *std::move(curve)};
     return {};
   }
 
@@ -268,6 +286,12 @@ AnimationSample sample_animation(const Asset& asset, const Views& views,
                                  const ResourceData& resources, const schema::Set& schemas,
                                  std::uint32_t index, double time) {
   return Sampling(asset, views, resources, schemas, time).run(views.animations[index]);
+}
+
+std::vector<ClipChannel> open_clip(const Asset& asset, const Views& views,
+                                   const ResourceData& resources, const schema::Set& schemas,
+                                   std::uint32_t index) {
+  return Sampling(asset, views, resources, schemas, 0).channels(views.animations[index]);
 }
 
 }  // namespace gltfx::model

@@ -26,6 +26,14 @@ struct Curve {
 /// follow the shorter arc and have length 1. Empty when there are too few elements.
 std::vector<float> value_at(const Curve& curve, double time, std::uint64_t width, bool rotation);
 
+/// A channel of an animation that can be evaluated.
+struct ClipChannel {
+  std::string pointer;      ///< canonical JSON pointer of what it changes
+  std::uint64_t width = 1;  ///< as value_at() takes it
+  bool rotation = false;    ///< likewise
+  Curve curve;
+};
+
 /// The greatest time of the keyframes of an animation, as `max` of their accessors states it;
 /// seconds.
 double duration_of(const Asset& asset, const Views& views, const Animation& animation);
@@ -41,5 +49,10 @@ struct AnimationSample {
 AnimationSample sample_animation(const Asset& asset, const Views& views,
                                  const ResourceData& resources, const schema::Set& schemas,
                                  std::uint32_t index, double time);
+
+/// The channels of animation `index`; those that cannot be evaluated are left out.
+std::vector<ClipChannel> open_clip(const Asset& asset, const Views& views,
+                                   const ResourceData& resources, const schema::Set& schemas,
+                                   std::uint32_t index);
 
 }  // namespace gltfx::model

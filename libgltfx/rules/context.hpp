@@ -17,6 +17,7 @@
 #include "container/uri.hpp"
 #include "json/document.hpp"
 #include "model/asset.hpp"
+#include "model/opened_asset.hpp"
 #include "model/scene_graph.hpp"
 #include "model/views.hpp"
 #include "rules/data_uris.hpp"
@@ -51,6 +52,8 @@ struct Context {
   LinkOrder* order = nullptr;
   /// Filled by the phases that read data URIs; no two of them run at once.
   DataUris* data_uris = nullptr;
+  /// The asset, for what its external assets hold.
+  const model::OpenedAsset* opened = nullptr;
 
   /// Deviations of the profile; rules do not check the profile itself.
   const Deviations& deviations = deviations_of(options.profile);

@@ -11,8 +11,8 @@ namespace gltfx::validate {
 const RuleGroup &accessor_layout_rules(), &accessor_timed_rules(), &accessor_values_rules(),
     &agi_names_rules(), &animation_paths_rules(), &animation_pointer_rules(), &animation_rules(),
     &asset_root_rules(), &attribute_check_rules(), &attribute_names_rules(), &audio_rules(),
-    &bound_names_rules(), &buffer_view_rules(), &buffers_rules(), &camera_rules(),
-    &container_rules(), &default_scene_rules(), &element_values_rules(),
+    &bound_names_rules(), &bounding_volume_rules(), &buffer_view_rules(), &buffers_rules(),
+    &camera_rules(), &container_rules(), &default_scene_rules(), &element_values_rules(),
     &extension_accessors_rules(), &extension_use_rules(), &fallback_rules(),
     &gaussian_splatting_rules(), &image_source_rules(), &images_rules(), &influences_rules(),
     &instancing_rules(), &interactivity_rules(), &keyframe_fix_rules(), &lights_image_based_rules(),
@@ -21,10 +21,10 @@ const RuleGroup &accessor_layout_rules(), &accessor_timed_rules(), &accessor_val
     &mesh_primitive_rules(), &mesh_quantization_rules(), &mesh_rules(), &missing_files_rules(),
     &node_constraint_rules(), &node_graph_rules(), &node_mesh_rules(), &node_transform_rules(),
     &nonvisual_geometry_rules(), &packed_geometry_rules(), &physics_rules(), &resource_rules(),
-    &scene_rules(), &schema_fix_rules(), &single_root_rules(), &skin_rules(), &sparse_rules(),
-    &spring_bone_rules(), &structural_metadata_rules(), &techniques_webgl_rules(), &text_rules(),
-    &unused_objects_rules(), &uri_form_rules(), &value_fix_rules(), &view_use_rules(),
-    &vrm_avatar_rules(), &vrm_expressions_rules(), &vrm_humanoid_pose_rules(),
+    &scene_rules(), &schema_fix_rules(), &shape_mesh_rules(), &single_root_rules(), &skin_rules(),
+    &sparse_rules(), &spring_bone_rules(), &structural_metadata_rules(), &techniques_webgl_rules(),
+    &text_rules(), &unused_objects_rules(), &uri_form_rules(), &value_fix_rules(),
+    &view_use_rules(), &vrm_avatar_rules(), &vrm_expressions_rules(), &vrm_humanoid_pose_rules(),
     &vrm_humanoid_rules(), &wrong_side_rules(), &xmp_rules();
 
 namespace {
@@ -47,6 +47,7 @@ constexpr const RuleGroup& (*kRuleGroups[])() = {
     sparse_rules,
     influences_rules,
     bound_names_rules,
+    bounding_volume_rules,
     default_scene_rules,
     keyframe_fix_rules,
     wrong_side_rules,
@@ -79,6 +80,7 @@ constexpr const RuleGroup& (*kRuleGroups[])() = {
     animation_paths_rules,
     scene_rules,
     node_graph_rules,
+    shape_mesh_rules,
     // Extensions.
     packed_geometry_rules,
     mesh_groups_rules,
@@ -121,6 +123,7 @@ constexpr DataRule kDataRules[] = {
     {check_outlines, true},
     {check_manifolds, true},
     {check_volumes, true},
+    {check_shape_surfaces, true},
     // Meaning of elements for an extension.
     {check_expression_weights},
     {check_metadata, true},
@@ -141,7 +144,8 @@ constexpr DataRule kShownRules[] = {
     {check_morph_reach},     {check_keyframes},        {check_clips},
     {check_bound_names},     {check_material_values},  {check_vertex_colors},
     {check_light_intensity}, {check_texture_contents}, {check_texture_coordinates},
-    {check_shown_alpha},     {check_waste_bytes},      {check_waste_objects},
+    {check_shown_alpha},     {check_bounding_volumes}, {check_waste_bytes},
+    {check_waste_objects},
 };
 
 }  // namespace

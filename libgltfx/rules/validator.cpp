@@ -237,6 +237,7 @@ FileReport check_asset(const model::OpenedAsset& opened, const ValidateOptions& 
     collector.judge_by(context.version);
     DataUris data_uris(context.uri_reading());
     context.data_uris = &data_uris;
+    context.opened = &opened;
     Suppressions suppressions;
     if (options.inline_suppressions && additions) {
       suppressions = Suppressions(document, options.own_rules.get());

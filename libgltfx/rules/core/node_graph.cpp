@@ -139,8 +139,7 @@ class GraphCheck {
   bool has_later_member(const model::Node& node) const {
     if (context_.version <= schema::kVersion2) return false;
     const json::Document& document = context_.document;
-    return document.find(node.object, "externalAsset") != json::kNoNode ||
-           document.find(node.object, "boundingVolume") != json::kNoNode;
+    return document.find(node.object, "externalAsset") != json::kNoNode || moves_volume(node);
   }
 
   // Such as the end of a joint or the eye of an avatar.
@@ -212,6 +211,17 @@ class GraphCheck {
   }
 
   void check_skinned(const model::Node& node, NodeIndex index, const Path& path) {
+    if (!moves_volume(node)) check_skinned_place(node, index, path);
+    check_scenes(*node.skin, index, path, node.skin_value);
+  }
+
+  // A bounding volume follows the node and its parents, also where the mesh does not.
+  bool moves_volume(const model::Node& node) const {
+    return context_.version > schema::kVersion2 &&
+           context_.document.find(node.object, "boundingVolume") != json::kNoNode;
+  }
+
+  void check_skinned_place(const model::Node& node, NodeIndex index, const Path& path) {
     if (!model::read_transform(context_.document, node).is_identity()) {
       report_link(context_, path, node.object, Code::NODE_SKINNED_MESH_LOCAL_TRANSFORMS,
                   "The transform of the node has no effect because its mesh is skinned.");
@@ -233,7 +243,6 @@ class GraphCheck {
                 label(model::RootArray::nodes, parent)));
       }
     }
-    check_scenes(*node.skin, index, path, node.skin_value);
   }
 
   void check_scenes(std::uint32_t skin, NodeIndex index, const Path& path, json::NodeId place) {

@@ -116,6 +116,8 @@ void check_texture_slots(DataPhase& phase);
 /// EXT_lights_image_based: faces of cubes are square, with a power of two as size, and halve from
 /// level to level, beginning with the size declared by the light.
 void check_image_based_lights(DataPhase& phase);
+/// Shapes of meshes (glTF 2.1): convex ones are convex; their surfaces are closed.
+void check_shape_surfaces(DataPhase& phase);
 /// VRMC_vrm: the thumbnail of an avatar is square.
 void check_thumbnails(DataPhase& phase);
 /// Opens the profiles of an asset and reads the head of each: a version of LM-63 that readers must

@@ -15,12 +15,12 @@ namespace {
 using model::AnimationPath;
 
 // In-tangent, value, out-tangent.
-constexpr std::uint64_t kParts = 3;
+constexpr std::uint64_t kSplineParts = 3;
 
 struct Spline {
   std::uint32_t accessor = 0;
   Elements elements;
-  std::uint64_t keys() const { return elements.count() / kParts; }
+  std::uint64_t keys() const { return elements.count() / kSplineParts; }
 };
 
 // Whether all curves with these values are splines of a node's transform, or of its rotation alone.
@@ -44,7 +44,7 @@ std::optional<Spline> open_spline(Fixing& fixing, const Subject& subject, bool r
   const auto accessor = fixing.index(model::RootArray::accessors, subject.value);
   if (!accessor || !are_splines(fixing.views(), *accessor, rotations)) return std::nullopt;
   auto elements = open_elements(fixing, *accessor, "output");
-  const bool fits = elements && elements->is_float() && elements->count() % kParts == 0 &&
+  const bool fits = elements && elements->is_float() && elements->count() % kSplineParts == 0 &&
                     (!rotations || elements->components() == 4);
   if (!fits) return std::nullopt;
   if (!fixing.table<ReadBudget>().take(elements->count(), elements->components())) {
@@ -57,7 +57,7 @@ std::optional<Spline> open_spline(Fixing& fixing, const Subject& subject, bool r
 double along(const Elements& elements, std::uint64_t key) {
   double sum = 0;
   for (unsigned k = 0; k < elements.components(); ++k) {
-    sum += elements.get(key * kParts + 1, k) * elements.get((key - 1) * kParts + 1, k);
+    sum += elements.get(key * kSplineParts + 1, k) * elements.get((key - 1) * kSplineParts + 1, k);
   }
   return sum;
 }
@@ -78,7 +78,7 @@ bool negate_keys(Fixing& fixing, const Subject& subject) {
   }
   if (negated.empty()) return false;
   for (const std::uint64_t key : negated) {
-    for (std::uint64_t i = key * kParts; i < (key + 1) * kParts; ++i) {
+    for (std::uint64_t i = key * kSplineParts; i < (key + 1) * kSplineParts; ++i) {
       for (unsigned k = 0; k < spline->elements.components(); ++k) {
         spline->elements.set(i, k, -spline->elements.get(i, k));
       }
@@ -92,7 +92,7 @@ bool clear_tangents(Fixing& fixing, const Subject& subject) {
   auto spline = open_spline(fixing, subject, false);
   if (!spline) return false;
   for (std::uint64_t i = 0; i < spline->elements.count(); ++i) {
-    if (i % kParts == 1) continue;
+    if (i % kSplineParts == 1) continue;
     for (unsigned k = 0; k < spline->elements.components(); ++k) spline->elements.set(i, k, 0);
   }
   follow_with_bounds(fixing, spline->accessor, spline->elements);

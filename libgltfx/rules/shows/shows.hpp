@@ -54,6 +54,9 @@ void check_bound_names(DataPhase& phase);
 void check_material_values(DataPhase& phase);
 /// Vertex colors that are black everywhere. Reads one color of a primitive where it is not black.
 void check_vertex_colors(DataPhase& phase);
+/// Bounding volumes that do not enclose the geometry of their nodes (glTF 2.1). Reads vertices only
+/// where bounds of accessors are outside, or where animations move them.
+void check_bounding_volumes(DataPhase& phase);
 /// Lights that are off or blinding.
 void check_light_intensity(DataPhase& phase);
 /// Textures that make a surface black or violet, or turn its relief over. By decoded images.
