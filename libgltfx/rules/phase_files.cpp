@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -108,19 +109,17 @@ void report_alias(const Context& context, Sink& sink, const Path& file_path, jso
 }
 
 // The elements of a member that is an array; none where it is not.
-const std::vector<json::NodeId>& entries_of(const json::Document& document,
-                                            model::ArrayLookup& arrays, json::NodeId object,
-                                            std::string_view member) {
-  static const std::vector<json::NodeId> none;
+std::span<const json::NodeId> entries_of(const json::Document& document, model::ArrayLookup& arrays,
+                                         json::NodeId object, std::string_view member) {
   const json::NodeId list = document.find(object, member);
-  if (list == json::kNoNode || document.kind(list) != json::Kind::array) return none;
+  if (list == json::kNoNode || document.kind(list) != json::Kind::array) return {};
   return arrays.elements(list);
 }
 
 void check_aliases(const Resource& file) {
   const json::Document& document = file.context.document;
   model::ArrayLookup arrays(document);
-  const std::vector<json::NodeId>& entries = entries_of(document, arrays, file.object, "aliases");
+  const auto entries = entries_of(document, arrays, file.object, "aliases");
   if (entries.empty()) return;
   const std::string type = model::string_member(document, file.object, "mimeType");
   if (!is_gltf_type(type)) {
@@ -175,7 +174,7 @@ void report_external_assets(const Context& context, const ExternalLinks& links, 
   model::ArrayLookup arrays(document);
   const Path root;
   const Path array(root, "externalAssets");
-  const auto& objects = entries_of(document, arrays, document.root(), "externalAssets");
+  const auto objects = entries_of(document, arrays, document.root(), "externalAssets");
   for (const ExternalLink& link : links.links) {
     const json::NodeId object = objects[link.index];
     const Path path(array, std::uint64_t{link.index});
@@ -195,7 +194,7 @@ void report_external_assets(const Context& context, const ExternalLinks& links, 
     }
   }
   const Path file_array(root, "files");
-  const auto& file_objects = entries_of(document, arrays, document.root(), "files");
+  const auto file_objects = entries_of(document, arrays, document.root(), "files");
   for (const auto& [file, alias] : links.unused_aliases) {
     const Path path(file_array, std::uint64_t{file});
     const json::NodeId entry = entries_of(document, arrays, file_objects[file], "aliases")[alias];

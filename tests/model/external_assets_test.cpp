@@ -99,7 +99,7 @@ TEST(ExternalAssets, EmbeddedInTheAssetHaveItsFolder) {
 }
 
 TEST(ExternalAssets, SayWhyThereAreNone) {
-  const Files files{{"a.gltf", R"({"files":[{"uri":"b.gltf"},{"uri":"http://a.b/c.gltf"}]})"}};
+  const Files files{{"a.gltf", R"({"files":[{"uri":"b.gltf"},{"uri":"file:///c.gltf"}]})"}};
   const model::OpenedAsset opened = open_asset_of(files, "a.gltf");
   model::ExternalAssets assets(opened);
   EXPECT_FALSE(assets.asset(assets.root(), 0));

@@ -147,16 +147,21 @@ class Merge {
     return ExitCode::unreadable;
   }
 
+  // External assets come after all inputs, sorted by path.
+  static std::pair<std::uint64_t, std::string_view> key_of(const FileReport& report) {
+    return {report.position, report.path};
+  }
+
   ReportFile* find_first() {
     ReportFile* first = nullptr;
     for (ReportFile& file : files_) {
       if (!file.next()) continue;
-      if (first == nullptr || file.next()->position < first->next()->position) first = &file;
+      if (first == nullptr || key_of(*file.next()) < key_of(*first->next())) first = &file;
     }
     return first;
   }
 
-  // A shard that was run twice has every report twice.
+  // A shard that was run twice has every report twice. Shards have external assets in common.
   void take(FileReport report) {
     if (last_ && last_->first == report.position && last_->second == report.path) return;
     last_.emplace(report.position, report.path);

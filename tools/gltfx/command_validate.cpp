@@ -3,15 +3,18 @@
 #include <gltfx/pipeline.hpp>
 #include <gltfx/result_cache.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "changed_files.hpp"
 #include "commands.hpp"
+#include "external_reports.hpp"
 #include "input_paths.hpp"
 #include "known_findings.hpp"
 #include "progress.hpp"
@@ -46,6 +49,7 @@ class Run {
   void check_files(const std::vector<Input>& files);
   const ValidateOptions& limited(const ValidateOptions& options, const std::string& path);
   void look_again(FileReport& report);
+  bool companions_changed(const FileReport& report) const;
   void take(FileReport report);
   ExitCode verdict() const;
 
@@ -54,6 +58,7 @@ class Run {
   std::deque<ValidateOptions> limited_;  ///< to changed lines
   KnownFindings known_;
   std::optional<ChangedFiles> changed_;
+  ExternalReports external_;
   ReportTargets targets_;
   RunSummary summary_;
   ProgressLine progress_;
@@ -75,17 +80,32 @@ FileReport check_stdin(const ValidateOptions& options) {
 
 // The options for changed lines, unless the whole file counts.
 const ValidateOptions& Run::limited(const ValidateOptions& options, const std::string& path) {
-  auto lines = changed_ ? changed_->lines(path) : std::nullopt;
-  if (!lines) return options;
+  if (!changed_) return options;
   ValidateOptions& own = limited_.emplace_back(options);
-  own.changed_lines = *std::move(lines);
+  own.changed_lines = changed_->lines(path);
+  own.changed_lines_of = [this](const std::string& external) { return changed_->lines(external); };
   return own;
+}
+
+bool Run::companions_changed(const FileReport& report) const {
+  return changed_->companions_changed(report) ||
+         std::any_of(report.external_assets.begin(), report.external_assets.end(),
+                     [&](const FileReport& one) { return changed_->companions_changed(one); });
 }
 
 // Changed data, such as a new image, can cause findings on unchanged lines.
 void Run::look_again(FileReport& report) {
-  if (!changed_ || !changed_->companions_changed(report)) return;
-  if (changed_->lines(report.path)) report = validate_file(report.path, options_.of(report.path));
+  if (!changed_ || !companions_changed(report)) return;
+  std::set<std::string> whole;
+  for (const FileReport& external : report.external_assets) {
+    if (changed_->companions_changed(external)) whole.insert(external.path);
+  }
+  if (whole.empty() && !changed_->lines(report.path)) return;
+  ValidateOptions options = options_.of(report.path);
+  options.changed_lines_of = [&](const std::string& path) {
+    return whole.count(path) > 0 ? std::nullopt : changed_->lines(path);
+  };
+  report = validate_file(report.path, options);
 }
 
 void Run::check_files(const std::vector<Input>& files) {
@@ -100,6 +120,7 @@ void Run::check_files(const std::vector<Input>& files) {
   validate_files(inputs, request_.common.jobs, [&](FileReport&& report) {
     look_again(report);
     report.position = files[next++].position;
+    external_.take_from(report);
     take(std::move(report));
   });
 }
@@ -111,7 +132,9 @@ void Run::check(InputWalk& walk) {
     check_files(batch);
     batch.clear();
   };
-  while (auto input = walk.next()) {
+  while (auto input = walk.next_of_all()) {
+    external_.name(input->path);
+    if (!input->ours) continue;
     if (input->path != "-") {
       batch.push_back(*std::move(input));
       if (batch.size() == kBatch) run_batch();
@@ -120,9 +143,11 @@ void Run::check(InputWalk& walk) {
     run_batch();
     FileReport report = check_stdin(options_.common());
     report.position = input->position;
+    external_.take_from(report);
     take(std::move(report));
   }
   run_batch();
+  for (FileReport& report : external_.take()) take(std::move(report));
 }
 
 ExitCode Run::verdict() const { return verdict_on(summary_, request_, known_.recording()); }

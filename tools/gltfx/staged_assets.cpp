@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -50,20 +51,22 @@ bool leads_to(const std::set<RepositoryName>& references, const std::set<Reposit
 
 std::optional<Error> StagedAssets::find(const std::set<RepositoryName>& names) {
   std::set<RepositoryName> others;
+  std::set<RepositoryName> changed;  // assets, which may be external assets of others
   for (const RepositoryName& name : names) {
     const auto entry = index_.entries().find(name);
     const bool submodule = entry != index_.entries().end() && index_.file(name) == nullptr;
     std::error_code error;
     if (is_companion_name(name) || submodule) {
       others.insert(name);
-    } else if (is_asset_name(name) &&
-               (entry != index_.entries().end() || fs::exists(index_.path_of(name), error))) {
-      found_.insert(name);
+    } else if (is_asset_name(name)) {
+      changed.insert(name);
+      const bool there = entry != index_.entries().end() || fs::exists(index_.path_of(name), error);
+      if (there) found_.insert(name);
     }
   }
   std::vector<RepositoryName> wanted;
   for (const auto& [name, entry] : index_.entries()) {
-    if (is_asset_name(name) && (!others.empty() || found_.count(name) > 0)) wanted.push_back(name);
+    if (is_asset_name(name) && (!others.empty() || !changed.empty())) wanted.push_back(name);
   }
   auto trouble = index_.read(wanted, [&](const RepositoryName& name, std::string&& bytes) {
     note(name, std::move(bytes));
@@ -72,10 +75,30 @@ std::optional<Error> StagedAssets::find(const std::set<RepositoryName>& names) {
   for (const auto& [asset, references] : references_) {
     if (leads_to(references, others)) found_.insert(asset);
   }
+  changed.insert(found_.begin(), found_.end());
+  add_parents_of(changed);
   for (const RepositoryName& asset : found_) {
     if (index_.file(asset) == nullptr) note_file(asset);
   }
   return std::nullopt;
+}
+
+// What an asset shows depends on all external assets below it.
+void StagedAssets::add_parents_of(const std::set<RepositoryName>& assets) {
+  std::map<RepositoryName, std::vector<RepositoryName>> parents;
+  for (const auto& [asset, references] : references_) {
+    for (const RepositoryName& name : references) {
+      if (is_asset_name(name)) parents[name].push_back(asset);
+    }
+  }
+  std::vector<RepositoryName> left(assets.begin(), assets.end());
+  while (!left.empty()) {
+    const RepositoryName name = std::move(left.back());
+    left.pop_back();
+    for (const RepositoryName& parent : parents[name]) {
+      if (found_.insert(parent).second) left.push_back(parent);
+    }
+  }
 }
 
 void StagedAssets::look_at_files(const std::set<RepositoryName>& but) {

@@ -18,8 +18,8 @@ class StagedAssets {
  public:
   explicit StagedAssets(const GitIndex& index) : index_(index) {}
 
-  /// Finds the assets among `names`, and in the index those that refer to other names. All names
-  /// may be deleted files.
+  /// Finds the assets among `names`, and in the index those that refer to other names, or to an
+  /// asset that is found. All names may be deleted files.
   std::optional<Error> find(const std::set<RepositoryName>& names);
   /// Reads the references of the found assets again, from the working tree, except those whose
   /// index and file differ on purpose.
@@ -32,6 +32,7 @@ class StagedAssets {
  private:
   void note(const RepositoryName& asset, std::string&& bytes);
   void note_file(const RepositoryName& asset);
+  void add_parents_of(const std::set<RepositoryName>& assets);
 
   const GitIndex& index_;
   std::set<RepositoryName> found_;
