@@ -155,7 +155,9 @@ bool is_too_long(std::string_view json, std::uint32_t version) {
 std::optional<std::string> find_glb_obstacle(const Container& container) {
   for (const auto* errors : {&container.errors, &container.late_errors}) {
     for (const container::ContainerError& error : *errors) {
-      if (container.cut_short || !is_harmless(error)) return error.message;
+      const bool hides_text =
+          error.code == Code::GLB_CHUNK_ENCODING_UNKNOWN && container.json == nullptr;
+      if (container.cut_short || hides_text || !is_harmless(error)) return error.message;
     }
   }
   return std::nullopt;

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "graph/renumber.hpp"
 #include "model/fields.hpp"
 #include "model/meshopt_view.hpp"
 
@@ -43,6 +45,39 @@ std::string find_lost_member(const json::Document& document, json::NodeId buffer
     return fmt::format("its {} would be lost in another buffer", gltfx::quoted(name));
   }
   return {};
+}
+
+void move_users(const graph::Graph& graph, const std::vector<change::BufferUser>& users,
+                const std::vector<Packed>& packed, json::Editor& editor) {
+  const graph::Tree& tree = graph.tree();
+  const json::Document& document = tree.document();
+  const json::NodeId list = document.find(document.root(), "buffers");
+  const std::uint64_t count = tree.size(list);
+  const std::uint64_t home = packed.front().index;
+  std::vector<std::uint64_t> base(count), position(count);
+  std::vector<bool> goes(count);
+  for (const Packed& each : packed) {
+    base[each.index] = each.base;
+    goes[each.index] = each.index != home;
+  }
+  std::uint64_t next = 0;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    position[i] = goes[i] ? 0 : next++;
+    if (goes[i]) editor.remove(list, tree.element(list, i));
+  }
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (goes[i]) position[i] = position[home];
+  }
+  for (const change::BufferUser& user : users) {
+    change::move_user(document, user, user.bytes.begin + base[user.buffer], editor);
+  }
+  auto edits = graph::renumber(
+      graph,
+      [&](json::NodeId array, std::uint64_t index) {
+        return array == list ? position[index] : index;
+      },
+      [](graph::Place) { return false; });
+  for (json::Edit& edit : edits) editor.replace_text(edit.span, std::move(edit.text));
 }
 
 }  // namespace gltfx::steps

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Why a buffer must not become a part of another one.
+/// Buffers that become parts of another one.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "change/buffer_layout.hpp"
 #include "graph/graph.hpp"
+#include "json/edit.hpp"
 #include "model/asset_bytes.hpp"
 
 namespace gltfx::steps {
@@ -22,5 +24,16 @@ bool is_plain_copy(const json::Document& document, json::NodeId buffer);
 
 /// The first member of a merged buffer, other than length, place and name, that would be lost.
 std::string find_lost_member(const json::Document& document, json::NodeId buffer);
+
+/// A buffer that becomes a part of another one.
+struct Packed {
+  std::uint64_t index;
+  std::uint64_t base;  ///< its offset in the other one
+};
+
+/// Makes all users of buffers use the first of them, and removes the others. `users`: all of the
+/// asset.
+void move_users(const graph::Graph& graph, const std::vector<change::BufferUser>& users,
+                const std::vector<Packed>& packed, json::Editor& editor);
 
 }  // namespace gltfx::steps

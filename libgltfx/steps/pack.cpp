@@ -10,8 +10,8 @@
 
 #include "base/text.hpp"
 #include "change/buffer_layout.hpp"
+#include "change/rewrite.hpp"
 #include "container/uri.hpp"
-#include "graph/renumber.hpp"
 #include "image/header.hpp"
 #include "model/asset_bytes.hpp"
 #include "model/buffer_chunk.hpp"
@@ -32,12 +32,6 @@ using model::Storage;
 constexpr std::uint64_t kMostBytes = UINT32_MAX;  // of a GLB of version 2
 constexpr const char* kNoFirst = "buffer 0 has no data, but the BIN chunk of a GLB is its data";
 
-/// A buffer that becomes a part of the BIN chunk.
-struct Packed {
-  std::uint64_t index;
-  std::uint64_t base;  ///< its offset in the chunk
-};
-
 class Packer {
  public:
   Packer(const StepInput& input, std::uint32_t version)
@@ -55,6 +49,8 @@ class Packer {
     take_buffers();
     if (takes_files()) take_images();
     if (is_glb() && moved_ == 0 && !becomes_other()) return std::move(outcome_);
+    if (!stuck_.empty()) return Error{stuck_};
+    if (images_ == 0) take_lone_chunk();
     if (is_too_large()) {
       return Error{
           "a GLB of version 2 has at most 4 GiB; use --glb 3, or --to gltf for separate files"};
@@ -76,8 +72,11 @@ class Packer {
   }
 
   bool is_too_large() const {
-    return version_ == 2 &&
-           size_ > kMostBytes - std::min<std::uint64_t>(kMostBytes, document_.text().size());
+    std::uint64_t size = document_.text().size() + size_;
+    for (const container::Chunk& chunk : glb().chunks) {
+      if (change::is_copied(glb(), chunk, version_)) size += chunk.length;
+    }
+    return version_ == 2 && size > kMostBytes;
   }
 
  private:
@@ -114,11 +113,10 @@ class Packer {
   std::optional<Error> store_chunk() {
     const auto& bin = glb().bin;
     const auto chunk = bytes_.buffer_chunk(home_);
-    const auto lone = lone_bin(glb());
     std::size_t position = bin ? model::position_of(glb(), *bin) : change::kNewBin;
     if (packed_.empty() && images_ == 0) {
-      if (!becomes_other() || !lone) return std::nullopt;
-      data_ = {glb().bytes.part(lone->offset, lone->length)};
+      if (data_.empty()) return std::nullopt;
+      forget_chunk();
     } else if (chunk) {
       position = model::position_of(glb(), *chunk);
       if (moved_ + joined_ == 0) data_ = {glb().bytes.part(chunk->offset, chunk->length)};
@@ -146,7 +144,12 @@ class Packer {
   }
 
   void refuse(std::string_view array, std::uint64_t index, std::string reason) {
-    outcome_.row.refused.push_back({fmt::format("/{}/{}", array, index), std::move(reason)});
+    std::string pointer = fmt::format("/{}/{}", array, index);
+    // The bytes of a chunk that is not joined would be lost.
+    if (array == "buffers" && becomes_other() && is_in_chunk(index)) {
+      stuck_ = fmt::format("{}: {}", pointer, reason);
+    }
+    outcome_.row.refused.push_back({std::move(pointer), std::move(reason)});
   }
 
   // Returns the offset of the bytes.
@@ -188,6 +191,15 @@ class Packer {
     return bytes->part(0, *declared);
   }
 
+  // A chunk that stays the only one is copied with its padding.
+  void take_lone_chunk() {
+    const auto own = bytes_.buffer_chunk(home_);
+    const auto chunk = own ? own : lone_bin(glb());
+    if (!becomes_other() || !packed_.empty() || !chunk) return;
+    data_ = {glb().bytes.part(chunk->offset, chunk->length)};
+    size_ = chunk->length;
+  }
+
   void take_buffers() {
     home_ = choose_home();
     if (count() == 0 || buffer(home_) == json::kNoNode) return;
@@ -195,7 +207,7 @@ class Packer {
     for (std::uint64_t i = 0; i < count(); ++i) {
       if (i != home_ && is_merged(i)) merged.push_back(i);
     }
-    if (!is_in_chunk(home_) && !takes_files() && merged.empty()) return;
+    if (!takes_files() && merged.empty()) return;
     auto first = bytes_of(home_);
     if (!first) {
       for (const std::uint64_t i : merged) refuse("buffers", i, kNoFirst);
@@ -247,35 +259,7 @@ class Packer {
         ++(is_in_chunk(i) ? joined_ : moved_);
       }
     }
-    if (packed_.size() > 1) move_users(graph, *users);
-  }
-
-  void move_users(const graph::Graph& graph, const std::vector<change::BufferUser>& users) {
-    std::vector<std::uint64_t> base(count()), position(count());
-    std::vector<bool> goes(count());
-    for (const Packed& packed : packed_) {
-      base[packed.index] = packed.base;
-      goes[packed.index] = packed.index != home_;
-    }
-    std::uint64_t next = 0;
-    const json::NodeId list = document_.find(document_.root(), "buffers");
-    for (std::uint64_t i = 0; i < count(); ++i) {
-      position[i] = goes[i] ? 0 : next++;
-      if (goes[i]) editor_.remove(list, buffer(i));
-    }
-    for (std::uint64_t i = 0; i < count(); ++i) {
-      if (goes[i]) position[i] = position[home_];
-    }
-    for (const change::BufferUser& user : users) {
-      change::move_user(document_, user, user.bytes.begin + base[user.buffer], editor_);
-    }
-    auto edits = graph::renumber(
-        graph,
-        [&](json::NodeId array, std::uint64_t index) {
-          return array == list ? position[index] : index;
-        },
-        [](graph::Place) { return false; });
-    for (json::Edit& edit : edits) editor_.replace_text(edit.span, std::move(edit.text));
+    if (packed_.size() > 1) move_users(graph, *users, packed_, editor_);
   }
 
   void take_images() {
@@ -340,6 +324,14 @@ class Packer {
     return home_ - static_cast<std::uint64_t>(before);
   }
 
+  // In version 2 the chunk of the home has no number.
+  void forget_chunk() {
+    if (count() == 0 || !becomes_other() || version_ == 3 || !is_in_chunk(home_)) return;
+    const json::NodeId chunk =
+        model::chunk_member(document_, buffer(home_), schema::stated_version(document_));
+    if (chunk != json::kNoNode) editor_.remove(buffer(home_), chunk - 1);
+  }
+
   // The home is the whole chunk.
   void declare_buffer() {
     const std::string length = std::to_string(size_);
@@ -351,11 +343,7 @@ class Packer {
     const json::NodeId first = buffer(home_);
     const json::NodeId uri = document_.find(first, "uri");
     if (uri != json::kNoNode) editor_.remove(first, uri - 1);
-    const json::NodeId chunk =
-        model::chunk_member(document_, first, schema::stated_version(document_));
-    if (chunk != json::kNoNode && becomes_other() && version_ == 2) {
-      editor_.remove(first, chunk - 1);
-    }
+    forget_chunk();
     const bool grew = packed_.size() > 1 || images_ > 0;
     if (grew) editor_.replace_scalar(document_.find(first, "byteLength"), length);
   }
@@ -372,7 +360,8 @@ class Packer {
   std::map<std::string, change::ByteRange> files_;  ///< files in the chunk, by path
   const std::uint32_t version_;                     ///< of the new GLB
   std::uint64_t home_ = 0;                          ///< the buffer that becomes the BIN chunk
-  std::uint64_t joined_ = 0;                        ///< BIN chunks that become a part of it
+  std::string stuck_;         ///< why a chunk cannot be joined; empty: all can be
+  std::uint64_t joined_ = 0;  ///< BIN chunks that become a part of it
   std::uint64_t moved_ = 0;   ///< buffers and images that were in other places
   std::uint64_t images_ = 0;  ///< images among them
 };

@@ -132,19 +132,18 @@ TEST(Glb3Rewrite, VersionTwoHasTextBinAndOtherChunks) {
 }
 
 TEST(Glb3Rewrite, VersionThreeKeepsLengthsAndGoesBack) {
-  const std::string old = version_2(
-      {{kChunkJson, "{\"a\":[] } \t  "}, {kChunkBin, "abcd"}, {kExtra, "12345678abcd"}});
+  const std::string old =
+      version_2({{kChunkJson, "{\"a\":[] }\t  "}, {kChunkBin, "abcd"}, {kExtra, "12345678abcd"}});
   const std::string three = in_version(old, 3, {{1, whole("abcd")}});
-  EXPECT_EQ(three, glb3({{kChunkJson, "{\"a\":[] } \t  "},
-                         {kChunkBin, "abcd"},
-                         {kExtra, "12345678abcd"}}));
+  EXPECT_EQ(three,
+            glb3({{kChunkJson, "{\"a\":[] }\t  "}, {kChunkBin, "abcd"}, {kExtra, "12345678abcd"}}));
   EXPECT_THAT(opened_3(three).errors, IsEmpty());
   EXPECT_EQ(in_version(three, 2, {{1, whole("abcd")}}), old);
 }
 
-TEST(Glb3Rewrite, MillionsOfBytesOfChunksAreNotCopied) {
+TEST(Glb3Rewrite, ChunksThatStayAreNotCopied) {
   std::vector<Chunk3> chunks{kText};
-  for (int i = 0; i < 100'000; ++i) chunks.push_back({kExtra, ""});
+  for (int i = 0; i < 20'000; ++i) chunks.push_back({kExtra, ""});
   chunks.push_back(kLast);
   const std::string bytes = glb3(chunks);
   const auto pieces =

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.hpp"
-#include "container/glb_builder.hpp"
+#include "container/glb3_builder.hpp"
 
 namespace gltfx::change {
 namespace {
@@ -170,6 +170,23 @@ TEST(Place, OfAGlbTheBinChunkGrows) {
   EXPECT_EQ(done.json["buffers"].dump(), R"([{"byteLength":14}])");
   EXPECT_EQ(done.json["bufferViews"].dump(), R"([{"buffer":0,"byteOffset":8,"byteLength":3},)"
                                              R"({"buffer":0,"byteOffset":12,"byteLength":2}])");
+}
+
+// The second buffer is the first one with a chunk; no chunk gets another number.
+TEST(Place, OfAGlbOfVersionThreeAChunkGrows) {
+  using container::test::glb3;
+  const std::string text =
+      R"({"asset":{"version":"2.1"},"buffers":[{"byteLength":2,"uri":"b.bin"},)"
+      R"({"byteLength":4,"chunk":2}],"accessors":[{}]})";
+  const Placed done = placed(
+      glb3({{0x41525458, "x"}, {container::kChunkJson, text}, {container::kChunkBin, "abcd"}}),
+      add_vectors);
+  EXPECT_EQ(done.change.bins.at(2).more, std::string("abc\0de", 6));
+  EXPECT_EQ(done.json["buffers"][1].dump(), R"({"byteLength":10,"chunk":2})");
+  EXPECT_EQ(done.json["bufferViews"][0].dump(), R"({"buffer":1,"byteOffset":4,"byteLength":3})");
+  const Placed first = placed(
+      glb3({{container::kChunkJson, R"({"accessors":[{}]})"}, {0x41525458, "x"}}), add_vectors);
+  EXPECT_TRUE(first.change.bins.empty());
 }
 
 TEST(Place, OfAGlbWhoseBufferIsNotItsBinChunkDataUrisAreMade) {

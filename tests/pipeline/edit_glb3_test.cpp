@@ -24,7 +24,6 @@ using container::test::Chunk3;
 using container::test::content_of;
 using container::test::glb3;
 using container::test::TempFolder;
-using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr std::uint32_t kExtra = 0x41525458;
@@ -48,12 +47,8 @@ std::string triangle_text(std::string_view first = R"("byteLength":36)") {
 }
 
 std::vector<Chunk3> triangle() {
-  return {{kChunkJson, triangle_text()},
-          {kChunkBin, kCorners},
-          {kExtra, "odd", 5},
-          {kChunkJson, "[1]"},
-          {kChunkBin, kNormals},
-          {kExtra, "last"}};
+  return {{kChunkJson, triangle_text()}, {kChunkBin, kCorners}, {kExtra, "odd", 5},
+          {kChunkJson, "[1]"},           {kChunkBin, kNormals}, {kExtra, "last"}};
 }
 
 container::Container opened_glb3(const std::filesystem::path& path) {
@@ -119,7 +114,8 @@ TEST(EditGlb3, BytesOfADeletedViewAreCutFromItsChunk) {
 "buffers":[{"byteLength":8,"chunk":1},{"byteLength":24,"chunk":2}],"images":[{"bufferView":2,"mimeType":"image/png"}],
 "bufferViews":[{"buffer":0,"byteLength":8},{"buffer":1,"byteLength":8},{"buffer":1,"byteOffset":16,"byteLength":8}]})";
   const auto path = folder.write(
-      "a.glb", glb3({{kChunkJson, text}, {kChunkBin, "12345678"}, {kChunkBin, "abcdefgh--------ABCDEFGH"}}));
+      "a.glb",
+      glb3({{kChunkJson, text}, {kChunkBin, "12345678"}, {kChunkBin, "abcdefgh--------ABCDEFGH"}}));
   DeleteOptions options;
   options.in_place = true;
   options.pointers = {"/bufferViews/1"};
@@ -130,45 +126,6 @@ TEST(EditGlb3, BytesOfADeletedViewAreCutFromItsChunk) {
   EXPECT_EQ(data_of_chunk(now, 2), "--------ABCDEFGH");
   EXPECT_EQ(json_of(now)["buffers"].dump(),
             R"([{"byteLength":8,"chunk":1},{"byteLength":16,"chunk":2}])");
-}
-
-// What follows a chunk may count chunks in a way that nobody knows.
-TEST(EditGlb3, AChunkStaysWhereNumbersOfChunksMayBeHidden) {
-  const TempFolder folder;
-  const std::string text = R"({"asset":{"version":"2.1"},"extensionsUsed":["ACME_thumbs"],
-"extensions":{"ACME_thumbs":{"chunk":2}},"scenes":[{"name":"a"}],"buffers":[{"byteLength":4,"chunk":1}]})";
-  const auto path = folder.write(
-      "a.glb", glb3({{kChunkJson, text}, {kChunkBin, "1234"}, {kExtra, "thumb"}}));
-  DeleteOptions options;
-  options.in_place = true;
-  options.pointers = {"/scenes/0/name"};
-  ASSERT_TRUE(delete_objects(path.native(), options).written);
-  options.pointers = {"/buffers/0"};
-  const DeleteReport report = delete_objects(path.native(), options);
-  EXPECT_FALSE(report.written && opened_glb3(path).chunks.size() < 3) << report.error;
-}
-
-TEST(EditGlb3, AThumbnailIsAppendedToTheChunkOfTheFirstBuffer) {
-  const TempFolder folder;
-  const auto path = folder.write("a.glb", glb3(triangle()));
-  BakeOptions options;
-  options.sizes = {{8, 8}};
-  options.samples = 1;
-  options.jobs = 1;
-  options.embed = true;
-  const BakeReport report = bake_file(path.native(), options);
-  ASSERT_EQ(report.error, "");
-  const container::Container now = opened_glb3(path);
-  EXPECT_THAT(now.errors, IsEmpty());
-  ASSERT_THAT(now.chunks, SizeIs(6));
-  const nlohmann::json document = json_of(now);
-  const std::string first = data_of_chunk(now, 1);
-  EXPECT_EQ(first.substr(0, 36), kCorners);
-  EXPECT_EQ(first.substr(37, 3), "PNG");
-  EXPECT_EQ(document["buffers"][0]["byteLength"], first.size());
-  EXPECT_EQ(document["images"].size(), 1U);
-  EXPECT_EQ(data_of_chunk(now, 4), kNormals);
-  EXPECT_EQ(data_of_chunk(now, 5), "last");
 }
 
 }  // namespace

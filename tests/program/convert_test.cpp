@@ -54,6 +54,19 @@ TEST_F(ConvertTest, AQualityNeedsImagesThatItIsOf) {
   EXPECT_THAT(outcome.err, HasSubstr("--quality requires --images or --texture-size"));
 }
 
+TEST_F(ConvertTest, AVersionOfGlbsIsForGlbs) {
+  EXPECT_EQ(here({"a.gltf", "--to", "glb", "--glb", "3", "--check"}).code, 1);
+  EXPECT_EQ(here({"a.gltf", "--to", "glb", "--glb", "4"}).code, 2);
+  for (const std::vector<std::string>& more :
+       {std::vector<std::string>{"-o", "out/a.gltf"}, {"--to", "embedded"}}) {
+    std::vector<std::string> arguments{"a.gltf", "--glb", "3"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = here(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("--glb is for GLBs, but the output is a .gltf"));
+  }
+}
+
 TEST_F(ConvertTest, BoundsMayFollowQuantize) {
   EXPECT_EQ(here({"--quantize", "a.gltf", "--check"}).code, 0);
   EXPECT_EQ(here({"a.gltf", "--check", "--quantize"}).code, 0);

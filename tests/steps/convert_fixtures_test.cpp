@@ -25,11 +25,13 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
+// All but those of glTF 2.1; convert_glb_version_test.cpp has its containers.
 std::vector<fs::path> assets_below_fixtures() {
   std::vector<fs::path> assets;
   for (const auto& entry :
        fs::recursive_directory_iterator(fs::path(GLTFX_SOURCE_DIR) / "fixtures")) {
     const std::string ending = entry.path().extension().native();
+    if (entry.path().parent_path().parent_path().filename() == "gltf-2.1") continue;
     if (ending == ".gltf" || ending == ".glb") assets.push_back(entry.path());
   }
   std::sort(assets.begin(), assets.end());
