@@ -39,26 +39,26 @@ class Packer {
         document_(input.asset.document()),
         elements_(document_),
         bytes_(elements_, input.asset.container(), input.asset.resolver()),
-        editor_(document_),
-        version_(version) {
+        editor_(document_) {
+    made_.version = version;
     outcome_.change.additions = change::Additions(document_);
   }
 
   Result<StepOutcome> run() {
-    if (becomes_other()) note_chunks(glb(), used_chunks(bytes_), version_, outcome_.row);
+    if (becomes_other()) note_chunks(glb(), used_chunks(bytes_), made_.version, outcome_.row);
     take_buffers();
     if (takes_files()) take_images();
-    if (is_glb() && moved_ == 0 && !becomes_other()) return std::move(outcome_);
-    if (!stuck_.empty()) return Error{stuck_};
-    if (images_ == 0) take_lone_chunk();
+    if (is_glb() && moved_.files == 0 && !becomes_other()) return std::move(outcome_);
+    if (!made_.stuck.empty()) return Error{made_.stuck};
+    if (moved_.images == 0) take_lone_chunk();
     if (is_too_large()) {
       return Error{
           "a GLB of version 2 has at most 4 GiB; use --glb 3, or --to gltf for separate files"};
     }
     // The other chunks of a GLB of version 3 may have changed before.
-    if (!is_glb() || becomes_other() || version_ == 2) {
+    if (!is_glb() || becomes_other() || made_.version == 2) {
       outcome_.change.format = container::Format::glb;
-      outcome_.change.glb_version = version_;
+      outcome_.change.glb_version = made_.version;
     }
     if (auto trouble = store_chunk()) return *std::move(trouble);
     outcome_.change.edits = editor_.take();
@@ -74,9 +74,9 @@ class Packer {
   bool is_too_large() const {
     std::uint64_t size = document_.text().size() + size_;
     for (const container::Chunk& chunk : glb().chunks) {
-      if (change::is_copied(glb(), chunk, version_)) size += chunk.length;
+      if (change::is_copied(glb(), chunk, made_.version)) size += chunk.length;
     }
-    return version_ == 2 && size > kMostBytes;
+    return made_.version == 2 && size > kMostBytes;
   }
 
  private:
@@ -86,7 +86,7 @@ class Packer {
   std::uint64_t count() const { return elements_.count(RootArray::buffers); }
   const container::Container& glb() const { return input_.asset.container(); }
   bool is_glb() const { return glb().format == container::Format::glb; }
-  bool becomes_other() const { return is_glb() && glb().glb_version != version_; }
+  bool becomes_other() const { return is_glb() && glb().glb_version != made_.version; }
   bool is_in_chunk(std::uint64_t index) const {
     return bytes_.buffer_storage(index) == Storage::bin_chunk;
   }
@@ -99,7 +99,7 @@ class Packer {
     const Storage storage = bytes_.buffer_storage(index);
     if (buffer(index) == json::kNoNode || storage == Storage::nowhere) return false;
     if (storage != Storage::bin_chunk) return takes_files();
-    return becomes_other() || version_ == 2;
+    return becomes_other() || made_.version == 2;
   }
 
   // The buffer that is the BIN chunk: the first one, but in version 3 any may be one.
@@ -112,14 +112,15 @@ class Packer {
 
   std::optional<Error> store_chunk() {
     const auto& bin = glb().bin;
-    const auto chunk = bytes_.buffer_chunk(home_);
+    const auto chunk = bytes_.buffer_chunk(made_.home);
     std::size_t position = bin ? model::position_of(glb(), *bin) : change::kNewBin;
-    if (packed_.empty() && images_ == 0) {
+    if (packed_.empty() && moved_.images == 0) {
       if (data_.empty()) return std::nullopt;
       forget_chunk();
     } else if (chunk) {
       position = model::position_of(glb(), *chunk);
-      if (moved_ + joined_ == 0) data_ = {glb().bytes.part(chunk->offset, chunk->length)};
+      if (moved_.files + moved_.chunks == 0)
+        data_ = {glb().bytes.part(chunk->offset, chunk->length)};
       declare_buffer();
     } else {
       if (size_ == 0) return std::nullopt;
@@ -133,21 +134,21 @@ class Packer {
   void describe() {
     std::string form = "one GLB";
     if (becomes_other()) {
-      form = fmt::format("GLB version {} -> {}", *glb().glb_version, version_);
-      if (joined_ > 0) form += fmt::format(", {} BIN chunks joined", joined_ + 1);
+      form = fmt::format("GLB version {} -> {}", *glb().glb_version, made_.version);
+      if (moved_.chunks > 0) form += fmt::format(", {} BIN chunks joined", moved_.chunks + 1);
     } else if (is_glb()) {
       form = "the rest into the GLB";
-    } else if (version_ == 3) {
+    } else if (made_.version == 3) {
       form = "one GLB of version 3";
     }
-    outcome_.row.what = describe_moves(form, moved_ - images_, images_);
+    outcome_.row.what = describe_moves(form, moved_.files - moved_.images, moved_.images);
   }
 
   void refuse(std::string_view array, std::uint64_t index, std::string reason) {
     std::string pointer = fmt::format("/{}/{}", array, index);
     // The bytes of a chunk that is not joined would be lost.
     if (array == "buffers" && becomes_other() && is_in_chunk(index)) {
-      stuck_ = fmt::format("{}: {}", pointer, reason);
+      made_.stuck = fmt::format("{}: {}", pointer, reason);
     }
     outcome_.row.refused.push_back({std::move(pointer), std::move(reason)});
   }
@@ -193,7 +194,7 @@ class Packer {
 
   // A chunk that stays the only one is copied with its padding.
   void take_lone_chunk() {
-    const auto own = bytes_.buffer_chunk(home_);
+    const auto own = bytes_.buffer_chunk(made_.home);
     const auto chunk = own ? own : lone_bin(glb());
     if (!becomes_other() || !packed_.empty() || !chunk) return;
     data_ = {glb().bytes.part(chunk->offset, chunk->length)};
@@ -201,20 +202,20 @@ class Packer {
   }
 
   void take_buffers() {
-    home_ = choose_home();
-    if (count() == 0 || buffer(home_) == json::kNoNode) return;
+    made_.home = choose_home();
+    if (count() == 0 || buffer(made_.home) == json::kNoNode) return;
     std::vector<std::uint64_t> merged;
     for (std::uint64_t i = 0; i < count(); ++i) {
-      if (i != home_ && is_merged(i)) merged.push_back(i);
+      if (i != made_.home && is_merged(i)) merged.push_back(i);
     }
     if (!takes_files() && merged.empty()) return;
-    auto first = bytes_of(home_);
+    auto first = bytes_of(made_.home);
     if (!first) {
       for (const std::uint64_t i : merged) refuse("buffers", i, kNoFirst);
       return;
     }
-    put(home_, *std::move(first));
-    moved_ += is_in_chunk(home_) ? 0U : 1U;
+    put(made_.home, *std::move(first));
+    moved_.files += is_in_chunk(made_.home) ? 0U : 1U;
     if (!merged.empty()) merge(merged);
   }
 
@@ -256,7 +257,7 @@ class Packer {
           outcome_.row.losses.push_back({fmt::format("the name of /buffers/{}", i), 0, 0, {}});
         }
         put(i, *std::move(bytes));
-        ++(is_in_chunk(i) ? joined_ : moved_);
+        ++(is_in_chunk(i) ? moved_.chunks : moved_.files);
       }
     }
     if (packed_.size() > 1) move_users(graph, *users, packed_, editor_);
@@ -286,8 +287,8 @@ class Packer {
       const std::uint64_t view = known == views.end() ? add_view(*std::move(bytes)) : known->second;
       if (!file.empty()) views.emplace(file, view);
       refer(image, view, has_type ? "" : image::media_type(sniffed.format));
-      ++images_;
-      ++moved_;
+      ++moved_.images;
+      ++moved_.files;
     }
   }
 
@@ -319,17 +320,18 @@ class Packer {
 
   // The index of the home without the buffers that are merged into it.
   std::uint64_t home_position() const {
-    const auto before = std::count_if(packed_.begin(), packed_.end(),
-                                      [&](const Packed& packed) { return packed.index < home_; });
-    return home_ - static_cast<std::uint64_t>(before);
+    const auto before = std::count_if(packed_.begin(), packed_.end(), [&](const Packed& packed) {
+      return packed.index < made_.home;
+    });
+    return made_.home - static_cast<std::uint64_t>(before);
   }
 
   // In version 2 the chunk of the home has no number.
   void forget_chunk() {
-    if (count() == 0 || !becomes_other() || version_ == 3 || !is_in_chunk(home_)) return;
+    if (count() == 0 || !becomes_other() || made_.version == 3 || !is_in_chunk(made_.home)) return;
     const json::NodeId chunk =
-        model::chunk_member(document_, buffer(home_), schema::stated_version(document_));
-    if (chunk != json::kNoNode) editor_.remove(buffer(home_), chunk - 1);
+        model::chunk_member(document_, buffer(made_.home), schema::stated_version(document_));
+    if (chunk != json::kNoNode) editor_.remove(buffer(made_.home), chunk - 1);
   }
 
   // The home is the whole chunk.
@@ -340,11 +342,11 @@ class Packer {
                                             fmt::format(R"({{"byteLength":{}}})", length));
       return;
     }
-    const json::NodeId first = buffer(home_);
+    const json::NodeId first = buffer(made_.home);
     const json::NodeId uri = document_.find(first, "uri");
     if (uri != json::kNoNode) editor_.remove(first, uri - 1);
     forget_chunk();
-    const bool grew = packed_.size() > 1 || images_ > 0;
+    const bool grew = packed_.size() > 1 || moved_.images > 0;
     if (grew) editor_.replace_scalar(document_.find(first, "byteLength"), length);
   }
 
@@ -358,12 +360,18 @@ class Packer {
   std::vector<Bytes> data_;     ///< data of the chunk
   std::uint64_t size_ = 0;      ///< size of this data
   std::map<std::string, change::ByteRange> files_;  ///< files in the chunk, by path
-  const std::uint32_t version_;                     ///< of the new GLB
-  std::uint64_t home_ = 0;                          ///< the buffer that becomes the BIN chunk
-  std::string stuck_;         ///< why a chunk cannot be joined; empty: all can be
-  std::uint64_t joined_ = 0;  ///< BIN chunks that become a part of it
-  std::uint64_t moved_ = 0;   ///< buffers and images that were in other places
-  std::uint64_t images_ = 0;  ///< images among them
+  /// The new GLB.
+  struct {
+    std::uint32_t version = 2;
+    std::uint64_t home = 0;  ///< the buffer that becomes the BIN chunk
+    std::string stuck;       ///< why a chunk cannot be joined; empty: all can be
+  } made_;
+  /// Numbers of what was in other places.
+  struct {
+    std::uint64_t files = 0;   ///< buffers and images
+    std::uint64_t images = 0;  ///< images among them
+    std::uint64_t chunks = 0;  ///< BIN chunks that become a part of another one
+  } moved_;
 };
 
 }  // namespace

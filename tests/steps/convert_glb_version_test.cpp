@@ -271,9 +271,9 @@ TEST_F(GlbVersions, EveryFixtureGoesThereAndBack) {
       sent_there_and_back(glbs_below(fs::path(GLTFX_SOURCE_DIR) / "fixtures"), same);
   EXPECT_GE(same, 9U);
   // Those without a text to read, and those with what version 2 cannot hold.
-  EXPECT_THAT(refused, ElementsAre("chunk-top-bit.glb", "empty.glb", "encoded-json.glb",
-                                   "later-chunk.glb", "no-json.glb", "tumbler-version-3.glb",
-                                   "two-json.glb"));
+  EXPECT_THAT(refused,
+              ElementsAre("chunk-top-bit.glb", "empty.glb", "encoded-json.glb", "later-chunk.glb",
+                          "no-json.glb", "tumbler-version-3.glb", "two-json.glb"));
 }
 
 // More than 4 GiB, nearly all of which lies in no block of the disk.
