@@ -12,7 +12,7 @@ std::optional<StoredAs> form_of(const OpenedAsset& asset, const ConvertOptions& 
   if (options.to || options.output.empty() || options.in_place) return options.to;
   const bool is_glb = asset.container().format == container::Format::glb;
   if (is_glb && ending_of(options.output) == ".gltf") return StoredAs::gltf;
-  if (is_glb && options.flatten) return StoredAs::glb;  // the bytes of other assets, too
+  if (is_glb && options.later.flatten) return StoredAs::glb;  // the bytes of other assets, too
   if (!is_glb && has_glb_ending(options.output)) return StoredAs::glb;
   return std::nullopt;
 }

@@ -236,7 +236,7 @@ StepDescription flatten_step() {
           "copies external assets into the asset, below the nodes that show them",
           "the picture, animations, names, and copyright of all assets",
           "which part is of which asset; extras and extensions of assets and scenes",
-          [](const ConvertOptions& options) { return options.flatten; },
+          [](const ConvertOptions& options) { return options.later.flatten; },
           [](const StepInput& input) { return FlattenRun(input).run(); }};
 }
 

@@ -193,7 +193,7 @@ StepDescription older_version_step() {
           "makes an asset of glTF 2.1 one of glTF 2.0",
           "the picture, and thumbnails as extras",
           "members of glTF 2.1 without an effect on the picture; types and names of attributes",
-          [](const ConvertOptions& options) { return !options.gltf.empty(); },
+          [](const ConvertOptions& options) { return !options.later.gltf.empty(); },
           to_older_version};
 }
 

@@ -60,7 +60,7 @@ std::string triangle_bytes() {
 /// Converts "main.gltf" in the folder.
 ConvertReport flattened(const TempFolder& folder, const std::string& output = "out.gltf") {
   ConvertOptions options = test::options_to(folder.path() / output);
-  options.flatten = true;
+  options.later.flatten = true;
   return convert_file((folder.path() / "main.gltf").native(), options);
 }
 
@@ -147,7 +147,7 @@ TEST(Flatten, PacksWhatAGlbShows) {
   folder.write("a.gltf", triangle("a.bin"));
   folder.write("a.bin", triangle_bytes());
   ConvertOptions options = test::options_to(folder.path() / "out.glb");
-  options.flatten = true;
+  options.later.flatten = true;
   const ConvertReport report = convert_file((folder.path() / "main.glb").native(), options);
   ASSERT_TRUE(report.written) << report.error;
   EXPECT_EQ(StoredAsset::at(folder.path() / "out.glb").bin.substr(0, 96), triangle_bytes());

@@ -34,7 +34,7 @@ Lowered lowered(const std::string& content) {
   const auto path = folder.write(is_glb ? "a.glb" : "a.gltf", content);
   const auto output = folder.path() / (is_glb ? "out.glb" : "out.gltf");
   ConvertOptions options = test::options_to(output);
-  options.gltf = "2.0";
+  options.later.gltf = "2.0";
   Lowered result;
   result.report = convert_file(path.native(), options);
   if (!result.report.written) return result;

@@ -48,7 +48,7 @@ TEST(VersionRoundTrip, GivesTheSameText) {
     ASSERT_TRUE(raised.written) << path << ": " << raised.error;
     const fs::path back = folder.path() / "back" / path.filename();
     ConvertOptions down = test::options_to(back);
-    down.gltf = "2.0";
+    down.later.gltf = "2.0";
     const ConvertReport lowered = convert_file(up.output, down);
     ASSERT_TRUE(lowered.written) << path << ": " << lowered.error;
     const std::string before = StoredAsset::at(path).text, after = StoredAsset::at(back).text;

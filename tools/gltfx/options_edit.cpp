@@ -271,9 +271,10 @@ void declare_convert(Options& options, ConvertRequest& request) {
                   },
                   values::target_list));
   add_target_files(options);
-  options.add("--gltf", "VERSION", "Make an asset of glTF 2.1 one of glTF 2.0",
-              parsed(convert.gltf, parse_version("2.0"), [] { return values::choice({"2.0"}); }));
-  options.add("--flatten", "", "Copy external assets into the asset", flag(convert.flatten));
+  options.add(
+      "--gltf", "VERSION", "Make an asset of glTF 2.1 one of glTF 2.0",
+      parsed(convert.later.gltf, parse_version("2.0"), [] { return values::choice({"2.0"}); }));
+  options.add("--flatten", "", "Copy external assets into the asset", flag(convert.later.flatten));
   options.add("--verify", "", "Refuse a result whose rendered picture differs",
               flag(convert.verify));
   options.add("--partial", "", "Write even if something was refused", flag(convert.partial));

@@ -72,6 +72,12 @@ struct Simplification {
   std::uint64_t triangles = 0;  ///< of all meshes together; meshes that must not change count, too
 };
 
+/// What becomes of parts that glTF 2.0 does not have.
+struct LaterParts {
+  std::string gltf;      ///< "2.0": the asset gets that version; empty: it keeps its own
+  bool flatten = false;  ///< external assets are copied into the asset
+};
+
 /// Options of a run.
 struct ConvertOptions : EditOptions {
   /// Nothing: from the ending of the output, or unchanged if there is no output.
@@ -100,9 +106,7 @@ struct ConvertOptions : EditOptions {
   /// Replaces what one of these engines refuses, or ignores with an effect on the picture. With
   /// `shrink`, geometry and images get the smallest encoding that all of them read.
   std::vector<TargetChoice> targets;
-  /// "2.0": an asset of a later version becomes one of that. Empty: the version stays.
-  std::string gltf;
-  bool flatten = false;  ///< copies external assets into the asset
+  LaterParts later;     ///< parts of versions after 2.0
   bool verify = false;  ///< compares rendered pictures before and after
   /// Write although a part of the request was refused.
   bool partial = false;
