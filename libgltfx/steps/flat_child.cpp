@@ -155,7 +155,10 @@ std::optional<Error> FlatChild::move_buffers(model::AssetBytes& bytes, NewPaths&
     if (!aliased && bytes.buffer_storage(i) != Storage::bin_chunk) continue;
     auto content = bytes.buffer(i);
     if (!content) return content.error();
-    std::string path = NewBuffer::own_path(paths.taken, paths.next++);
+    // The layout of new bytes would leave nothing of a buffer without a use.
+    const bool is_used = !graph_.users(buffers[i]).empty();
+    std::string path = is_used ? NewBuffer::own_path(paths.taken, paths.next++)
+                               : container::data_uri("application/octet-stream", content->text());
     if (aliased) {
       texts_.push_back({uri, json::string_value(path)});
       moved_uris_.insert(uri);
@@ -164,7 +167,7 @@ std::optional<Error> FlatChild::move_buffers(model::AssetBytes& bytes, NewPaths&
       const json::NodeId chunk = document_.find(buffers[i], "chunk");
       if (chunk != json::kNoNode) removed_.emplace_back(buffers[i], chunk);
     }
-    change.files.push_back({std::move(path), {*std::move(content)}});
+    if (is_used) change.files.push_back({std::move(path), {*std::move(content)}});
   }
   return std::nullopt;
 }

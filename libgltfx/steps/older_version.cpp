@@ -39,6 +39,7 @@ class OlderVersionStep {
         dropped_(document_.node_count(), false) {}
 
   Result<StepOutcome> run() {
+    data_.input.unread.clear();  // most changes need no bytes; an accessor that does says so
     find_members();
     if (auto trouble = find_obstacle()) return *trouble;
     for (const MovedIndex& moved : kMovedIndices) move(moved);

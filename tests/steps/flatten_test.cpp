@@ -167,6 +167,15 @@ TEST(Flatten, AppliesAliases) {
   EXPECT_EQ(content_of(folder.path() / uri).substr(0, 96), triangle_bytes());
 }
 
+TEST(Flatten, KeepsBuffersWithoutAUse) {
+  const TempFolder folder;
+  folder.write("main.gltf", shows({"a.glb"}));
+  folder.write("a.glb",
+               test::glb_of(R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4}]})", "abcd"));
+  EXPECT_EQ(result_of(folder)["buffers"][0]["uri"],
+            "data:application/octet-stream;base64,YWJjZA==");
+}
+
 TEST(Flatten, MovesListsOfExtensions) {
   const TempFolder folder;
   const std::string lights =
