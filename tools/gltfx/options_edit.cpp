@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The verbs that change assets.
 #include <algorithm>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
