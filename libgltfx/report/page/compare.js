@@ -8,7 +8,6 @@ const BLINK = 700;  // milliseconds
 const LEVELS = ["differs", "bounds", "storage", "identical"];
 const VIEWS = { usual: "Usual view", opposite: "From the other side", change: "The change" };
 const MODES = { side: "Side by side", slider: "Slider", blink: "Blink", difference: "Difference" };
-const byId = (id) => document.getElementById(id);
 const state = { text: "", level: "", kind: "" };
 
 // --- What is said of a pair ---
@@ -85,8 +84,10 @@ function image(source, alt, ...classes) {
   return make(["img", ...classes].join("."), { src: source, alt, draggable: "false" });
 }
 
-function regionsOf(picture, picked) {
-  return (picture.regions || []).filter((one) => one.change === picked).map((one) => {
+/** Where the object of a change is: dashed in the old asset. `side`: of one of both only. */
+function regionsOf(picture, picked, side) {
+  const meant = (one) => one.change === picked && (side !== "old" || one.old) && (side !== "new" || !one.old);
+  return (picture.regions || []).filter(meant).map((one) => {
     const box = make("div.region." + (one.old ? "old" : "new"), { "aria-hidden": "true" });
     box.style.left = 100 * one.left + "%";
     box.style.top = 100 * one.top + "%";
@@ -104,7 +105,7 @@ function framed(caption, frame) {
 function sideBySide(picture, picked) {
   const shown = [["old", "Old"], ["new", "New"], ["difference", "Difference: orange where pixels changed"]];
   return shown.filter(([name]) => picture[name]).map(([name, words]) =>
-    framed(words, make("div.frame", {}, image(picture[name], words), regionsOf(picture, picked))));
+    framed(words, make("div.frame", {}, image(picture[name], words), regionsOf(picture, picked, name))));
 }
 
 function slider(picture, picked) {
