@@ -22,7 +22,7 @@ const std::set<std::string, std::less<>> kShapeCodes{"SHAPE_MESH_INVALID", "SHAP
                                                      "SHAPE_INSIDE_OUT", "SHAPE_ORIGIN_OUTSIDE"};
 
 /// Points and the triangles of a closed surface.
-struct Body {
+struct ShapeBody {
   std::vector<float> points;
   std::vector<std::uint32_t> corners;
 
@@ -30,8 +30,8 @@ struct Body {
 };
 
 // A ball of so many rings, or a ring with a hole, which is not convex.
-Body round_body(std::uint32_t rings, double hole) {
-  Body body;
+ShapeBody round_body(std::uint32_t rings, double hole) {
+  ShapeBody body;
   for (std::uint32_t i = 0; i < rings; ++i) {
     for (std::uint32_t k = 0; k < rings; ++k) {
       const double around = 2 * std::numbers::pi * k / rings;
@@ -55,7 +55,7 @@ Body round_body(std::uint32_t rings, double hole) {
   return body;
 }
 
-std::string shape_of(const Body& body, const std::string& type = "convexMesh",
+std::string shape_of(const ShapeBody& body, const std::string& type = "convexMesh",
                      const Json& primitive = Json::object()) {
   AssetBuilder made;
   made.json["asset"]["version"] = "2.1";
@@ -73,16 +73,16 @@ std::string shape_of(const Body& body, const std::string& type = "convexMesh",
   return made.text(buffer_uri(made.bytes));
 }
 
-Lines judged(const Body& body) { return selected(shape_of(body), kShapeCodes); }
+Lines judged_shape(const ShapeBody& body) { return selected(shape_of(body), kShapeCodes); }
 
 TEST(ShapeMesh, ABallIsConvex) {
   for (const std::uint32_t rings : {4U, 9U, 60U, 150U}) {
-    EXPECT_EQ(judged(round_body(rings, 0)), Lines{}) << rings;
+    EXPECT_EQ(judged_shape(round_body(rings, 0)), Lines{}) << rings;
   }
 }
 
 TEST(ShapeMesh, ATurnedCubeWithManyTrianglesIsConvex) {
-  Body body;
+  ShapeBody body;
   constexpr std::uint32_t kParts = 60;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const double side : {-1.0, 1.0}) {
@@ -108,67 +108,67 @@ TEST(ShapeMesh, ATurnedCubeWithManyTrianglesIsConvex) {
       }
     }
   }
-  EXPECT_EQ(judged(body), Lines{});
+  EXPECT_EQ(judged_shape(body), Lines{});
 }
 
 TEST(ShapeMesh, DentsBeyondATenThousandthAreFound) {
   const Lines dented{"SHAPE_NOT_CONVEX /shapes/0/convexMesh/mesh"};
   for (const std::uint32_t rings : {9U, 40U}) {
     const auto dented_by = [&](double part) {
-      Body body = round_body(rings, 0);
+      ShapeBody body = round_body(rings, 0);
       const std::size_t vertex = rings * (rings / 2) + 1;
       for (std::size_t k = 0; k < 3; ++k) body.points[3 * vertex + k] *= static_cast<float>(part);
-      return judged(body);
+      return judged_shape(body);
     };
     EXPECT_EQ(dented_by(0.5), dented);
     EXPECT_EQ(dented_by(1 - 1e-5), Lines{});
   }
-  EXPECT_EQ(judged(round_body(30, 2)), dented) << "a ring";
+  EXPECT_EQ(judged_shape(round_body(30, 2)), dented) << "a ring";
 }
 
 TEST(ShapeMesh, ShallowBowlsOfManyTrianglesAreFound) {
   // Each edge is bent by less than a ten-thousandth; the whole is not.
-  Body body = round_body(100, 0);
+  ShapeBody body = round_body(100, 0);
   for (std::size_t i = 0; i < body.size(); ++i) {
     float* const p = &body.points[3 * i];
     if (p[2] > 0) p[2] *= -0.5F;
   }
-  EXPECT_EQ(judged(body).size(), 1U);
-  EXPECT_EQ(judged(body).front().substr(0, 16), "SHAPE_NOT_CONVEX");
+  EXPECT_EQ(judged_shape(body).size(), 1U);
+  EXPECT_EQ(judged_shape(body).front().substr(0, 16), "SHAPE_NOT_CONVEX");
 }
 
 TEST(ShapeMesh, ABodyHasAVolume) {
-  Body body = round_body(12, 0);
+  ShapeBody body = round_body(12, 0);
   for (std::size_t i = 2; i < body.points.size(); i += 3) body.points[i] *= 1e-7F;
-  EXPECT_EQ(judged(body), Lines{"SHAPE_NOT_CONVEX /shapes/0/convexMesh/mesh"});
+  EXPECT_EQ(judged_shape(body), Lines{"SHAPE_NOT_CONVEX /shapes/0/convexMesh/mesh"});
   for (std::size_t i = 2; i < body.points.size(); i += 3) body.points[i] *= 1e5F;
-  EXPECT_EQ(judged(body), Lines{}) << "a thin one";
+  EXPECT_EQ(judged_shape(body), Lines{}) << "a thin one";
 }
 
 TEST(ShapeMesh, TrianglesFaceOutwards) {
-  Body body = round_body(9, 0);
+  ShapeBody body = round_body(9, 0);
   for (std::size_t i = 0; i < body.corners.size(); i += 3) {
     std::swap(body.corners[i], body.corners[i + 1]);
   }
   const Lines inside_out{"SHAPE_INSIDE_OUT /shapes/0/convexMesh/mesh"};
-  EXPECT_EQ(judged(body), inside_out);
-  Body other = round_body(9, 0);
+  EXPECT_EQ(judged_shape(body), inside_out);
+  ShapeBody other = round_body(9, 0);
   std::swap(other.corners[216], other.corners[217]);
-  EXPECT_EQ(judged(other), inside_out) << "one triangle";
+  EXPECT_EQ(judged_shape(other), inside_out) << "one triangle";
 }
 
 TEST(ShapeMesh, TheOriginIsInside) {
   const auto moved = [](float by) {
-    Body body = round_body(9, 0);
+    ShapeBody body = round_body(9, 0);
     for (std::size_t i = 0; i < body.points.size(); i += 3) body.points[i] += by;
-    return judged(body);
+    return judged_shape(body);
   };
   EXPECT_EQ(moved(0.9F), Lines{});
   EXPECT_EQ(moved(1.5F), Lines{"SHAPE_ORIGIN_OUTSIDE /shapes/0/convexMesh/mesh"});
 }
 
 TEST(ShapeMesh, HasOnePrimitiveOfTriangles) {
-  const Body body = round_body(9, 0);
+  const ShapeBody body = round_body(9, 0);
   const Lines invalid{"SHAPE_MESH_INVALID /shapes/0/mesh/mesh"};
   const auto of_mode = [&](int mode) {
     return selected(shape_of(body, "mesh", {{"mode", mode}}), kShapeCodes);
@@ -180,7 +180,7 @@ TEST(ShapeMesh, HasOnePrimitiveOfTriangles) {
 }
 
 TEST(ShapeMesh, IsMorphedByItsOwnWeights) {
-  Body body = round_body(9, 0);
+  ShapeBody body = round_body(9, 0);
   AssetBuilder made;
   made.json = Json::parse(shape_of(body));
   made.json.erase("buffers");
@@ -200,11 +200,11 @@ TEST(ShapeMesh, IsMorphedByItsOwnWeights) {
 }
 
 TEST(ShapeMesh, HolesAreAHint) {
-  Body body = round_body(9, 0);
+  ShapeBody body = round_body(9, 0);
   body.corners.resize(body.corners.size() - 3 * 9);
   EXPECT_EQ(places(shape_of(body, "mesh"), "SHAPE_NOT_CLOSED", Profile::strict),
             Lines{"/shapes/0/mesh/mesh"});
-  EXPECT_EQ(judged(body), Lines{}) << "an open surface may be convex";
+  EXPECT_EQ(judged_shape(body), Lines{}) << "an open surface may be convex";
 }
 
 TEST(ShapeMesh, OnlyGltf21HasShapes) {

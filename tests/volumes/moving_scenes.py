@@ -67,7 +67,7 @@ class Builder:
         for node, path in channels:
             values = self.values(path, keys, targets)
             if kind == "CUBICSPLINE":
-                tangents = self.random.uniform(-1, 1, (2,) + values.shape)
+                tangents = self.random.uniform(-0.3, 0.3, (2,) + values.shape)
                 values = np.stack([tangents[0], values, tangents[1]], 1)
             width = {"rotation": 4, "weights": 1}.get(path, 3)
             output = self.accessor(values.reshape(-1, width) if width > 1 else values.reshape(-1),

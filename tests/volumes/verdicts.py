@@ -129,7 +129,7 @@ class Run:
                 self.wrong.append("%s, node %d (%s): %g is outside, not %g" % (name, node, volume.kind, given, most))
 
     def expect_fixed(self, name, paths, asset, volumes, samples, moments):
-        subprocess.run([self.program, "fix", "--isolated", "--unsafe", "--only", ",".join(CODES)]
+        subprocess.run([self.program, "fix", "--isolated", "--in-place", "--unsafe", "--only", ",".join(CODES)]
                        + [str(path) for path in paths], capture_output=True, text=True)
         for (node, old), path in zip(volumes.items(), paths):
             document = json.loads(path.read_text())
