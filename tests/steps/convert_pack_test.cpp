@@ -210,9 +210,13 @@ TEST_F(Pack, RefusesAShortBuffer) {
 TEST_F(Pack, RefusesTooManyBytesBeforeWriting) {
   std::ofstream(folder_.path() / "b.bin");
   fs::resize_file(folder_.path() / "b.bin", 4'300'000'000);  // a sparse file
-  EXPECT_THAT(
-      refused("{" + kAsset + R"(, "buffers": [{"byteLength": 4300000000, "uri": "b.bin"}]})").error,
-      HasSubstr("a GLB has at most 4 GiB; use --to gltf"));
+  const fs::path path = folder_.write(
+      "a.gltf", "{" + kAsset + R"(, "buffers": [{"byteLength": 4300000000, "uri": "b.bin"}]})");
+  ConvertOptions options = options_to(output());
+  options.glb_version = GlbVersion::two;
+  EXPECT_THAT(convert_file(path.native(), options).error,
+              HasSubstr("a GLB of version 2 has at most 4 GiB; use --glb 3, or --to gltf"));
+  EXPECT_FALSE(fs::exists(output()));
 }
 
 TEST_F(Pack, RemovesTemporaryFilesOfALargeGlb) {
