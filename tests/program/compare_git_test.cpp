@@ -27,7 +27,7 @@ class CompareGit : public GitRepository {
   }
   // "old -> new level" of each pair.
   std::vector<std::string> pairs(const std::string& words, const std::string& where = {}) const {
-    const Outcome outcome = compare("--format json " + words, where);
+    const Outcome outcome = shell("\"$GLTFX\" compare --format json --git " + words, where);
     const json report = json::parse(outcome.out, nullptr, false);
     std::vector<std::string> all;
     if (report.is_discarded()) return {outcome.err};
@@ -48,7 +48,7 @@ TEST_F(CompareGit, PairsWhatChangedAndWhatWasRenamed) {
   commit();
   folder_.write("a.gltf", node_at(1, "a.gltf"));
   shell("mkdir sub && git mv b.gltf 'sub/new b.gltf' && git rm -q c.gltf");
-  folder_.write("d.gltf", node_at(0, "another"));
+  folder_.write("d.gltf", asset_with("another.png"));
   folder_.write("stray.gltf", node_at(0, "stray"));
   shell("git add d.gltf");
   const auto expected = ElementsAre("a.gltf -> a.gltf differs", "c.gltf -> - differs",
@@ -250,14 +250,15 @@ TEST_F(CompareGit, TheExamplesForCiWriteAComment) {
   commit("git update-ref refs/remotes/origin/main HEAD");
   folder_.write("a.gltf", node_at(1, "Door"));
   for (const char* name : {"github.yml", "gitlab-ci.yml"}) {
-    const std::string example =
-        read_file(std::string(GLTFX_SOURCE_DIR "/examples/ci/") + name);
+    const std::string example = read_file(std::string(GLTFX_SOURCE_DIR "/examples/ci/") + name);
     const std::size_t begin = example.find("gltfx compare --git");
     ASSERT_NE(begin, std::string::npos) << name;
     const std::string line = example.substr(begin, example.find('\n', begin) - begin);
-    const Outcome outcome = shell("export GITHUB_BASE_REF=main\n"
-                                  "export CI_MERGE_REQUEST_DIFF_BASE_SHA=$(git rev-parse HEAD)\n"
-                                  "set -e\n" + line);
+    const Outcome outcome = shell(
+        "export GITHUB_BASE_REF=main\n"
+        "export CI_MERGE_REQUEST_DIFF_BASE_SHA=$(git rev-parse HEAD)\n"
+        "set -e\n" +
+        line);
     EXPECT_EQ(outcome.code, 0) << name << outcome.err;
     EXPECT_THAT(content("changes.md"), HasSubstr("### a\\.gltf\n")) << name;
   }

@@ -90,7 +90,7 @@ TEST_F(GitDriver, GitDiffSaysWhatChanged) {
   commit();
   folder_.write("a b.gltf", node_at(1, "Door"));
   shell("git rm -q gone.gltf");
-  folder_.write("new.gltf", node_at(0, "New"));
+  folder_.write("new.gltf", asset_with("new.png"));
   folder_.write("broken.gltf", "no asset");
   shell("git add -N new.gltf broken.gltf");
   const Outcome outcome = shell("git diff HEAD");
@@ -126,7 +126,7 @@ TEST_F(GitDriver, FilesBesideAnAssetAreThoseOfItsCommit) {
   EXPECT_THAT(shell("git diff").out, AllOf(HasSubstr("deep/leaf.gltf: storage"),
                                            Not(HasSubstr("unproven")), Not(HasSubstr("note:"))));
   folder_.write("maps/leaf.png", other_picture());
-  EXPECT_THAT(shell("git diff -- deep", "maps").out, HasSubstr("image.texels"));
+  EXPECT_THAT(shell("git diff -- ../deep", "maps").out, HasSubstr("image.texels"));
   EXPECT_THAT(shell("git diff", "deep").out, HasSubstr("image.texels"));
   commit();
   EXPECT_THAT(shell("git diff HEAD~1 HEAD -- deep").out, HasSubstr("image.texels"));
