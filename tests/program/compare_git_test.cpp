@@ -124,10 +124,7 @@ TEST_F(CompareGit, NamesHaveAnyBytes) {
   const std::vector<std::string> names{"-o a.gltf", "line\nbreak.gltf", "tab\t\"quote\".gltf",
                                        "bad\xFF.gltf", ":(top)x.gltf"};
   for (const std::string& name : names) folder_.write(name, asset_with("-%20%0A%FF.png"));
-  folder_.write("- \n\xFF.png", picture());
   commit("git tag one");
-  folder_.write("- \n\xFF.png", other_picture());
-  EXPECT_EQ(pairs("HEAD").size(), names.size());
   for (const std::string& name : names) folder_.write(name, node_at(0, "x"));
   commit();
   const Outcome outcome = compare("one..HEAD");
