@@ -28,8 +28,8 @@ KeyedHash make_stable_hash() {
 }  // namespace
 
 StableHashes::StableHashes() {
-  static const KeyedHash hash = make_stable_hash();
-  stable_hash = &hash;
+  static constinit MadeOnce<KeyedHash> made;
+  stable_hash = &made.get([] { return make_stable_hash(); });
 }
 
 StableHashes::~StableHashes() { stable_hash = nullptr; }
