@@ -40,6 +40,14 @@ AssetFacts full() {
   facts.skins = {{"s", 1, 2}};
   facts.cameras = {{"c", "perspective"}};
   facts.lights = {{"", "spot"}};
+  facts.shapes = facts.bounding_volumes = 2;
+  facts.referred_files = {{"f", "b.gltf", "model/gltf+json", 5, {"c.bin"}, {}},
+                          {{}, {}, "text/plain", {}, {}, "it is not there"}};
+  facts.external_assets = {
+      {0, 0, "b.gltf", "model/gltf+json", 1, ExternalAssetState::read, 1, 2, 3, 4, {}},
+      {1, 0, "a.gltf", "model/gltf+json", 1, ExternalAssetState::cycle, 0, 0, 0, 0, {}},
+      {0, 1, "b.gltf", "model/gltf+json", 0, ExternalAssetState::repeated, 0, 0, 0, 0, {}},
+      {0, 2, "c.gltf", {}, 0, ExternalAssetState::unread, 0, 0, 0, 0, "it is not there"}};
   facts.problems = {"It rains."};
   return facts;
 }
@@ -86,6 +94,8 @@ TEST(FactsJson, KeepsTheLargestWhereThereIsALimit) {
   for (const auto& mesh : facts["meshes"]) names.push_back(mesh["name"]);
   EXPECT_THAT(names, ElementsAre("large", "middle"));
   EXPECT_EQ(facts["counts"]["meshes"], 3);
+  EXPECT_EQ(facts["externalAssets"].size(), 2U);  // from the top: they are a tree
+  EXPECT_EQ(facts["externalAssets"][1]["state"], "cycle");
   EXPECT_EQ(facts["meshes"][1]["index"], 2);
 }
 
