@@ -32,6 +32,8 @@ class ChangeLog {
   /// Removes the changes for which the function is true.
   void forget(const std::function<bool(const Change&)>& gone);
   bool differs() const;
+  /// All so far.
+  const std::vector<Change>& changes() const { return changes_; }
 
   /// Sets level, changes, storage and unproven. The level is `storage` without a change.
   void take(CompareReport& report);

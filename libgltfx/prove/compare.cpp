@@ -6,6 +6,7 @@
 #include "prove/compare_drawn.hpp"
 #include "prove/compare_motion.hpp"
 #include "prove/compare_nodes.hpp"
+#include "prove/compare_poses.hpp"
 #include "prove/compare_sizes.hpp"
 #include "prove/compare_texels.hpp"
 #include "prove/compare_values.hpp"
@@ -69,6 +70,7 @@ std::vector<ChangedBoxes> compare_assets(const model::OpenedAsset& ours,
   compare_nodes(all, helpers);
   if (options.drawn && log.differs()) forget_static_surfaces(all);
   compare_motion(all);
+  compare_poses(all);
   compare_image_texels(all);
   compare_stored_objects(all);
   if (match.is_renumbered()) log.note_storage("objects have other numbers");

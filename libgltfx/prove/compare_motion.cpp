@@ -135,20 +135,23 @@ class MotionComparison {
     return hash;
   }
 
-  // Where the accessor is that cannot be read, or the member that leads to none.
-  void begin_unread(const Sampled& unread, bool is_theirs, Change& change) const {
+  // What several curves use is told once, at its place.
+  void place_at_unread(const Sampled& unread, bool is_theirs, Change& change) const {
     const Content& content = is_theirs ? all_.theirs : all_.ours;
-    bool readable = false;
-    if (unread.sampler->input) content.elements(*unread.sampler->input, readable);
-    const std::string_view member = readable ? "output" : "input";
-    const auto& accessor = readable ? unread.sampler->output : unread.sampler->input;
+    const auto is_unread = [&](const std::optional<std::uint32_t>& accessor) {
+      bool readable = false;
+      if (accessor) content.elements(*accessor, readable);
+      return accessor && !readable;
+    };
+    const model::AnimationSampler& sampler = *unread.sampler;
+    const bool input = is_unread(sampler.input);
+    if (!input && !is_unread(sampler.output)) return;
     const Side& side = content.side();
-    const json::NodeId value = side.document().find(unread.sampler->object, member);
+    const std::uint32_t accessor = input ? *sampler.input : *sampler.output;
     auto& pointer = is_theirs ? change.new_pointer : change.old_pointer;
-    if (pointer) change.also.push_back(*pointer);
-    pointer = side.pointer(accessor ? side.asset().elements(model::RootArray::accessors)[*accessor]
-                           : value == json::kNoNode ? unread.sampler->object
-                                                    : value);
+    change.also.push_back(*pointer);
+    (is_theirs ? change.old_pointer : change.new_pointer).reset();
+    pointer = side.pointer(side.asset().elements(model::RootArray::accessors)[accessor]);
   }
 
   Change& begin(std::string_view kind, const Sampled& ours, const Sampled& theirs,
@@ -190,13 +193,20 @@ class MotionComparison {
       Change change;
       if (ours && theirs) {
         const bool same = ours->sampler->interpolation == theirs->sampler->interpolation;
-        change = begin("animation.curve", *ours, *theirs, same ? "output" : "interpolation");
-        if (!before || !after) begin_unread(before ? *theirs : *ours, before.has_value(), change);
+        change = begin("animation.curve", *ours, *theirs,
+                       !same                          ? "interpolation"
+                       : shares_curve(*ours, *theirs) ? "output"
+                                                      : "input");
+        if (!before || !after) {
+          place_at_unread(before ? *theirs : *ours, before.has_value(), change);
+        }
       }
       change.kind = "animation.curve";
       change.name = name_;
-      if (!change.old_pointer) change.old_pointer = all_.ours.side().pointer(here);
-      if (!change.new_pointer) change.new_pointer = all_.theirs.side().pointer(there);
+      if (!ours || !theirs) {
+        change.old_pointer = all_.ours.side().pointer(here);
+        change.new_pointer = all_.theirs.side().pointer(there);
+      }
       change.what = !before || !after ? "has keyframes that can be read in one asset only"
                                       : "moves another number of values";
       return all_.log.add(std::move(change));

@@ -247,7 +247,10 @@ class NodeComparison {
     for (std::uint32_t i = 0; i < all_.ours.lists()[scenes].items.size(); ++i) {
       const ItemId scene{scenes, i};
       const ItemId other = all_.match.theirs(scene);
-      if (!other) continue;
+      if (!other || !all_.ours.side().document().is_object(all_.ours.item(scene).node) ||
+          !all_.theirs.side().document().is_object(all_.theirs.item(other).node)) {
+        continue;
+      }
       std::set<std::uint32_t> here, there;  // by number of the old asset
       for (const std::uint32_t node : roots_of(all_.ours, scene)) {
         const ItemId partner = all_.match.theirs(ours(node));

@@ -95,11 +95,11 @@ class ShapeComparison {
 
   SurfacePair surface_pair(std::uint32_t here, std::uint32_t there) const {
     SurfacePair pair;
-    const json::NodeId one = all_.ours.side().views().meshes[here].node;
-    const json::NodeId other = all_.theirs.side().views().meshes[there].node;
-    pair.name = all_.our_name({all_.ours.list("/meshes"), here});
-    pair.our_place = all_.ours.side().pointer(one);
-    pair.their_place = all_.theirs.side().pointer(other);
+    const ItemId one{all_.ours.list("/meshes"), here};
+    const ItemId other{all_.theirs.list("/meshes"), there};
+    pair.name = all_.our_name(one);
+    pair.our_place = all_.our_pointer(one);
+    pair.their_place = all_.their_pointer(other);
     return pair;
   }
 

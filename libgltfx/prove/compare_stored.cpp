@@ -20,15 +20,13 @@ using MemberNames = std::initializer_list<std::string_view>;
 struct StoredValue {
   Hash128 hash;
   json::NodeId node = json::kNoNode;
+  bool used = false;  ///< by what is compared elsewhere
 };
 
 class StoredValues {
  public:
   explicit StoredValues(const Content& content)
-      : content_(content),
-        side_(content.side()),
-        document_(side_.document()),
-        storage_(storage_extensions(side_.graph().set(), Types(side_.graph().set()))) {}
+      : content_(content), side_(content.side()), document_(side_.document()) {}
 
   /// Sorted by hash.
   std::vector<StoredValue> read() {
@@ -46,7 +44,7 @@ class StoredValues {
   }
 
  private:
-  void add(const Hash128& hash, json::NodeId at) { values_.push_back({hash, at}); }
+  void add(const Hash128& hash, json::NodeId at) { values_.push_back({hash, at, false}); }
 
   void read_list(RootArray list, MemberNames known) {
     for (const json::NodeId object : side_.asset().elements(list)) read_object(object, known);
@@ -69,7 +67,7 @@ class StoredValues {
   template <class Member>
   void read_extension(const Member& member) {
     const std::string_view name = document_.key(member.key_id);
-    if (storage_.contains(name)) return;
+    if (content_.storage().contains(name)) return;
     const json::NodeId object = member.value;
     const Hash128 label = hash_content(name);
     if (!document_.is_object(object) || side_.graph().type(object) == schema::kNone) {
@@ -115,15 +113,15 @@ class StoredValues {
       if (sampler) used[*sampler] = true;
     }
     for (std::size_t i = 0; i < samplers.size(); ++i) {
-      if (used[i] || samplers[i] == json::kNoNode) continue;
-      add(hash_of_all('u', hash_json(document_, samplers[i])), samplers[i]);
+      if (samplers[i] == json::kNoNode) continue;
+      values_.push_back(
+          {hash_of_all('u', hash_json(document_, samplers[i])), samplers[i], used[i]});
     }
   }
 
   const Content& content_;
   const Side& side_;
   const json::Document& document_;
-  const std::set<std::string, std::less<>> storage_;
   std::vector<StoredValue> values_;
 };
 
@@ -136,7 +134,7 @@ std::vector<json::NodeId> stored_only_in(const std::vector<StoredValue>& these,
     while (k < those.size() && hash_less(those[k].hash, each.hash)) ++k;
     if (k < those.size() && those[k].hash == each.hash) {
       ++k;
-    } else {
+    } else if (!each.used) {
       only.push_back(each.node);
     }
   }

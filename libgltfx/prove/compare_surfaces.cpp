@@ -9,7 +9,7 @@
 
 #include "base/text.hpp"
 #include "prove/hash_sum.hpp"
-#include "prove/stream_change.hpp"
+#include "prove/soup_lists.hpp"
 #include "prove/texture_use.hpp"
 
 namespace gltfx::prove {
@@ -158,13 +158,7 @@ class SurfaceComparison {
   }
 
   Change& add(std::string_view kind, std::string what) {
-    Change& change = result_.changes.emplace_back();
-    change.kind = kind;
-    change.old_pointer = pair_.our_place;
-    change.new_pointer = pair_.their_place;
-    change.name = pair_.name;
-    change.what = std::move(what);
-    return change;
+    return result_.changes.emplace_back(change_of(pair_, kind, std::move(what)));
   }
 
   static std::string pointer_of(const SurfacePiece& piece, std::string_view member) {
@@ -244,157 +238,11 @@ class SurfaceComparison {
     const SurfacePiece* one = group.ours.empty() ? nullptr : group.ours.front()->piece;
     const SurfacePiece* other = group.theirs.empty() ? nullptr : group.theirs.front()->piece;
     const bool lone = group.ours.size() == 1 && group.theirs.size() == 1;
-    if (by_arity.empty() && one != nullptr && other != nullptr) tell_unseen(*one, *other, lone);
+    const SoupGroup pieces{pair_, use_of(material), one, other, lone};
+    if (by_arity.empty()) by_arity[3];
     for (auto& [arity, both] : by_arity) {
-      if (both.first.empty() || both.second.empty()) {
-        tell_elements(both, arity, one, other, !both.first.empty());
-      } else {
-        compare_soup_lists(material, both.first, both.second, one, other, lone);
-      }
+      compare_soup_lists(all_, pieces, both.first, both.second, result_.changes);
     }
-  }
-
-  // Nothing of it is drawn, so that only the difference is told.
-  void tell_unseen(const SurfacePiece& ours, const SurfacePiece& theirs, bool lone) {
-    Change& change = add("geometry.elements", "vertices that show nothing are others");
-    if (!lone) return;
-    change.old_pointer = ours.content->side().pointer(ours.primitive);
-    change.new_pointer = theirs.content->side().pointer(theirs.primitive);
-  }
-
-  void tell_elements(const std::pair<std::vector<Soup>, std::vector<Soup>>& both, unsigned arity,
-                     const SurfacePiece* one, const SurfacePiece* other, bool lost) {
-    std::uint64_t count = 0;
-    for (const Soup& soup : lost ? both.first : both.second) count += soup.elements();
-    Change& change = add("geometry.elements", fmt::format("{} {}", counted_elements(count, arity),
-                                                          lost ? "fewer" : "more"));
-    const SurfacePiece* piece = lost ? one : other;
-    if (piece == nullptr) return;
-    const std::string pointer = piece->content->side().pointer(piece->primitive);
-    (lost ? change.old_pointer : change.new_pointer) = pointer;
-  }
-
-  static std::map<std::string, SoupStream> streams_of(const std::vector<Soup>& soups) {
-    std::map<std::string, SoupStream> streams;
-    for (const Soup& soup : soups) {
-      for (const SoupStream& stream : soup.streams) {
-        const auto [at, is_new] = streams.try_emplace(stream.name, stream);
-        if (!is_new) at->second.width = std::max(at->second.width, stream.width);
-      }
-    }
-    return streams;
-  }
-
-  static Soup joined(const std::vector<Soup>& soups, const std::vector<SoupStream>& streams) {
-    Soup all;
-    all.arity = soups.front().arity;
-    for (SoupStream stream : streams) {
-      stream.offset = all.width;
-      all.width += stream.width;
-      all.streams.push_back(std::move(stream));
-    }
-    for (const Soup& soup : soups) append_soup(all, soup);
-    return all;
-  }
-
-  void tell_attribute(const SoupStream& stream, const Side& side, std::uint64_t material,
-                      bool lost) {
-    const TextureUse& use = use_of(material);
-    const bool read = use.reads(stream);
-    if (!read && all_.options.drawn) return;
-    Change& change = add("geometry.attribute", fmt::format("{}{} was {}", printable(stream.name),
-                                                           read ? "" : ", which nothing reads,",
-                                                           lost ? "removed" : "added"));
-    (lost ? change.old_pointer : change.new_pointer) = side.pointer(stream.value);
-  }
-
-  void tell_joints(const SoupStream& ours, const SoupStream& theirs) {
-    const bool lost = theirs.joints == json::kNoNode;
-    const Side& side = (lost ? all_.ours : all_.theirs).side();
-    Change& change =
-        add("geometry.attribute", fmt::format("JOINTS_n {}", lost ? "was removed" : "was added"));
-    (lost ? change.old_pointer : change.new_pointer) = side.pointer((lost ? ours : theirs).joints);
-  }
-
-  void compare_soup_lists(std::uint64_t material, const std::vector<Soup>& ours,
-                          const std::vector<Soup>& theirs, const SurfacePiece* one,
-                          const SurfacePiece* other, bool lone) {
-    std::map<std::string, SoupStream> here = streams_of(ours);
-    std::map<std::string, SoupStream> there = streams_of(theirs);
-    std::vector<SoupStream> common;
-    std::map<std::string, json::NodeId> values;
-    for (auto& [name, stream] : here) {
-      const auto found = there.find(name);
-      const bool fits = found != there.end() && (found->second.width == stream.width ||
-                                                 stream.kind == SemanticKind::weights ||
-                                                 stream.kind == SemanticKind::color);
-      // Weights are compared with their joints.
-      const bool lost_joints =
-          found != there.end() && stream.joints != found->second.joints &&
-          (stream.joints == json::kNoNode || found->second.joints == json::kNoNode);
-      if (lost_joints) {
-        tell_joints(stream, found->second);
-        values[name] = found->second.value;
-        continue;
-      }
-      if (!fits) {
-        tell_attribute(stream, all_.ours.side(), material, true);
-        continue;
-      }
-      stream.width = std::max(stream.width, found->second.width);
-      values[name] = found->second.value;
-      common.push_back(stream);
-    }
-    for (const auto& [name, stream] : there) {
-      if (!values.contains(name)) tell_attribute(stream, all_.theirs.side(), material, false);
-    }
-    if (common.empty()) return;
-    const Soup a = joined(ours, common);
-    const Soup b = joined(theirs, common);
-    const TextureUse& use = use_of(material);
-    SoupScale scale;
-    scale.texels = use.texels;
-    scale.position = all_.options.bounds.position * all_.diagonal / std::max(pair_.scale, 1e-30);
-    const std::size_t told = result_.changes.size();
-    const SoupDifference found = compare_soups(a, b, scale);
-    tell_difference(found, a.arity, values, one, other, lone);
-    if (found.unseen && told == result_.changes.size() && hash_soup(a) != hash_soup(b)) {
-      tell_unseen(*one, *other, lone);
-    }
-  }
-
-  void tell_difference(const SoupDifference& found, unsigned arity,
-                       const std::map<std::string, json::NodeId>& values, const SurfacePiece* one,
-                       const SurfacePiece* other, bool lone) {
-    const auto at = [&](Change& change) {
-      if (!lone) return;
-      change.old_pointer = one->content->side().pointer(one->primitive);
-      change.new_pointer = other->content->side().pointer(other->primitive);
-    };
-    if (found.reversed) at(add("geometry.winding", "the winding of triangles is reversed"));
-    if (found.fewer > 0 || found.more > 0) {
-      std::vector<std::string> parts;
-      if (found.fewer > 0) parts.push_back(counted_elements(found.fewer, arity) + " fewer");
-      if (found.more > 0) parts.push_back(counted_elements(found.more, arity) + " more");
-      at(add("geometry.elements", fmt::format("{}", fmt::join(parts, ", "))));
-      // Pairs by place are no evidence of a change of values beside it.
-      if (found.fewer + found.more > 0) return;
-    }
-    for (const StreamDistance& distance : found.distances) {
-      tell_stream(distance, arity, values, lone);
-    }
-  }
-
-  void tell_stream(const StreamDistance& distance, unsigned arity,
-                   const std::map<std::string, json::NodeId>& values, bool lone) {
-    const SoupStream& stream = *distance.stream;
-    Change change = describe_stream(all_, distance, arity, pair_.scale);
-    Change& added = add(change.kind, std::move(change.what));
-    added.measure = change.measure;
-    added.level = change.level;
-    if (!lone) return;
-    added.old_pointer = all_.ours.side().pointer(stream.value);
-    added.new_pointer = all_.theirs.side().pointer(values.at(stream.name));
   }
 
   const Comparison& all_;

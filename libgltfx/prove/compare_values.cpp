@@ -8,10 +8,19 @@
 
 #include "base/text.hpp"
 #include "prove/column.hpp"
+#include "prove/equal_images.hpp"
 #include "prove/hash_sum.hpp"
+#include "prove/lengths.hpp"
 
 namespace gltfx::prove {
 namespace {
+
+/// What is found out for many values.
+struct ValueFacts {
+  explicit ValueFacts(const Comparison& all) : lengths(all), images(all) {}
+  MaterialLengths lengths;
+  EqualImages images;
+};
 
 bool is_plain(LeafKind kind) { return kind <= LeafKind::aside; }
 
@@ -39,9 +48,14 @@ std::vector<std::string> steps_to(const Side& side, json::NodeId object, json::N
 /// Compares the leaves of two objects.
 class ValuePair {
  public:
-  ValuePair(const Comparison& all, const Item& ours, const Item& theirs, std::string_view list,
-            std::string name)
-      : all_(all), ours_(ours), theirs_(theirs), list_(list), name_(std::move(name)) {}
+  ValuePair(const Comparison& all, ValueFacts& facts, const Item& ours, const Item& theirs,
+            std::string_view list, std::string name)
+      : all_(all),
+        facts_(facts),
+        ours_(ours),
+        theirs_(theirs),
+        list_(list),
+        name_(std::move(name)) {}
 
   /// `skipped`: a leaf with that path does not count.
   void run(const Hash128* skipped) {
@@ -83,11 +97,17 @@ class ValuePair {
   void both(const Leaf& ours, const Leaf& theirs) {
     const Side& here = all_.ours.side();
     const Side& there = all_.theirs.side();
-    if (ours.value == theirs.value && all_.match.same(ours.target, theirs.target)) {
+    if (ours.value == theirs.value && (all_.match.same(ours.target, theirs.target) ||
+                                       facts_.images.are_equal(ours.target, theirs.target))) {
       const bool partners = !ours.target || all_.match.theirs(ours.target) == theirs.target;
       if (!partners) all_.log.note_equal(here.pointer(ours.at));
       return;
     }
+    // It still names what is gone, which is told.
+    if (ours.target && !there.link(theirs.at) && !all_.match.theirs(ours.target)) return;
+    if (theirs.target && !here.link(ours.at) && !all_.match.ours(theirs.target)) return;
+    const std::optional<double> length = apart_in_scene(ours, theirs);
+    if (length == 0.0) return;
     Change change;
     change.kind = kind(here, ours);
     const bool renamed =
@@ -103,6 +123,11 @@ class ValuePair {
       change.what = fmt::format("{} refers to {}, not {}", label(here, ours.at),
                                 Comparison::called(all_.theirs, theirs.target),
                                 Comparison::called(all_.ours, ours.target));
+    } else if (length && all_.diagonal > 0) {
+      const double bound = all_.options.bounds.position;
+      const double part = *length / all_.diagonal;
+      change.measure = CompareMeasure{"position", 100 * part, "%", 100 * bound};
+      if (part <= bound) change.level = CompareLevel::bounds;
     } else if (ours.kind == LeafKind::value) {
       measure(ours, theirs, change);
     }
@@ -119,6 +144,18 @@ class ValuePair {
     while (value != 0 && !tree.is_member(value)) value = tree.parent(value);
     return value == 0 ? std::string("value")
                       : printable(std::string(tree.name(value)).substr(0, 80));
+  }
+
+  // Of a length in the space of meshes, which may have another scale than before.
+  std::optional<double> apart_in_scene(const Leaf& ours, const Leaf& theirs) const {
+    const json::Document& here = all_.ours.side().document();
+    const json::Document& there = all_.theirs.side().document();
+    if (list_ != "/materials" || ours.target || theirs.target) return std::nullopt;
+    if (!here.is_number(ours.at) || !there.is_number(theirs.at)) return std::nullopt;
+    if (label(all_.ours.side(), ours.at) != "thicknessFactor") return std::nullopt;
+    return facts_.lengths.apart_in_scene(all_.ours.find(ours_.node), here.number(ours.at).value,
+                                         all_.theirs.find(theirs_.node),
+                                         there.number(theirs.at).value);
   }
 
   // Numbers of materials, lights and cameras have a bound.
@@ -219,6 +256,7 @@ class ValuePair {
   }
 
   const Comparison& all_;
+  ValueFacts& facts_;
   const Item& ours_;
   const Item& theirs_;
   const std::string_view list_;
@@ -243,7 +281,7 @@ std::set<std::string> declared(const Side& side, std::string_view list,
 void compare_lists_of_extensions(const Comparison& all) {
   const Side& here = all.ours.side();
   const Side& there = all.theirs.side();
-  const auto storage = storage_extensions(here.graph().set(), Types(here.graph().set()));
+  const auto& storage = all.ours.storage();
   const auto seen = [](const Side& side) {
     const auto& names = side.graph().checked().extensions_seen;
     return std::set<std::string>(names.begin(), names.end());
@@ -299,6 +337,7 @@ void find_unknown_indices(const Comparison& all) {
 
 void compare_values(const Comparison& all, const Helpers& helpers) {
   const Hash128 mesh = hash_of_all(Hash128{}, hash_content("mesh"));
+  ValueFacts facts(all);
   for (std::uint32_t list = 0; list < all.ours.lists().size(); ++list) {
     const ItemList& items = all.ours.lists()[list];
     const bool nodes = items.pointer == "/nodes";
@@ -308,12 +347,12 @@ void compare_values(const Comparison& all, const Helpers& helpers) {
       if (!theirs) continue;
       const bool helped =
           nodes && (helpers.ours[i] != kNoItem || helpers.theirs[theirs.index] != kNoItem);
-      ValuePair(all, all.ours.item(ours), all.theirs.item(theirs), items.pointer,
+      ValuePair(all, facts, all.ours.item(ours), all.theirs.item(theirs), items.pointer,
                 all.our_name(ours))
           .run(helped ? &mesh : nullptr);
     }
   }
-  ValuePair(all, all.ours.root(), all.theirs.root(), "", "").run(nullptr);
+  ValuePair(all, facts, all.ours.root(), all.theirs.root(), "", "").run(nullptr);
   compare_lists_of_extensions(all);
   find_unknown_indices(all);
 }

@@ -57,7 +57,10 @@ Content::Box Content::Box::nothing() {
   return {{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
 }
 
-Content::Content(const Side& side) : side_(side) {
+Content::Content(const Side& side)
+    : side_(side),
+      types_(side.graph().set()),
+      storage_(storage_extensions(side.graph().set(), types_)) {
   find_lists();
   read_surfaces();
   read_items();

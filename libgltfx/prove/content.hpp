@@ -13,6 +13,7 @@
 #include "base/hash.hpp"
 #include "model/node.hpp"
 #include "prove/side.hpp"
+#include "prove/storage.hpp"
 
 namespace gltfx::prove {
 
@@ -82,6 +83,9 @@ class Content {
   Content& operator=(const Content&) = delete;
 
   const Side& side() const { return side_; }
+  const Types& types() const { return types_; }
+  /// As of storage_extensions().
+  const std::set<std::string, std::less<>>& storage() const { return storage_; }
   const std::vector<ItemList>& lists() const { return lists_; }
   const Item& item(ItemId id) const { return lists_[id.list].items[id.index]; }
   const std::vector<Leaf>& leaves() const { return leaves_; }
@@ -125,6 +129,8 @@ class Content {
   void sum_up();
 
   const Side& side_;
+  const Types types_;
+  const std::set<std::string, std::less<>> storage_;
   std::vector<ItemList> lists_;
   std::unordered_set<json::NodeId> arrays_;
   std::unordered_map<json::NodeId, ItemId> ids_;

@@ -66,12 +66,8 @@ LeafReader::LeafReader(const Content& content, std::vector<Leaf>& leaves)
     : content_(content),
       side_(content.side()),
       document_(side_.document()),
-      types_(side_.graph().set()),
-      storage_(storage_extensions(side_.graph().set(), types_)),
-      mesh_(side_.graph().set().find_type("mesh")),
-      skin_(side_.graph().set().find_type("skin")),
-      animation_(side_.graph().set().find_type("animation")),
-      scene_(side_.graph().set().find_type("scene")),
+      types_(content.types()),
+      storage_(content.storage()),
       leaves_(leaves) {}
 
 void LeafReader::add(json::NodeId at, const Hash128& path, const Hash128& value, LeafKind kind) {
@@ -100,10 +96,10 @@ bool LeafReader::is_left_out(schema::TypeId type, std::string_view name, json::N
   }
   if (type == types_.texture) return is_of(name, {"source", "sampler"});
   if (type == types_.image) return is_of(name, {"uri", "bufferView", "mimeType"});
-  if (type == skin_) return is_of(name, {"joints", "inverseBindMatrices"});
-  if (type == animation_) return is_of(name, {"channels", "samplers"});
+  if (type == types_.skin) return is_of(name, {"joints", "inverseBindMatrices"});
+  if (type == types_.animation) return is_of(name, {"channels", "samplers"});
   if (type == types_.channel) return name == "sampler";
-  return type == scene_ && name == "nodes";
+  return type == types_.scene && name == "nodes";
 }
 
 bool LeafReader::is_default(schema::TypeId type, std::string_view name, json::NodeId value) {
@@ -125,7 +121,7 @@ void LeafReader::read_object(json::NodeId object, const Hash128& path) {
     read_broken_places(object, path);
     read_broken_indices(object, "children", path);
   }
-  if (origin == scene_) read_broken_indices(object, "nodes", path);
+  if (origin == types_.scene) read_broken_indices(object, "nodes", path);
   for (const auto member : document_.members(object)) {
     const std::string_view name = document_.key(member.key_id);
     if (type == schema::kNone) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "prove/content.hpp"
-#include "prove/storage.hpp"
 
 namespace gltfx::prove {
 
@@ -50,9 +49,8 @@ class LeafReader {
   const Content& content_;
   const Side& side_;
   const json::Document& document_;
-  const Types types_;
-  const Names storage_;
-  const schema::TypeId mesh_, skin_, animation_, scene_;
+  const Types& types_;
+  const Names& storage_;
   std::vector<Leaf>& leaves_;
   std::unordered_map<const schema::Property*, Hash128> defaults_;
 };

@@ -105,6 +105,7 @@ NodeTree::NodeTree(const Content& content)
 
 void NodeTree::read_locals(const Content& content) {
   const Side& side = content.side();
+  locals_.reserve(side.views().nodes.size());
   for (const model::Node& node : side.views().nodes) {
     locals_.push_back(read_local(side.document(), node));
   }

@@ -104,7 +104,10 @@ void SkinPairs::tell_rest() {
   for (std::uint32_t i = 0; i < all_.ours.lists()[skins].items.size(); ++i) {
     const ItemId one{skins, i};
     const ItemId other = all_.match.theirs(one);
-    if (!other) continue;
+    if (!other || !all_.ours.side().document().is_object(all_.ours.item(one).node) ||
+        !all_.theirs.side().document().is_object(all_.theirs.item(other).node)) {
+      continue;
+    }
     const ReadSkin here = read_skin_of(all_.ours, i);
     const ReadSkin there = read_skin_of(all_.theirs, other.index);
     std::map<model::NodeIndex, std::size_t> positions;

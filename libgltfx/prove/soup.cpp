@@ -330,18 +330,17 @@ std::vector<Hash128> hash_vertices(const Soup& soup, const SoupStream* without) 
   return vertices;
 }
 
-}  // namespace
-
-std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without, bool reversed) {
-  const std::vector<Hash128> vertices = hash_vertices(soup, without);
-  std::vector<Hash128> hashes(soup.elements());
+// `all`: also those that show nothing.
+template <class Use>
+void each_element_hash(const Soup& soup, const std::vector<Hash128>& vertices, bool all,
+                       bool reversed, const Use& use) {
   const std::size_t arity = soup.arity;
-  for (std::size_t e = 0; e < hashes.size(); ++e) {
+  for (std::size_t e = 0; e < soup.elements(); ++e) {
     std::array<Hash128, 3> corners{};
     for (std::size_t k = 0; k < arity; ++k) corners[k] = vertices[soup.corners[e * arity + k]];
     const bool repeats = (arity > 1 && corners[0] == corners[1]) ||
                          (arity > 2 && (corners[1] == corners[2] || corners[0] == corners[2]));
-    if (repeats && without == nullptr) continue;
+    if (repeats && !all) continue;
     if (reversed) std::swap(corners[0], corners[arity - 1]);
     std::array<Hash128, 3> least = corners;
     for (std::size_t turn = 1; turn < arity; ++turn) {
@@ -349,8 +348,17 @@ std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without, 
                   corners.begin() + static_cast<std::ptrdiff_t>(arity));
       if (turn_is_least(corners, least, arity)) least = corners;
     }
-    hashes[e] = hash_of_all(arity, least[0], least[1], least[2]);
+    use(e, hash_of_all(arity, least[0], least[1], least[2]));
   }
+}
+
+}  // namespace
+
+std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without, bool reversed) {
+  const std::vector<Hash128> vertices = hash_vertices(soup, without);
+  std::vector<Hash128> hashes(soup.elements());
+  each_element_hash(soup, vertices, without != nullptr, reversed,
+                    [&](std::size_t element, const Hash128& hash) { hashes[element] = hash; });
   return hashes;
 }
 
@@ -360,11 +368,10 @@ Hash128 hash_soup(const Soup& soup) {
     layout = hash_of_all(layout, hash_content(stream.name), stream.width);
   }
   Hash128 sum;
-  for (const Hash128& each : hash_elements(soup)) {
-    if (each != Hash128{}) add_to_sum(sum, each);
-  }
-  if (sum != Hash128{}) return hash_of_all(layout, sum);
   std::vector<Hash128> vertices = hash_vertices(soup, nullptr);
+  each_element_hash(soup, vertices, false, false,
+                    [&](std::size_t, const Hash128& hash) { add_to_sum(sum, hash); });
+  if (sum != Hash128{}) return hash_of_all(layout, sum);
   std::sort(vertices.begin(), vertices.end(), hash_less);
   vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   for (const Hash128& each : vertices) add_to_sum(sum, each);

@@ -53,8 +53,10 @@ double influence_distance(const double* a, const double* b, unsigned width) {
   return greatest;
 }
 
-double distance_of(const SoupStream& stream, const double* a, const double* b,
-                   const SoupScale& scale) {
+}  // namespace
+
+double stream_distance(const SoupStream& stream, const double* a, const double* b,
+                       const SoupScale& scale) {
   a += stream.offset;
   b += stream.offset;
   double greatest = 0;
@@ -63,7 +65,7 @@ double distance_of(const SoupStream& stream, const double* a, const double* b,
   const bool direction =
       stream.kind == SemanticKind::normal || stream.kind == SemanticKind::tangent;
   if (stream.kind == SemanticKind::weights) {
-    return stream.width % 2 == 0 ? influence_distance(a, b, stream.width) : greatest;
+    return stream.joints == json::kNoNode ? greatest : influence_distance(a, b, stream.width);
   }
   if (stream.width >= 3 && direction && !stream.of_target) {
     if (stream.width > 3 && apart(a[3], b[3]) > 0) return kEndless;
@@ -77,6 +79,8 @@ double distance_of(const SoupStream& stream, const double* a, const double* b,
   }
   return stream.kind == SemanticKind::texcoord ? greatest * scale.texels : greatest;
 }
+
+namespace {
 
 /// An element of each soup, and how far the corners of the second one are turned.
 struct ElementPair {
@@ -102,12 +106,19 @@ class SoupComparison {
       result_.reversed = true;
       return result_;
     }
-    if (a_.elements() == b_.elements() && pairs_in_order(here, there)) return measured();
+    if (a_.elements() == b_.elements() && pairs_in_order(here, there)) {
+      result_.distances = measure(pairs_);
+      return std::move(result_);
+    }
     pair_by_other_streams();
+    const std::size_t placed = pairs_.size();
     pair_by_place();
     result_.fewer = left_.size();
     result_.more = their_left_.size();
-    return measured();
+    result_.distances = measure(pairs_);
+    set_apart(placed);
+    result_.near = measure(pairs_);
+    return std::move(result_);
   }
 
  private:
@@ -179,8 +190,9 @@ class SoupComparison {
   double element_distance(const SoupStream& stream, const ElementPair& pair) const {
     double greatest = 0;
     for (std::size_t k = 0; k < a_.arity; ++k) {
-      greatest = std::max(greatest, distance_of(stream, corner(a_, pair.ours, k),
-                                                corner(b_, pair.theirs, k + pair.turn), scale_));
+      greatest =
+          std::max(greatest, stream_distance(stream, corner(a_, pair.ours, k),
+                                             corner(b_, pair.theirs, k + pair.turn), scale_));
     }
     return greatest;
   }
@@ -322,11 +334,37 @@ class SoupComparison {
     });
   }
 
-  SoupDifference measured() {
+  // Pairs by place, from `first` on, that are not within limits are no pairs.
+  void set_apart(std::size_t first) {
+    std::vector<ElementPair> kept;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (i < first || is_within(pairs_[i])) {
+        kept.push_back(pairs_[i]);
+        continue;
+      }
+      left_.push_back(pairs_[i].ours);
+      their_left_.push_back(pairs_[i].theirs);
+    }
+    pairs_ = std::move(kept);
+    std::sort(left_.begin(), left_.end());
+    std::sort(their_left_.begin(), their_left_.end());
+    result_.left = std::move(left_);
+    result_.their_left = std::move(their_left_);
+  }
+
+  bool is_within(const ElementPair& pair) const {
+    for (std::size_t s = 0; s < std::min(a_.streams.size(), scale_.limits.size()); ++s) {
+      if (element_distance(a_.streams[s], pair) > scale_.limits[s]) return false;
+    }
+    return true;
+  }
+
+  std::vector<StreamDistance> measure(const std::vector<ElementPair>& pairs) const {
+    std::vector<StreamDistance> distances;
     for (const SoupStream& stream : a_.streams) {
       StreamDistance distance;
       distance.stream = &stream;
-      for (const ElementPair& pair : pairs_) {
+      for (const ElementPair& pair : pairs) {
         const double apart = element_distance(stream, pair);
         if (apart == 0) continue;
         if (distance.elements++ == 0) distance.first = pair.ours;
@@ -334,9 +372,9 @@ class SoupComparison {
       }
       if (distance.elements == 0) continue;
       distance.mirrored = is_mirrored(stream);
-      result_.distances.push_back(distance);
+      distances.push_back(distance);
     }
-    return result_;
+    return distances;
   }
 
   const Soup& a_;

@@ -12,9 +12,15 @@ namespace gltfx::prove {
 
 /// Distances up to which elements belong together; all in the units of the soup.
 struct SoupScale {
-  double position = 0;  ///< of POSITION
-  double texels = 1;    ///< of the largest image, for texture coordinates
+  double position = 0;         ///< of POSITION
+  double texels = 1;           ///< of the largest image, for texture coordinates
+  double facing = 0;           ///< degrees between faces that are shaded flat
+  std::vector<double> limits;  ///< by stream, as StreamDistance::greatest
 };
+
+/// The distance of one stream in two rows, as StreamDistance::greatest.
+double stream_distance(const SoupStream& stream, const double* a, const double* b,
+                       const SoupScale& scale);
 
 /// The greatest distance of a stream.
 struct StreamDistance {
@@ -30,6 +36,10 @@ struct SoupDifference {
   std::uint64_t fewer = 0, more = 0;      ///< elements without a counterpart
   bool reversed = false;                  ///< all others have the other winding
   bool unseen = false;                    ///< no element of both shows anything
+  /// Elements without a counterpart, and those with one in about their place that is not within
+  /// limits.
+  std::vector<std::uint32_t> left, their_left;
+  std::vector<StreamDistance> near;  ///< of all other elements, above 0 only
   bool same() const { return distances.empty() && fewer == 0 && more == 0 && !reversed; }
 };
 

@@ -36,6 +36,7 @@ bool stores(const schema::Set& set, const Types& types, const schema::Extension&
 
 Types::Types(const schema::Set& set)
     : accessor(set.find_type("accessor")),
+      animation(set.find_type("animation")),
       asset(set.find_type("asset")),
       buffer(set.find_type("buffer")),
       buffer_view(set.find_type("bufferView")),
@@ -45,6 +46,7 @@ Types::Types(const schema::Set& set)
       primitive(set.find_type("mesh.primitive")),
       root(set.find_type("glTF")),
       sampler(set.find_type("animation.sampler")),
+      scene(set.find_type("scene")),
       skin(set.find_type("skin")),
       texture(set.find_type("texture")) {}
 

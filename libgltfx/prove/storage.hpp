@@ -13,8 +13,8 @@ namespace gltfx::prove {
 /// Types of objects whose content is compared in a special way.
 struct Types {
   explicit Types(const schema::Set& set);
-  schema::TypeId accessor, asset, buffer, buffer_view, channel, image, node, primitive, root,
-      sampler, skin, texture;
+  schema::TypeId accessor, animation, asset, buffer, buffer_view, channel, image, node, primitive,
+      root, sampler, scene, skin, texture;
 };
 
 /// Extensions that store geometry or images differently, or in more formats: they refer to a buffer

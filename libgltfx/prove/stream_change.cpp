@@ -52,6 +52,13 @@ std::string counted_elements(std::uint64_t count, unsigned arity) {
   return fmt::format("{} {}{}", count, kNouns[arity - 1], count == 1 ? "" : "s");
 }
 
+double limit_of(const Comparison& all, const SoupStream& stream, double scale) {
+  const StreamBound bound = bound_of(stream, all.options.bounds);
+  if (bound.quantity == "weight") return bound.bound / 100;
+  if (bound.quantity != "position") return bound.bound;
+  return scale > 0 ? bound.bound / 100 * all.diagonal / scale : 0;
+}
+
 Change describe_stream(const Comparison& all, const StreamDistance& distance, unsigned arity,
                        double scale) {
   const SoupStream& stream = *distance.stream;

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "prove/soup_lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/text.hpp"
+#include "prove/soup_surface.hpp"
+#include "prove/stream_change.hpp"
+
+namespace gltfx::prove {
+namespace {
+
+using model::SemanticKind;
+using SoupStreamMap = std::map<std::string, SoupStream>;
+
+// The streams of all, as wide as the widest one of a name.
+SoupStreamMap streams_of(const std::vector<Soup>& soups) {
+  SoupStreamMap streams;
+  for (const Soup& soup : soups) {
+    for (const SoupStream& stream : soup.streams) {
+      const auto [at, is_new] = streams.try_emplace(stream.name, stream);
+      if (!is_new) at->second.width = std::max(at->second.width, stream.width);
+    }
+  }
+  return streams;
+}
+
+Soup joined(const std::vector<Soup>& soups, const std::vector<SoupStream>& streams) {
+  Soup all;
+  all.arity = soups.front().arity;
+  for (SoupStream stream : streams) {
+    stream.offset = all.width;
+    all.width += stream.width;
+    all.streams.push_back(std::move(stream));
+  }
+  for (const Soup& soup : soups) append_soup(all, soup);
+  return all;
+}
+
+class SoupLists {
+ public:
+  SoupLists(const Comparison& all, const SoupGroup& group, std::vector<Change>& changes)
+      : all_(all), group_(group), changes_(changes) {}
+
+  void run(const std::vector<Soup>& ours, const std::vector<Soup>& theirs) {
+    if (ours.empty() && theirs.empty()) return tell_unseen();
+    if (ours.empty() || theirs.empty()) return tell_elements(ours, theirs);
+    const std::vector<SoupStream> common = common_streams(streams_of(ours), streams_of(theirs));
+    if (common.empty()) return;
+    const Soup a = joined(ours, common);
+    const Soup b = joined(theirs, common);
+    SoupScale scale;
+    scale.texels = group_.use.texels;
+    scale.position =
+        all_.options.bounds.position * all_.diagonal / std::max(group_.pair.scale, 1e-30);
+    scale.facing = all_.options.bounds.normal;
+    for (const SoupStream& stream : a.streams) {
+      scale.limits.push_back(limit_of(all_, stream, group_.pair.scale));
+    }
+    const std::size_t told = changes_.size();
+    const SoupDifference found = compare_soups(a, b, scale);
+    tell_difference(found, a, b, scale);
+    if (found.unseen && told == changes_.size() && hash_soup(a) != hash_soup(b)) tell_unseen();
+  }
+
+ private:
+  Change& add(std::string_view kind, std::string what) {
+    return changes_.emplace_back(change_of(group_.pair, kind, std::move(what)));
+  }
+
+  // At the primitives, if there is one of each.
+  Change& add_at_primitives(std::string_view kind, std::string what) {
+    Change& change = add(kind, std::move(what));
+    if (!group_.lone) return change;
+    change.old_pointer = group_.ours->content->side().pointer(group_.ours->primitive);
+    change.new_pointer = group_.theirs->content->side().pointer(group_.theirs->primitive);
+    return change;
+  }
+
+  // Nothing of it is drawn, so that only the difference is told.
+  void tell_unseen() {
+    if (group_.ours == nullptr || group_.theirs == nullptr) return;
+    add_at_primitives("geometry.elements", "vertices that show nothing are others");
+  }
+
+  void tell_elements(const std::vector<Soup>& ours, const std::vector<Soup>& theirs) {
+    const bool lost = theirs.empty();
+    const std::vector<Soup>& soups = lost ? ours : theirs;
+    std::uint64_t count = 0;
+    for (const Soup& soup : soups) count += soup.elements();
+    Change& change =
+        add("geometry.elements", fmt::format("{} {}", counted_elements(count, soups.front().arity),
+                                             lost ? "fewer" : "more"));
+    const SurfacePiece* piece = lost ? group_.ours : group_.theirs;
+    if (piece == nullptr) return;
+    (lost ? change.old_pointer : change.new_pointer) =
+        piece->content->side().pointer(piece->primitive);
+  }
+
+  // Those that both have; the others are told.
+  std::vector<SoupStream> common_streams(SoupStreamMap here, const SoupStreamMap& there) {
+    std::vector<SoupStream> common;
+    for (auto& [name, stream] : here) {
+      const auto found = there.find(name);
+      const bool is_there = found != there.end();
+      if (is_there) values_[name] = found->second.value;
+      // Weights are compared with their joints.
+      if (is_there && (stream.joints == json::kNoNode) != (found->second.joints == json::kNoNode)) {
+        tell_joints(stream, found->second);
+        continue;
+      }
+      const bool fits =
+          is_there && (found->second.width == stream.width ||
+                       stream.kind == SemanticKind::weights || stream.kind == SemanticKind::color);
+      if (!fits) {
+        tell_attribute(stream, all_.ours.side(), true);
+        continue;
+      }
+      stream.width = std::max(stream.width, found->second.width);
+      common.push_back(stream);
+    }
+    for (const auto& [name, stream] : there) {
+      if (!values_.contains(name)) tell_attribute(stream, all_.theirs.side(), false);
+    }
+    return common;
+  }
+
+  void tell_attribute(const SoupStream& stream, const Side& side, bool lost) {
+    const bool read = group_.use.reads(stream);
+    if (!read && all_.options.drawn) return;
+    Change& change = add("geometry.attribute", fmt::format("{}{} was {}", printable(stream.name),
+                                                           read ? "" : ", which nothing reads,",
+                                                           lost ? "removed" : "added"));
+    (lost ? change.old_pointer : change.new_pointer) = side.pointer(stream.value);
+  }
+
+  void tell_joints(const SoupStream& ours, const SoupStream& theirs) {
+    const bool lost = theirs.joints == json::kNoNode;
+    const Side& side = (lost ? all_.ours : all_.theirs).side();
+    Change& change = add("geometry.attribute",
+                         fmt::format("joints of weights were {}", lost ? "removed" : "added"));
+    (lost ? change.old_pointer : change.new_pointer) = side.pointer((lost ? ours : theirs).joints);
+  }
+
+  void tell_difference(const SoupDifference& found, const Soup& a, const Soup& b,
+                       const SoupScale& scale) {
+    if (found.reversed) {
+      add_at_primitives("geometry.winding", "the winding of triangles is reversed");
+    }
+    if (a.arity == 3 && (!found.left.empty() || !found.their_left.empty())) {
+      if (const auto near = match_surfaces(a, found.left, b, found.their_left, scale)) {
+        tell_surface(found, a, *near);
+        return tell_streams(found.near, a.arity);
+      }
+    }
+    if (found.fewer > 0 || found.more > 0) {
+      std::vector<std::string> parts;
+      if (found.fewer > 0) parts.push_back(counted_elements(found.fewer, a.arity) + " fewer");
+      if (found.more > 0) parts.push_back(counted_elements(found.more, a.arity) + " more");
+      Change& change =
+          add_at_primitives("geometry.elements", fmt::format("{}", fmt::join(parts, ", ")));
+      tell_distance(found, a, b, change);
+      // Pairs by place are no evidence of a change of values beside it.
+      return;
+    }
+    tell_streams(found.distances, a.arity);
+  }
+
+  static std::string place_text(const model::Vector3& at) {
+    return fmt::format("({:.4g}, {:.4g}, {:.4g})", at[0], at[1], at[2]);
+  }
+
+  // Other triangles of the same surface.
+  void tell_surface(const SoupDifference& found, const Soup& a, const SurfaceCloseness& near) {
+    std::optional<Change> worst;
+    double most = -1;
+    for (std::size_t i = 0; i < a.streams.size(); ++i) {
+      const StreamDistance distance{&a.streams[i], near.greatest[i], found.left.size(), 0, false};
+      Change change = describe_stream(all_, distance, a.arity, group_.pair.scale);
+      const double share =
+          change.measure->bound > 0 ? change.measure->value / change.measure->bound : 0;
+      if (share <= most) continue;
+      most = share;
+      worst = std::move(change);
+    }
+    Change& change = add_at_primitives(
+        "geometry.elements",
+        fmt::format("{} instead of {} show the same surface, which differs most at {}",
+                    counted_elements(found.their_left.size(), a.arity), found.left.size(),
+                    place_text(near.at)));
+    change.level = CompareLevel::bounds;
+    if (worst) change.measure = worst->measure;
+  }
+
+  // How far the surfaces that are left over are apart.
+  void tell_distance(const SoupDifference& found, const Soup& a, const Soup& b, Change& change) {
+    if (a.arity != 3) return;
+    const auto apart = surface_distance_of(a, found.left, b, found.their_left);
+    if (!apart || !(all_.diagonal > 0)) return;
+    const double distance = apart->distance * group_.pair.scale;
+    const double bound = 100 * all_.options.bounds.position;
+    const double part = 100 * distance / all_.diagonal;
+    if (!(part > bound) || !std::isfinite(part)) return;
+    change.what +=
+        fmt::format("; the surface is up to {:.4g} away, at {}", distance, place_text(apart->at));
+    change.measure = CompareMeasure{"position", part, "%", bound};
+  }
+
+  void tell_streams(const std::vector<StreamDistance>& distances, unsigned arity) {
+    for (const StreamDistance& distance : distances) {
+      const SoupStream& stream = *distance.stream;
+      Change change = describe_stream(all_, distance, arity, group_.pair.scale);
+      Change& added = add(change.kind, std::move(change.what));
+      added.measure = change.measure;
+      added.level = change.level;
+      if (!group_.lone) continue;
+      added.old_pointer = all_.ours.side().pointer(stream.value);
+      added.new_pointer = all_.theirs.side().pointer(values_.at(stream.name));
+    }
+  }
+
+  const Comparison& all_;
+  const SoupGroup& group_;
+  std::vector<Change>& changes_;
+  std::map<std::string, json::NodeId> values_;  ///< of the streams of the other side, in the text
+};
+
+}  // namespace
+
+Change change_of(const SurfacePair& pair, std::string_view kind, std::string what) {
+  Change change;
+  change.kind = kind;
+  change.old_pointer = pair.our_place;
+  change.new_pointer = pair.their_place;
+  change.name = pair.name;
+  change.what = std::move(what);
+  return change;
+}
+
+void compare_soup_lists(const Comparison& comparison, const SoupGroup& group,
+                        const std::vector<Soup>& ours, const std::vector<Soup>& theirs,
+                        std::vector<Change>& changes) {
+  SoupLists(comparison, group, changes).run(ours, theirs);
+}
+
+}  // namespace gltfx::prove
