@@ -16,6 +16,7 @@
 #include "base/text.hpp"
 #include "change/apply.hpp"
 #include "change/chain.hpp"
+#include "pipeline/change_check.hpp"
 #include "pipeline/convert_form.hpp"
 #include "pipeline/convert_places.hpp"
 #include "pipeline/convert_savings.hpp"
@@ -271,7 +272,11 @@ class ConvertRun {
       if (auto why = find_difference(proven(), after.asset(), {})) return why;
     }
     if (pictures_ == nullptr) return std::nullopt;
+    ChangeCheck check = check_changes(before_, after.asset(), *schemas_,
+                                      changes_of_conversion(options_), options_.jobs);
+    if (!check.difference.empty()) return check.difference + " (--verify)";
     report_.not_verified = pictures_->obstacle();
+    if (report_.not_verified.empty()) report_.not_verified = std::move(check.unproven);
     if (!report_.not_verified.empty()) return std::nullopt;
     std::string difference = pictures_->find_difference(after);
     report_.verified = difference.empty();

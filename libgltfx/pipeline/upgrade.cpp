@@ -13,13 +13,13 @@
 #include "base/file_state.hpp"
 #include "base/material_table.hpp"
 #include "pipeline/asset_verbs.hpp"
+#include "pipeline/change_check.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_check.hpp"
 #include "pipeline/planned_upgrade.hpp"
 #include "prove/findings.hpp"
-#include "prove/meaning.hpp"
 #include "rules/validated_asset.hpp"
 #include "schema/compile.hpp"
 #include "steps/upgrade/ambiguity.hpp"
@@ -94,8 +94,11 @@ class Verifier {
           found.error);
     }
     if (!verify_) return std::nullopt;
-    std::string unread;
-    if (auto why = find_moved(after, unread)) return why;
+    // Small pictures of one scene would not show each change.
+    ChangeCheck check =
+        check_changes(before_.asset(), after.asset(), *schemas_, changes_of_upgrade(), jobs_);
+    if (!check.difference.empty()) return check.difference + " (--verify)";
+    const std::string unread = std::move(check.unproven);
     report.not_verified = obstacle_.empty() ? unread : obstacle_;
     if (!obstacle_.empty()) return std::nullopt;
     std::string difference = pictures_->find_difference(after);
@@ -105,22 +108,6 @@ class Verifier {
   }
 
  private:
-  // How the geometry would change, or nothing. No upgrade moves a vertex, and small pictures would
-  // not show each. `unread`: the first part that could not be compared, without full stop.
-  std::optional<std::string> find_moved(const ValidatedAsset& after, std::string& unread) const {
-    prove::MeaningRequest request;
-    request.jobs = jobs_;
-    const prove::Meaning meaning =
-        prove::compare_meshes(before_.asset(), after.asset(), *schemas_, request);
-    if (!meaning.unread.empty()) {
-      unread = meaning.unread.front();
-      unread.pop_back();
-    }
-    if (meaning.same()) return std::nullopt;
-    const prove::Difference& first = meaning.differences.front();
-    return fmt::format("the geometry would change: {} {} (--verify)", first.pointer, first.what);
-  }
-
   const ValidatedAsset& before_;
   const SchemaSet& schemas_;
   bool verify_;

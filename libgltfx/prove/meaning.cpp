@@ -89,28 +89,4 @@ Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAss
                        compare);
 }
 
-Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsset& after,
-                       const schema::Set& schemas, const MeaningRequest& request) {
-  const auto compare = [&](const Side& ours, const Side& theirs, Differences& found) {
-    const auto& here = ours.views().meshes;
-    const auto& there = theirs.views().meshes;
-    Compared compared;
-    for (std::size_t i = 0; i < here.size(); ++i) {
-      if (here[i].node == json::kNoNode) continue;
-      if (i >= there.size() || there[i].primitives.size() != here[i].primitives.size()) {
-        found.add(ours.pointer(here[i].node), "has another number of primitives");
-        continue;
-      }
-      for (std::size_t k = 0; k < here[i].primitives.size(); ++k) {
-        const json::NodeId one = here[i].primitives[k].node;
-        const json::NodeId other = there[i].primitives[k].node;
-        if (one == json::kNoNode || other == json::kNoNode) continue;
-        if (!compared.add(key_of(ours, theirs, {one, other}, true))) continue;
-        compare_primitives(ours, theirs, one, other, request, true, found);
-      }
-    }
-  };
-  return compare_sides(before, after, schemas, Scope::meshes, request, compare);
-}
-
 }  // namespace gltfx::prove

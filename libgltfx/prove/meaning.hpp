@@ -115,9 +115,4 @@ struct Meaning {
 Meaning compare_meaning(const model::OpenedAsset& before, const model::OpenedAsset& after,
                         const schema::Set& schemas, const MeaningRequest& request);
 
-/// Compares only primitives, of meshes with the same number, with the vertex options of the
-/// request: for changes of other objects without renumbering. Otherwise as above.
-Meaning compare_meshes(const model::OpenedAsset& before, const model::OpenedAsset& after,
-                       const schema::Set& schemas, const MeaningRequest& request);
-
 }  // namespace gltfx::prove

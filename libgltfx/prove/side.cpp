@@ -16,6 +16,7 @@ bool before(const Link& a, const Link& b) {
 
 std::vector<Link> read_links(const graph::Graph& graph) {
   std::vector<Link> links;
+  links.reserve(graph.indices().size() + graph.pointers().size());
   for (const graph::IndexUse& use : graph.indices()) {
     const bool there = use.list != json::kNoNode && graph.tree().document().is_array(use.list);
     const json::NodeId target = there ? graph.tree().element(use.list, use.index) : json::kNoNode;
@@ -57,15 +58,11 @@ model::LoadedResources load(const model::OpenedAsset& opened, const model::Asset
 Side::Side(const model::OpenedAsset& opened, const schema::Set& set, Scope scope, unsigned jobs)
     : opened_(opened),
       asset_(opened.document()),
+      graph_(opened.document(), set, scope == Scope::all),
       loaded_(load(opened, asset_, scope, jobs)),
-      source_{asset_, opened.views(), loaded_.data, draco_} {
-  if (scope == Scope::meshes) {
-    tree_.emplace(opened.document());
-  } else {
-    graph_.emplace(opened.document(), set, scope == Scope::all);
-    links_ = read_links(*graph_);
-    tables_ = find_tables(*graph_);
-  }
+      source_{asset_, opened.views(), loaded_.data, draco_},
+      links_(read_links(graph_)),
+      tables_(find_tables(graph_)) {
   draco_.add_all(asset_, opened.views(), loaded_.data);
   draco_.decode(codec::Client::shared(), jobs);
 }
@@ -89,8 +86,8 @@ std::optional<model::AccessorData> Side::open(std::uint32_t accessor) const {
 }
 
 schema::TypeId Side::type(json::NodeId object) const {
-  const schema::TypeId type = graph_->type(object);
-  return type == schema::kNone ? type : graph_->set().type(type).origin;
+  const schema::TypeId type = graph_.type(object);
+  return type == schema::kNone ? type : graph_.set().type(type).origin;
 }
 
 }  // namespace gltfx::prove

@@ -47,7 +47,6 @@ struct Link {
 
 /// What is opened of an asset.
 enum class Scope : std::uint8_t {
-  meshes,          ///< what primitives refer to
   without_images,  ///< all but images
   all,
 };
@@ -65,11 +64,10 @@ class Side {
   const model::Asset& asset() const { return asset_; }
   const model::Views& views() const { return opened_.views(); }
   const model::ResourceData& resources() const { return loaded_.data; }
-  const graph::Tree& tree() const { return graph_ ? graph_->tree() : *tree_; }
+  const graph::Tree& tree() const { return graph_.tree(); }
   const model::GeometrySource& source() const { return source_; }
 
-  // Not for Scope::meshes, down to is_table():
-  const graph::Graph& graph() const { return *graph_; }
+  const graph::Graph& graph() const { return graph_; }
   /// The reference that stands there, or null.
   const Link* link(json::NodeId value, std::uint64_t element = 0) const;
   /// The schema type of an object, under its original name; kNone: no schema describes it.
@@ -90,8 +88,7 @@ class Side {
  private:
   const model::OpenedAsset& opened_;
   const model::Asset asset_;
-  std::optional<graph::Tree> tree_;    ///< nothing: that of the graph
-  std::optional<graph::Graph> graph_;  ///< nothing: Scope::meshes
+  const graph::Graph graph_;
   model::LoadedResources loaded_;
   model::DracoMeshes draco_;
   const model::GeometrySource source_;
