@@ -241,6 +241,7 @@ class Elsewhere {
     std::set<std::string> paths =
         asset_.companions ? *asset_.companions : referred_paths(asset_.old.document());
     paths.insert(asset_.referred.begin(), asset_.referred.end());
+    paths.merge(paths_of_external_assets(asset_.old));
     for (const ReplacedFile& file : asset_.replaced) paths.erase(file.path);
     for (const NewFile& file : asset_.files) paths.erase(file.path);
     return copy_companions(paths, asset_.old.resolver(), folder_);

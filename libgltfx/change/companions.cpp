@@ -15,6 +15,7 @@
 #include "container/bytes.hpp"
 #include "container/file.hpp"
 #include "container/uri.hpp"
+#include "model/external_places.hpp"
 
 namespace gltfx::change {
 namespace {
@@ -100,6 +101,18 @@ std::map<json::NodeId, std::string> referred_files(const json::Document& documen
     }
     ++id;
   }
+  return paths;
+}
+
+std::set<std::string> paths_of_external_assets(const model::OpenedAsset& asset) {
+  std::set<std::string> paths;
+  model::for_each_external_asset(asset, [&paths](const model::OpenedAsset& child) {
+    const container::Resolver& resolver = child.resolver();
+    for (const auto& [value, path] : referred_files(child.document())) {
+      if (resolver.aliased(child.document().string(value)) != nullptr) continue;
+      paths.insert(resolver.place_of(path));
+    }
+  });
   return paths;
 }
 

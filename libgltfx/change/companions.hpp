@@ -12,6 +12,7 @@
 #include "base/result.hpp"
 #include "container/resolver.hpp"
 #include "json/document.hpp"
+#include "model/opened_asset.hpp"
 
 namespace gltfx::change {
 
@@ -22,6 +23,10 @@ std::set<std::string> referred_paths(const json::Document& document);
 
 /// The same by the value that names them.
 std::map<json::NodeId, std::string> referred_files(const json::Document& document);
+
+/// The files that external assets of an asset refer to, at any depth, relative to its folder,
+/// without those that an alias replaces.
+std::set<std::string> paths_of_external_assets(const model::OpenedAsset& asset);
 
 /// Makes a folder and its missing parents.
 std::optional<Error> make_folder(const std::filesystem::path& folder);

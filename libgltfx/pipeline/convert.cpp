@@ -23,6 +23,7 @@
 #include "pipeline/convert_targets.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
+#include "pipeline/external_needs.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_check.hpp"
 #include "pipeline/run_within_bounds.hpp"
@@ -329,6 +330,7 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, const S
   }
   options.to = form_of(opened.asset, options);
   options.glb_version = glb_version_of(opened.asset, options);
+  report.external_assets = external_assets_where(opened.asset, [](const auto&) { return true; });
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   const ConvertTargets targets(opened.asset, schemas, options);
   if (!options.verify) {

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "change/companions.hpp"
+#include "pipeline/asset_verbs.hpp"
+#include "pipeline/external_needs.hpp"
 #include "pipeline/open_asset.hpp"
 #include "prove/findings.hpp"
 #include "rules/files_read.hpp"
@@ -161,6 +163,16 @@ bool FixMember::is_worse_with(const NewContents& contents) const {
   return !prove::more_findings(prove::CodeCounts(now.report()), then.report()).empty();
 }
 
-FixReport FixMember::take_report() { return std::move(report_); }
+FixReport FixMember::take_report() {
+  if (old_ && report_.problem != EditProblem::unreadable) {
+    report_.external_assets = external_assets_where(opened(), [this](const OpenedAsset& child) {
+      ValidateOptions asked = asked_of(child, options_);
+      asked.schemas = schemas_;
+      OpenedAsset again{child.name(), child.container(), child.resolver()};
+      return validate_asset(std::move(again), asked).report().fixable > 0;
+    });
+  }
+  return std::move(report_);
+}
 
 }  // namespace gltfx

@@ -9,11 +9,13 @@
 
 #include "base/directory.hpp"
 #include "base/disjoint_sets.hpp"
+#include "base/media_type.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "change/companions.hpp"
 #include "container/container.hpp"
 #include "json/parse.hpp"
+#include "model/fields.hpp"
 
 namespace gltfx {
 namespace {
@@ -28,14 +30,19 @@ fs::path folder_of(const fs::path& path) {
   return path.parent_path().empty() ? fs::path(".") : path.parent_path();
 }
 
-std::set<json::NodeId> buffer_uris(const json::Document& document) {
+// The values of `uri` in the elements of an array for which `counts` is true.
+template <class Counts>
+std::set<json::NodeId> uris_in(const json::Document& document, std::string_view array,
+                               const Counts& counts) {
   std::set<json::NodeId> values;
   const json::NodeId list = document.empty() || !document.is_object(document.root())
                                 ? json::kNoNode
-                                : document.find(document.root(), "buffers");
+                                : document.find(document.root(), array);
   if (list == json::kNoNode || document.kind(list) != json::Kind::array) return values;
-  for (const json::NodeId buffer : document.elements(list)) {
-    if (document.is_object(buffer)) values.insert(document.find(buffer, "uri"));
+  for (const json::NodeId element : document.elements(list)) {
+    if (document.is_object(element) && counts(element)) {
+      values.insert(document.find(element, "uri"));
+    }
   }
   return values;
 }
@@ -55,8 +62,16 @@ NamedFiles named_by(const std::string& path, const AssetBounds& bounds, std::siz
   if (text.find("uri") == text.npos && text.find("\\u") == text.npos) return named;
   const json::Parsed parsed = json::parse(container->json);
   if (parsed.document.empty()) return named;
-  const std::set<json::NodeId> buffers = buffer_uris(parsed.document);
+  const json::Document& document = parsed.document;
+  const std::set<json::NodeId> buffers =
+      uris_in(document, "buffers", [](json::NodeId) { return true; });
+  // An asset that is read as one does not depend on where its bytes are.
+  const std::set<json::NodeId> assets = uris_in(document, "files", [&](json::NodeId file) {
+    const std::string type = model::string_member(document, file, "mimeType");
+    return type == kGltfMediaType || type == kGlbMediaType;
+  });
   for (const auto& [value, name] : change::referred_files(parsed.document)) {
+    if (assets.contains(value)) continue;
     const auto state = file_state(folder_of(path) / name);
     if (!state) continue;
     const FileIdentity referred = identity_of(*state, name);

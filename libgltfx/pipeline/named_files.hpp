@@ -15,7 +15,8 @@
 
 namespace gltfx {
 
-/// Files that an asset refers to. Nothing is read but the text of the asset.
+/// Files that an asset refers to, other than assets in `files` (glTF 2.1). Nothing is read but the
+/// text of the asset.
 struct NamedFiles {
   std::string path;                ///< of the asset
   FileIdentity own;                ///< of the asset

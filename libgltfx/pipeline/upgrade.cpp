@@ -16,6 +16,7 @@
 #include "pipeline/change_check.hpp"
 #include "pipeline/edit_bytes.hpp"
 #include "pipeline/edit_files.hpp"
+#include "pipeline/external_needs.hpp"
 #include "pipeline/open_asset.hpp"
 #include "pipeline/picture_check.hpp"
 #include "pipeline/planned_upgrade.hpp"
@@ -173,11 +174,26 @@ UpgradeDryRun upgrade_opened(EditedAsset opened, const UpgradeOptions& options,
   return carry_out(before, state, std::move(planned), schemas, options, folders);
 }
 
+std::vector<std::string> legacy_below(const OpenedAsset& asset, const UpgradeOptions& options) {
+  const SchemaSet schemas = schemas_of(options);
+  return external_assets_where(asset, [&schemas](const OpenedAsset& child) {
+    return upgrade::names_legacy(child.document(), *schemas);
+  });
+}
+
+UpgradeDryRun upgrade_with_note(EditedAsset opened, const UpgradeOptions& options,
+                                FolderIndex& folders) {
+  std::vector<std::string> external = legacy_below(opened.asset, options);
+  UpgradeDryRun upgraded = upgrade_opened(std::move(opened), options, folders);
+  upgraded.report.external_assets = std::move(external);
+  return upgraded;
+}
+
 UpgradeReport upgrade_path(const std::string& path, const UpgradeOptions& options,
                            FolderIndex& folders) {
   return edit_file<UpgradeReport>(
       path, options, "upgrade", [&](EditedAsset opened, UpgradeReport& report) {
-        report = upgrade_opened(std::move(opened), options, folders).report;
+        report = upgrade_with_note(std::move(opened), options, folders).report;
       });
 }
 
@@ -215,7 +231,7 @@ EditedBytes<UpgradeReport> upgrade_bytes(MemoryAsset asset, const UpgradeOptions
   return edit_bytes<UpgradeReport>(
       std::move(asset), options, [&](EditedAsset opened, UpgradeReport& report) {
         FolderIndex folders;
-        UpgradeDryRun upgraded = upgrade_opened(std::move(opened), options, folders);
+        UpgradeDryRun upgraded = upgrade_with_note(std::move(opened), options, folders);
         report = std::move(upgraded.report);
         return std::move(upgraded.after);
       });

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "codec/client.hpp"
+#include "model/external_places.hpp"
 #include "model/fields.hpp"
 #include "model/scene_box.hpp"
 #include "model/scene_graph.hpp"
@@ -85,6 +86,11 @@ class Centerer {
       if (!graph.is_root(root))
         found.push_back({data_.pointer(data_.views.nodes[root].object),
                          "is a root of the scene and a child of another node"});
+    }
+    for (const auto& place : model::external_places(data_.document, data_.views)) {
+      if (pose_.visible[place.node] == 0) continue;
+      found.push_back({data_.pointer(data_.views.nodes[place.node].object),
+                       "has an external asset, which is not part of the box"});
     }
     add_joints(found);
     return found;

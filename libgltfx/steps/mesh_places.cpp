@@ -197,7 +197,8 @@ void MeshPlaces::read_users() {
 }
 
 bool MeshPlaces::moves_only_its_mesh(NodeIndex index) const {
-  for (const char* member : {"camera", "children", "extensions"}) {
+  for (const char* member :
+       {"boundingVolume", "camera", "children", "extensions", "externalAsset"}) {
     if (data_.document.holds(node(index).object, member)) return false;
   }
   return !users_.moved.contains(index) && !users_.referred.contains(index) &&

@@ -108,6 +108,9 @@ class Rebaser {
         fixed_[i] = "is not a node of a tree";
       } else if (node(i).camera || node(i).extensions != json::kNoNode) {
         fixed_[i] = "is a node with a camera or an extension";
+      } else if (data_.document.holds(node(i).object, "externalAsset") ||
+                 data_.document.holds(node(i).object, "boundingVolume")) {
+        fixed_[i] = "is a node with an external asset or a bounding volume";
       } else if (node(i).skin) {
         fixed_[i] = "is a node with a skin";
       }

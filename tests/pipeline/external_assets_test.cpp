@@ -206,7 +206,7 @@ TEST_F(DrawnExternalAssets, PlacesAreBounded) {
   }
   options.sizes = {{4, 4}};
   options.quality = BakeQuality::draft;
-  AssetText asset = parent({file("5.gltf")}, {{0, {}}});
+  AssetText asset = parent({file("6.gltf")}, {{0, {}}});
   EXPECT_THAT(drawn(asset).notes, IsEmpty());
   AssetText all = parent({file("0.gltf")}, {{0, {}}});
   EXPECT_THAT(bake_text(all.text()).notes, Contains(HasSubstr("too many external assets")));

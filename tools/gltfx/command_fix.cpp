@@ -19,6 +19,7 @@ struct FixVerb : EditVerb {
   using Options = FixOptions;
   using Report = FixReport;
   using Summary = FixSummary;
+  static constexpr std::string_view external_assets = "fix can repair external assets, too";
   static constexpr auto run = fix_files;
   static constexpr auto text = fix_text;
   static constexpr auto summary_text = fix_summary_text;

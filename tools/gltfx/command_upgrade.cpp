@@ -36,6 +36,7 @@ struct UpgradeVerb : EditVerb {
   using Options = UpgradeOptions;
   using Report = UpgradeReport;
   using Summary = UpgradeSummary;
+  static constexpr std::string_view external_assets = "external assets have legacy extensions, too";
   static constexpr auto run = upgrade_files;
   static constexpr auto text = upgrade_plan_text;
   static constexpr auto summary_text = upgrade_summary_text;

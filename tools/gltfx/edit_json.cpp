@@ -21,6 +21,9 @@ void write_outcome(json::Writer& writer, const EditOutcome& report) {
 
 void write_place(json::Writer& writer, const EditOutcome& report) {
   if (!report.written_to.empty()) writer.member("writtenTo", report.written_to);
+  if (!report.external_assets.empty()) {
+    report::write_long_values(writer, "externalAssets", report.external_assets);
+  }
 }
 
 std::string edit_json_end(const std::vector<std::pair<std::string_view, std::uint64_t>>& totals) {

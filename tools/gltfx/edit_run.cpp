@@ -45,6 +45,18 @@ std::string diff_text(std::string_view diff, bool raw) {
   return text;
 }
 
+std::string external_assets_text(const EditOutcome& report, std::string_view what) {
+  constexpr std::size_t kMost = 8;
+  const std::vector<std::string>& assets = report.external_assets;
+  if (assets.empty()) return {};
+  std::string text = fmt::format("{}: {}: ", report.path, what);
+  for (std::size_t i = 0; i < std::min(assets.size(), kMost); ++i) {
+    text.append(i == 0 ? "" : ", ").append(assets[i]);
+  }
+  if (assets.size() > kMost) text += fmt::format(" and {} more", assets.size() - kMost);
+  return printable(text);
+}
+
 ExitCode restore_all(const EditRequest& request, const std::string& root) {
   const auto named = expand_paths(request.paths, request.quiet);
   if (!named) {

@@ -27,6 +27,9 @@ namespace gltfx::tool {
 /// terminal, hide or reorder text. `raw`: with them. Prints a note if some are escaped.
 std::string diff_text(std::string_view diff, bool raw);
 
+/// "parent.gltf: external assets stay as they are: a.gltf, b.gltf"; empty: there are none.
+std::string external_assets_text(const EditOutcome& report, std::string_view what);
+
 /// Restores the copies that --backup kept. `root`: as in EditOptions.
 ExitCode restore_all(const EditRequest& request, const std::string& root);
 
@@ -49,6 +52,8 @@ struct EditVerb {
   static Result<std::vector<EditInput>> place(const Inputs& named, const EditOptions& options) {
     return place_outputs(named, options.output);
   }
+  /// What is said of EditOutcome::external_assets.
+  static constexpr std::string_view external_assets = "external assets stay as they are";
   /// Prints what a diff cannot hold.
   static void note_beside_diff(const EditOutcome& /*report*/) {}
 };
@@ -110,9 +115,14 @@ class EditRun {
   void show(const Report& report) {
     if (options_.diff) {
       say(diff_text(report.diff, request_.raw));
-      if (!request_.quiet) Verb::note_beside_diff(report);
+      if (request_.quiet) return;
+      Verb::note_beside_diff(report);
+      const std::string note = external_assets_text(report, Verb::external_assets);
+      if (!note.empty()) complain(note);
     } else if (!request_.quiet) {
       say(Verb::text(report, style_));
+      const std::string note = external_assets_text(report, Verb::external_assets);
+      if (!note.empty()) say(wrapped(note, 0));
     }
   }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace gltfx {
 
@@ -51,6 +52,10 @@ struct EditOutcome {
   bool changes = false;                     ///< the new file differs from the old one
   bool written = false;                     ///< the new bytes are durable at `written_to`
   std::string written_to;                   ///< path of the file that was written; may be empty
+  /// External assets (glTF 2.1), at any depth, that stay as they are although the verb could do
+  /// something: of `fix` those with findings that have a safe fix, of `upgrade` those that name
+  /// legacy extensions, of `convert` all.
+  std::vector<std::string> external_assets;
   /// Unified diff of the JSON text, for `git apply` and `patch -p1` in the working folder; for a
   /// binary file as a comment, which both skip. Raw asset text.
   std::string diff;
