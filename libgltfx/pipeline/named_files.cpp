@@ -66,8 +66,8 @@ NamedFiles named_by(const std::string& path, const AssetBounds& bounds, std::siz
   const std::set<json::NodeId> buffers =
       uris_in(document, "buffers", [](json::NodeId) { return true; });
   // An asset that is read as one does not depend on where its bytes are.
-  const std::set<json::NodeId> assets = uris_in(document, "files", [&](json::NodeId file) {
-    const std::string type = model::string_member(document, file, "mimeType");
+  const std::set<json::NodeId> assets = uris_in(document, "files", [&](json::NodeId referred) {
+    const std::string type = model::string_member(document, referred, "mimeType");
     return type == kGltfMediaType || type == kGlbMediaType;
   });
   for (const auto& [value, name] : change::referred_files(parsed.document)) {

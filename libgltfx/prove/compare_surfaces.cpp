@@ -18,7 +18,7 @@ namespace {
 using model::SemanticKind;
 
 /// A piece with the hash of what it shows where it is placed.
-struct Shown {
+struct ShownPiece {
   const SurfacePiece* piece = nullptr;
   Hash128 sum;
   bool readable = true;
@@ -34,8 +34,8 @@ Soup soup_of(const SurfacePiece& piece) {
   return soup;
 }
 
-Shown show(const SurfacePiece& piece) {
-  Shown shown;
+ShownPiece show(const SurfacePiece& piece) {
+  ShownPiece shown;
   shown.piece = &piece;
   const bool in_place = piece.place == model::Affine{};
   if (in_place && piece.joints == nullptr && piece.known != nullptr) {
@@ -51,12 +51,12 @@ Shown show(const SurfacePiece& piece) {
 
 /// Pieces of both sides with one material.
 struct Group {
-  std::vector<Shown*> ours, theirs;
+  std::vector<ShownPiece*> ours, theirs;
 
   bool equal() const {
-    const auto sum = [](const std::vector<Shown*>& pieces) {
+    const auto sum = [](const std::vector<ShownPiece*>& pieces) {
       Hash128 all;
-      for (const Shown* piece : pieces) {
+      for (const ShownPiece* piece : pieces) {
         if (piece->sum != Hash128{}) add_to_sum(all, piece->sum);
       }
       return all;
@@ -98,7 +98,7 @@ class SurfaceComparison {
     const ItemId theirs{all_.theirs.list("/materials"), material};
     if (const ItemId partner = all_.match.ours(theirs)) return partner.index;
     // One of several equal ones.
-    for (const Shown& each : here_) {
+    for (const ShownPiece& each : here_) {
       if (!each.piece->material) continue;
       const ItemId one{all_.ours.list("/materials"), *each.piece->material};
       if (!all_.match.same(one, theirs)) continue;
@@ -115,10 +115,10 @@ class SurfaceComparison {
 
   std::map<std::uint64_t, Group> grouped() {
     std::map<std::uint64_t, Group> groups;
-    for (Shown& each : here_) {
+    for (ShownPiece& each : here_) {
       if (!each.done) groups[material_of(*each.piece, true)].ours.push_back(&each);
     }
-    for (Shown& each : there_) {
+    for (ShownPiece& each : there_) {
       if (!each.done) groups[material_of(*each.piece, false)].theirs.push_back(&each);
     }
     return groups;
@@ -126,7 +126,7 @@ class SurfaceComparison {
 
   // Whether the rest is to be compared.
   bool leave_out_unread() {
-    const auto unread = [](const Shown& each) { return !each.readable; };
+    const auto unread = [](const ShownPiece& each) { return !each.readable; };
     const auto ours = std::find_if(here_.begin(), here_.end(), unread);
     const auto theirs = std::find_if(there_.begin(), there_.end(), unread);
     const bool lost = theirs != there_.end();
@@ -169,16 +169,16 @@ class SurfaceComparison {
 
   // Equal shapes with other materials: the material of the primitive is what changed.
   void find_other_materials(std::map<std::uint64_t, Group>& groups) {
-    std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<Shown*>> waiting;
+    std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<ShownPiece*>> waiting;
     for (auto& [material, group] : groups) {
-      for (Shown* each : group.theirs) {
+      for (ShownPiece* each : group.theirs) {
         if (each->sum != Hash128{}) waiting[{each->sum.high, each->sum.low}].push_back(each);
       }
     }
-    const auto take = [&](Shown& ours, bool same_material, std::uint64_t material) {
+    const auto take = [&](ShownPiece& ours, bool same_material, std::uint64_t material) {
       const auto found = waiting.find({ours.sum.high, ours.sum.low});
       if (found == waiting.end()) return;
-      for (Shown* other : found->second) {
+      for (ShownPiece* other : found->second) {
         if (other->done) continue;
         if ((material_of(*other->piece, false) == material) != same_material) continue;
         ours.done = other->done = true;
@@ -188,7 +188,7 @@ class SurfaceComparison {
     };
     for (const bool same_material : {true, false}) {
       for (auto& [material, group] : groups) {
-        for (Shown* each : group.ours) {
+        for (ShownPiece* each : group.ours) {
           if (!each->done) take(*each, same_material, material);
         }
       }
@@ -225,8 +225,8 @@ class SurfaceComparison {
 
   void compare_group(std::uint64_t material, const Group& group) {
     std::map<unsigned, std::pair<std::vector<Soup>, std::vector<Soup>>> by_arity;
-    const auto read = [&](const std::vector<Shown*>& pieces, bool ours) {
-      for (const Shown* each : pieces) {
+    const auto read = [&](const std::vector<ShownPiece*>& pieces, bool ours) {
+      for (const ShownPiece* each : pieces) {
         Soup soup = soup_of(*each->piece);
         if (soup.elements() == 0) continue;
         auto& both = by_arity[soup.arity];
@@ -247,7 +247,7 @@ class SurfaceComparison {
 
   const Comparison& all_;
   const SurfacePair& pair_;
-  std::vector<Shown> here_, there_;
+  std::vector<ShownPiece> here_, there_;
   std::map<std::uint32_t, std::uint64_t> materials_;  ///< of the other side, by number
   SurfaceChanges result_;
 };

@@ -20,7 +20,7 @@ bool less(const Hash128& a, const Hash128& b) {
 }
 
 /// A triangle, segment or point, as a hash of the values of its vertices.
-struct Shown {
+struct ShownElement {
   Hash128 hash;
   std::size_t at = 0;  ///< position in its list
 };
@@ -74,8 +74,8 @@ bool has_repeat(const Hash128* corners, std::size_t arity) {
          (arity > 2 && (corners[1] == corners[2] || corners[0] == corners[2]));
 }
 
-std::vector<Shown> sorted(const PrimitivePair& pair, const Corners& corners,
-                          Column Stream::*column) {
+std::vector<ShownElement> sorted(const PrimitivePair& pair, const Corners& corners,
+                                 Column Stream::*column) {
   Vertices vertices(pair, column);
   const std::vector<std::uint32_t> list = corners.assembled();
   const std::size_t arity = corners.arity();
@@ -91,7 +91,7 @@ std::vector<Shown> sorted(const PrimitivePair& pair, const Corners& corners,
     }
     return known[vertex];
   };
-  std::vector<Shown> shown;
+  std::vector<ShownElement> shown;
   shown.reserve(list.size() / arity);
   for (std::size_t i = 0; i + arity <= list.size(); i += arity) {
     std::array<Hash128, 3> hashes{};
@@ -99,19 +99,20 @@ std::vector<Shown> sorted(const PrimitivePair& pair, const Corners& corners,
     if (has_repeat(hashes.data(), arity)) continue;
     shown.push_back({hash_of(hashes.data(), arity), i / arity});
   }
-  std::sort(shown.begin(), shown.end(), [](const Shown& a, const Shown& b) {
+  std::sort(shown.begin(), shown.end(), [](const ShownElement& a, const ShownElement& b) {
     return a.hash == b.hash ? a.at < b.at : less(a.hash, b.hash);
   });
   return shown;
 }
 
-std::vector<std::size_t> without(const std::vector<Shown>& these, const std::vector<Shown>& those) {
-  std::vector<Shown> only;
-  std::set_difference(these.begin(), these.end(), those.begin(), those.end(),
-                      std::back_inserter(only),
-                      [](const Shown& a, const Shown& b) { return less(a.hash, b.hash); });
+std::vector<std::size_t> without(const std::vector<ShownElement>& these,
+                                 const std::vector<ShownElement>& those) {
+  std::vector<ShownElement> only;
+  std::set_difference(
+      these.begin(), these.end(), those.begin(), those.end(), std::back_inserter(only),
+      [](const ShownElement& a, const ShownElement& b) { return less(a.hash, b.hash); });
   std::vector<std::size_t> places;
-  for (const Shown& each : only) places.push_back(each.at);
+  for (const ShownElement& each : only) places.push_back(each.at);
   std::sort(places.begin(), places.end());
   return places;
 }
@@ -124,8 +125,8 @@ std::string_view noun(std::size_t arity) {
 }  // namespace
 
 void compare_as_sets(const PrimitivePair& pair, const std::string& place, Differences& found) {
-  const std::vector<Shown> ours = sorted(pair, pair.ours, &Stream::ours);
-  const std::vector<Shown> theirs = sorted(pair, pair.theirs, &Stream::theirs);
+  const std::vector<ShownElement> ours = sorted(pair, pair.ours, &Stream::ours);
+  const std::vector<ShownElement> theirs = sorted(pair, pair.theirs, &Stream::theirs);
   const std::string_view what = noun(pair.ours.arity());
   const auto tell = [&](const std::vector<std::size_t>& places, std::string_view which) {
     if (places.empty()) return;
