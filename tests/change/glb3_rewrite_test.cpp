@@ -40,7 +40,7 @@ BinChange whole(std::string data) {
   return change;
 }
 
-const Chunk3 kText{kChunkJson, R"({"a":12})"};
+const Chunk3 kChunkText{kChunkJson, R"({"a":12})"};
 const Chunk3 kFirst{kChunkBin, "abcde"};
 const Chunk3 kOddOne{kExtra, "xyz", 7};
 const Chunk3 kSecond{kChunkJson, "[1]"};
@@ -48,9 +48,10 @@ const Chunk3 kLast{kChunkBin, "12345678"};
 
 TEST(Glb3Rewrite, WithoutAChangeTheBytesAreTheSame) {
   for (const std::string& bytes :
-       {glb3({kText}), glb3({kText, kFirst}), glb3({kOddOne, kText, kFirst, kSecond, kLast}),
-        glb3({kText, kFirst}) + "\0\0\0", glb3({kText, kFirst}) + "behind",
-        glb3({kText, kFirst, kLast}, {}, 'x'), glb3({{kChunkJson, "{}   "}, kFirst})}) {
+       {glb3({kChunkText}), glb3({kChunkText, kFirst}),
+        glb3({kOddOne, kChunkText, kFirst, kSecond, kLast}), glb3({kChunkText, kFirst}) + "\0\0\0",
+        glb3({kChunkText, kFirst}) + "behind", glb3({kChunkText, kFirst, kLast}, {}, 'x'),
+        glb3({{kChunkJson, "{}   "}, kFirst})}) {
     const Container container = opened_3(bytes);
     ASSERT_FALSE(find_glb_obstacle(container)) << *find_glb_obstacle(container);
     EXPECT_EQ(rewritten_3(bytes, *container.json), bytes);
@@ -58,24 +59,24 @@ TEST(Glb3Rewrite, WithoutAChangeTheBytesAreTheSame) {
 }
 
 TEST(Glb3Rewrite, OnlyWhatChangesIsWrittenAnew) {
-  const std::string bytes = glb3({kOddOne, kText, kFirst, kSecond, kLast});
+  const std::string bytes = glb3({kOddOne, kChunkText, kFirst, kSecond, kLast});
   EXPECT_EQ(rewritten_3(bytes, R"({"a":1234567})", {{2, whole("longer than before")}}),
             glb3({kOddOne,
                   {kChunkJson, R"({"a":1234567}   )"},
                   {kChunkBin, "longer than before"},
                   kSecond,
                   kLast}));
-  EXPECT_EQ(rewritten_3(bytes, kText.data, {{4, whole("1")}}),
-            glb3({kOddOne, kText, kFirst, kSecond, {kChunkBin, "1"}}));
+  EXPECT_EQ(rewritten_3(bytes, kChunkText.data, {{4, whole("1")}}),
+            glb3({kOddOne, kChunkText, kFirst, kSecond, {kChunkBin, "1"}}));
 }
 
 TEST(Glb3Rewrite, AChunkIsDroppedAndOneIsMade) {
   BinChange gone;
   gone.drop = true;
-  EXPECT_EQ(rewritten_3(glb3({kText, kFirst, kOddOne, kLast}), kText.data, {{1, gone}}),
-            glb3({kText, kOddOne, kLast}));
-  EXPECT_EQ(rewritten_3(glb3({kText}), kText.data, {{kNewBin, whole("new")}}),
-            glb3({kText, {kChunkBin, "new"}}));
+  EXPECT_EQ(rewritten_3(glb3({kChunkText, kFirst, kOddOne, kLast}), kChunkText.data, {{1, gone}}),
+            glb3({kChunkText, kOddOne, kLast}));
+  EXPECT_EQ(rewritten_3(glb3({kChunkText}), kChunkText.data, {{kNewBin, whole("new")}}),
+            glb3({kChunkText, {kChunkBin, "new"}}));
 }
 
 TEST(Glb3Rewrite, TheLengthOfTheTextKeepsItsAlignment) {
@@ -98,16 +99,16 @@ TEST(Glb3Rewrite, ALineBreakDoesNotBecomePadding) {
 }
 
 TEST(Glb3Rewrite, PaddingAfterTheLastChunkStaysPadding) {
-  const std::string old = glb3({kText, kFirst}, 16 + 24 + 24) + std::string(3, '\0');
-  const std::string now = rewritten_3(old, kText.data, {{1, whole("12")}});
-  EXPECT_EQ(now, glb3({kText, {kChunkBin, "12"}}, 16 + 24 + 24) + std::string(6, '\0'));
+  const std::string old = glb3({kChunkText, kFirst}, 16 + 24 + 24) + std::string(3, '\0');
+  const std::string now = rewritten_3(old, kChunkText.data, {{1, whole("12")}});
+  EXPECT_EQ(now, glb3({kChunkText, {kChunkBin, "12"}}, 16 + 24 + 24) + std::string(6, '\0'));
 }
 
 TEST(Glb3Rewrite, SoundChunksHaveZerosBetweenThemAndNothingBehind) {
-  const std::string bytes = glb3({kText, kFirst, kLast}, 1000, 'x') + "behind";
-  const auto pieces = rewrite_sound(opened_3(bytes), kText.data);
+  const std::string bytes = glb3({kChunkText, kFirst, kLast}, 1000, 'x') + "behind";
+  const auto pieces = rewrite_sound(opened_3(bytes), kChunkText.data);
   ASSERT_TRUE(pieces);
-  EXPECT_EQ(join(*pieces), glb3({kText, kFirst, kLast}));
+  EXPECT_EQ(join(*pieces), glb3({kChunkText, kFirst, kLast}));
 }
 
 std::string in_version(const std::string& bytes, std::uint32_t version, const BinChanges& bins) {
@@ -124,9 +125,9 @@ std::string version_2(std::vector<std::pair<std::uint32_t, std::string>> chunks)
 }
 
 TEST(Glb3Rewrite, VersionTwoHasTextBinAndOtherChunks) {
-  EXPECT_EQ(in_version(glb3({{kExtra, "xyz"}, kText, kFirst, kSecond, kLast, kOddOne}), 2,
+  EXPECT_EQ(in_version(glb3({{kExtra, "xyz"}, kChunkText, kFirst, kSecond, kLast, kOddOne}), 2,
                        {{kNewBin, whole("joined")}}),
-            version_2({{kChunkJson, kText.data},
+            version_2({{kChunkJson, kChunkText.data},
                        {kChunkBin, std::string("joined\0\0", 8)},
                        {kExtra, std::string("xyz\0", 4)}}));
 }
@@ -142,7 +143,7 @@ TEST(Glb3Rewrite, VersionThreeKeepsLengthsAndGoesBack) {
 }
 
 TEST(Glb3Rewrite, ChunksThatStayAreNotCopied) {
-  std::vector<Chunk3> chunks{kText};
+  std::vector<Chunk3> chunks{kChunkText};
   for (int i = 0; i < 20'000; ++i) chunks.push_back({kExtra, ""});
   chunks.push_back(kLast);
   const std::string bytes = glb3(chunks);
@@ -159,17 +160,17 @@ TEST(Glb3Rewrite, WhereChunksAreUncertainNothingIsWritten) {
   const auto obstacle = [](const std::string& bytes) {
     return find_glb_obstacle(opened_3(bytes)).value_or("");
   };
-  const std::string sound = glb3({kText, kFirst});
+  const std::string sound = glb3({kChunkText, kFirst});
   EXPECT_EQ(obstacle(sound), "");
   for (const std::size_t size : {3U, 17U, 25U, 40U, 50U}) {
     EXPECT_NE(obstacle(sound.substr(0, sound.size() - size)), "") << size;
   }
   constexpr std::uint64_t kTop = std::uint64_t{1} << 63U;
-  EXPECT_NE(obstacle(glb3({kText, {kChunkBin, "abcd", 0, kTop}})), "");
-  EXPECT_NE(obstacle(glb3({kText, {kChunkBin, "abcd", 0, kTop - 1}})), "");
+  EXPECT_NE(obstacle(glb3({kChunkText, {kChunkBin, "abcd", 0, kTop}})), "");
+  EXPECT_NE(obstacle(glb3({kChunkText, {kChunkBin, "abcd", 0, kTop - 1}})), "");
   EXPECT_NE(obstacle(glb3({{kChunkJson, "{}", 1}, kFirst})), "");
   EXPECT_NE(obstacle(glb3({kFirst})), "");
-  EXPECT_EQ(obstacle(glb3({kText, kFirst}, kTop)), "");
+  EXPECT_EQ(obstacle(glb3({kChunkText, kFirst}, kTop)), "");
 }
 
 }  // namespace

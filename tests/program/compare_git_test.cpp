@@ -13,7 +13,6 @@
 namespace gltfx::program {
 namespace {
 
-using nlohmann::json;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -28,10 +27,10 @@ class CompareGit : public GitRepository {
   // "old -> new level" of each pair.
   std::vector<std::string> pairs(const std::string& words, const std::string& where = {}) const {
     const Outcome outcome = shell("\"$GLTFX\" compare --format json --git " + words, where);
-    const json report = json::parse(outcome.out, nullptr, false);
+    const nlohmann::json report = nlohmann::json::parse(outcome.out, nullptr, false);
     std::vector<std::string> all;
     if (report.is_discarded()) return {outcome.err};
-    for (const json& pair : report["pairs"]) {
+    for (const nlohmann::json& pair : report["pairs"]) {
       const auto name = [&pair](const char* side) {
         return pair[side].is_null() ? std::string("-") : pair[side].get<std::string>();
       };
@@ -146,7 +145,7 @@ TEST_F(CompareGit, LinksAreFollowedInsideTheCommitOnly) {
   folder_.write("out.gltf", asset_with("out.png") + "\n");
   commit();
   const Outcome outcome = compare("one..HEAD --format json");
-  const json report = json::parse(outcome.out);
+  const nlohmann::json report = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(report["pairs"].size(), 2U) << outcome.out;
   EXPECT_EQ(report["pairs"][0]["level"], "differs");
   EXPECT_EQ(report["pairs"][0]["changes"][0]["kind"], "image.texels");

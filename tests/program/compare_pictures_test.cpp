@@ -13,7 +13,6 @@
 namespace gltfx::program {
 namespace {
 
-using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -76,8 +75,8 @@ TEST_F(ComparePictures, AreWrittenForEachViewAndSayWhatChanged) {
                           "new.gltf.old.png", "new.gltf.opposite.difference.png",
                           "new.gltf.opposite.new.png", "new.gltf.opposite.old.png"));
   EXPECT_THAT(read("pr/new.gltf.old.png"), StartsWith("\x89PNG"));
-  const json report = json::parse(outcome.out);
-  const json& pictures = report["pairs"][0]["pictures"];
+  const nlohmann::json report = nlohmann::json::parse(outcome.out);
+  const nlohmann::json& pictures = report["pairs"][0]["pictures"];
   ASSERT_EQ(pictures.size(), 3U);
   EXPECT_EQ(pictures[0]["view"], "usual");
   EXPECT_EQ(pictures[0]["old"], "new.gltf.old.png");
@@ -94,8 +93,8 @@ TEST_F(ComparePictures, DoNotChangeWhereNothingIsDrawnDifferently) {
   const Outcome outcome = compare(
       {at("old.gltf"), at("new.gltf"), "--format", "json", "--pictures", at("pr"), "--size", "64"});
   EXPECT_EQ(outcome.code, 1) << "a name is a change, pictures do not decide";
-  const json report = json::parse(outcome.out);
-  const json& pictures = report["pairs"][0]["pictures"];
+  const nlohmann::json report = nlohmann::json::parse(outcome.out);
+  const nlohmann::json& pictures = report["pairs"][0]["pictures"];
   ASSERT_GE(pictures.size(), 2U);
   EXPECT_EQ(pictures[0]["changed"], false);
   EXPECT_EQ(pictures[1]["changed"], false);
@@ -191,7 +190,8 @@ TEST_F(ComparePictures, PageHasAllInOneFileAndKeepsNamesAsData) {
   EXPECT_THAT(page, Not(HasSubstr("<img src=x")));
   const std::string mark = "<script id=\"data\" type=\"application/json\">";
   const std::size_t begin = page.find(mark) + mark.size();
-  const json data = json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+  const nlohmann::json data =
+      nlohmann::json::parse(page.substr(begin, page.find("</script>", begin) - begin));
   ASSERT_EQ(data["pairs"].size(), 1U);
   EXPECT_FALSE(data["pairs"][0]["pictures"][0]["regions"].empty());
   EXPECT_EQ(data["summary"]["differs"], 1);
@@ -203,19 +203,19 @@ TEST_F(ComparePictures, AnswerGoesToANamedFile) {
       compare({at("old.gltf"), at("old.gltf"), "--format", "json", "-o", at("answer.json")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_EQ(outcome.out, "");
-  EXPECT_EQ(json::parse(read("answer.json"))["summary"]["identical"], 1);
+  EXPECT_EQ(nlohmann::json::parse(read("answer.json"))["summary"]["identical"], 1);
 }
 
 TEST_F(ComparePictures, ChangesHaveLinesAndStorageHasSizes) {
   put("old.gltf", two_squares("Left", kRed));
   put("new.gltf", "\n" + two_squares("Left", "[0, 0, 1, 1]"));
   const Outcome outcome = compare({at("old.gltf"), at("new.gltf"), "--format", "json"});
-  const json report = json::parse(outcome.out);
-  const json& change = report["pairs"][0]["changes"][0];
+  const nlohmann::json report = nlohmann::json::parse(outcome.out);
+  const nlohmann::json& change = report["pairs"][0]["changes"][0];
   EXPECT_EQ(change["oldLine"], 5);
   EXPECT_EQ(change["newLine"], 6);
   EXPECT_EQ(change["oldColumn"], change["newColumn"]);
-  const json& sizes = report["pairs"][0]["sizes"];
+  const nlohmann::json& sizes = report["pairs"][0]["sizes"];
   EXPECT_EQ(sizes[0]["what"], "files");
   EXPECT_EQ(sizes[0]["new"].get<int>() - sizes[0]["old"].get<int>(), 1);
   put("spaced.gltf", two_squares("Left", kRed) + std::string(500, ' '));

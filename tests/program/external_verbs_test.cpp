@@ -5,7 +5,6 @@
 #include <fstream>
 #include <iterator>
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +16,6 @@ namespace gltfx::program {
 namespace {
 
 using container::test::TempFolder;
-using nlohmann::json;
 using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -39,8 +37,8 @@ std::string triangle_with(const std::string& uri, const std::string& more = {}) 
 
 std::string parent_of(const std::string& files, const std::string& external,
                       const std::string& nodes) {
-  json scene = json::array();
-  const json list = json::parse("[" + nodes + "]");
+  nlohmann::json scene = nlohmann::json::array();
+  const nlohmann::json list = nlohmann::json::parse("[" + nodes + "]");
   for (std::size_t i = 0; i < list.size(); ++i) scene.push_back(i);
   return R"({"asset": {"version": "2.1"}, "files": [)" + files + R"(], "externalAssets": [)" +
          external + R"(], "nodes": [)" + nodes + R"(], "scene": 0, "scenes": [{"nodes": )" +
@@ -63,10 +61,10 @@ class ExternalAssetsOfVerbs : public testing::Test {
   Outcome here(std::vector<std::string> arguments) const {
     return gltfx(std::move(arguments), {folder_.path().native(), {}, {}});
   }
-  json facts(const std::string& path) const {
+  nlohmann::json facts(const std::string& path) const {
     const Outcome outcome = here({"inspect", "--format", "json", path});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    const json report = json::parse(outcome.out);
+    const nlohmann::json report = nlohmann::json::parse(outcome.out);
     return report["assets"][0]["facts"];
   }
   TempFolder folder_;
@@ -84,13 +82,14 @@ TEST_F(ExternalAssetsOfVerbs, InspectListsThemAsATree) {
                               file_of("gone.gltf"),
                           R"({"file": 0}, {"file": 1}, {"file": 2})",
                           R"({"externalAsset": 0, "scale": [2, 2, 2]}, {"externalAsset": 1})"));
-  const json all = facts("main.gltf");
-  const json& rows = all["externalAssets"];
+  const nlohmann::json all = facts("main.gltf");
+  const nlohmann::json& rows = all["externalAssets"];
   ASSERT_EQ(rows.size(), 5U);
   const auto row = [&](std::size_t i) {
-    return fmt::format("{} {} {} {} {}", rows[i]["depth"].get<int>(), rows[i]["index"].get<int>(),
-                       rows[i]["path"].get<std::string>(), rows[i]["state"].get<std::string>(),
-                       rows[i]["placed"].get<int>());
+    const nlohmann::json& one = rows[i];
+    return std::to_string(one["depth"].get<int>()) + " " + std::to_string(one["index"].get<int>()) +
+           " " + one["path"].get<std::string>() + " " + one["state"].get<std::string>() + " " +
+           std::to_string(one["placed"].get<int>());
   };
   EXPECT_EQ(row(0), "0 0 parts/middle.gltf read 1");
   EXPECT_EQ(row(1), "1 0 parts/child.gltf read 2");
@@ -100,7 +99,7 @@ TEST_F(ExternalAssetsOfVerbs, InspectListsThemAsATree) {
   EXPECT_EQ(rows[1]["triangles"], 1);
   EXPECT_THAT(rows[4]["problem"].get<std::string>(), HasSubstr("gone.gltf"));
   EXPECT_EQ(all["counts"]["drawnTriangles"], 3);
-  EXPECT_EQ(all["bounds"]["max"], json::array({22, 2, 0}));
+  EXPECT_EQ(all["bounds"]["max"], nlohmann::json::array({22, 2, 0}));
   EXPECT_EQ(all["referredFiles"].size(), 3U);
   const std::string text = here({"inspect", "main.gltf"}).out;
   EXPECT_THAT(text, AllOf(HasSubstr("External assets"), HasSubstr("  parts/child.gltf"),
@@ -130,8 +129,9 @@ TEST_F(ExternalAssetsOfVerbs, ChangesNameThoseThatNeedThem) {
                 parent_of(file_of("parts/old.gltf") + ", " + file_of("parts/child.gltf"),
                           R"({"file": 0}, {"file": 1})", R"({"externalAsset": 0})"));
   const auto named = [&](const std::string& verb) {
-    const json report = json::parse(here({verb, "--format", "json", "main.gltf"}).out);
-    const json& file = report["files"][0];
+    const nlohmann::json report =
+        nlohmann::json::parse(here({verb, "--format", "json", "main.gltf"}).out);
+    const nlohmann::json& file = report["files"][0];
     return file.value("externalAssets", std::vector<std::string>());
   };
   EXPECT_THAT(named("convert"), ElementsAre("parts/child.gltf", "parts/old.gltf"));
