@@ -147,7 +147,8 @@ Result<ReferredFile> ExternalAssets::open_uri(AssetInTree& parent, std::uint32_t
 
 Result<ReferredFile> ExternalAssets::open_path(const container::Resolver& resolver,
                                                const Uri& uri) {
-  auto bytes = container::fetch(resolver, uri.normalized);
+  // Another spelling is no alias.
+  auto bytes = container::fetch(resolver.without_aliases(), uri.normalized);
   if (!bytes) return bytes.error();
   const std::string place = resolver.place_of(uri.path);
   return ReferredFile{*std::move(bytes), identity_of(resolver.state(uri.path), place),

@@ -21,10 +21,10 @@ std::optional<GlbVersion> glb_version_of(const OpenedAsset& asset, const Convert
   const bool is_glb = asset.container().format == container::Format::glb;
   const bool becomes_glb = options.to ? options.to == StoredAs::glb : is_glb;
   if (!becomes_glb) return std::nullopt;
-  const GlbVersion wanted = options.glb_version.value_or(GlbVersion::least);
+  const GlbVersion wanted = options.later.glb_version.value_or(GlbVersion::least);
   if (options.to) return wanted;
   const bool keeps = options.output.empty() || change::is_in_place(options, asset.name());
-  if (!options.glb_version && keeps) return std::nullopt;
+  if (!options.later.glb_version && keeps) return std::nullopt;
   const bool has_it = (asset.container().glb_version == 3U) == (wanted == GlbVersion::three);
   return has_it ? std::nullopt : std::optional(wanted);
 }

@@ -77,9 +77,9 @@ Matching::Matching(const Content& ours, const NodeTree& our_nodes, const Content
   }
   follow_all();
   pair_leftovers();
-  any_mesh_ = true;
+  state_.any_mesh = true;
   follow_all();
-  for (const auto& [one, other] : pairs_) renumbered_ |= one.index != other.index;
+  for (const auto& [one, other] : pairs_) state_.renumbered |= one.index != other.index;
 }
 
 ItemId Matching::theirs(ItemId ours) const {
@@ -227,7 +227,7 @@ bool Matching::are_strangers(ItemId ours, ItemId theirs) const {
 
 void Matching::follow_all() {
   pair_children(our_nodes_.roots(), their_nodes_.roots());
-  for (std::size_t i = any_mesh_ ? 0 : followed_; i < pairs_.size(); ++i) {
+  for (std::size_t i = state_.any_mesh ? 0 : followed_; i < pairs_.size(); ++i) {
     const auto [ours, theirs] = pairs_[i];
     if (i >= followed_) {
       follow(ours, theirs);
@@ -286,18 +286,18 @@ void Matching::pair_children(const std::vector<std::uint32_t>& ours,
   std::vector<std::uint32_t> here = left(ours, partners_.theirs[node_lists_.ours]);
   std::vector<std::uint32_t> there = left(theirs, partners_.ours[node_lists_.theirs]);
   if (here.empty() || there.empty()) return;
-  if (any_mesh_ && here.size() != there.size()) return;
+  if (state_.any_mesh && here.size() != there.size()) return;
   const std::uint32_t meshes = a_.list("/meshes");
   const std::uint32_t their_meshes = b_.list("/meshes");
   const auto our_mesh = [&](std::uint32_t node) -> std::uint64_t {
     const auto& mesh = a_.side().views().nodes[node].mesh;
-    if (!mesh || any_mesh_) return UINT64_MAX;
+    if (!mesh || state_.any_mesh) return UINT64_MAX;
     const ItemId partner = this->theirs({meshes, *mesh});
     return partner ? partner.index : UINT64_MAX - 1;
   };
   const auto their_mesh = [&](std::uint32_t node) -> std::uint64_t {
     const auto& mesh = b_.side().views().nodes[node].mesh;
-    if (!mesh || any_mesh_) return UINT64_MAX;
+    if (!mesh || state_.any_mesh) return UINT64_MAX;
     return this->ours({their_meshes, *mesh}) ? *mesh : UINT64_MAX - 1;
   };
   std::unordered_map<std::uint64_t, std::pair<std::vector<std::uint32_t>, std::size_t>> by_mesh;

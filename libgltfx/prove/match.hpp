@@ -30,7 +30,7 @@ class Matching {
   /// and, unlike nodes, no identity.
   bool same(ItemId ours, ItemId theirs) const;
   /// Whether objects have another order than before.
-  bool is_renumbered() const { return renumbered_; }
+  bool is_renumbered() const { return state_.renumbered; }
 
  private:
   /// The key of an item for one pass; zeros: it takes no part.
@@ -63,8 +63,10 @@ class Matching {
   } partners_;
   std::vector<std::pair<ItemId, ItemId>> pairs_;
   std::size_t followed_ = 0;
-  bool any_mesh_ = false;  ///< nodes with other meshes may be partners: nothing else is left
-  bool renumbered_ = false;
+  struct {
+    bool any_mesh = false;  ///< nodes with other meshes may be partners: nothing else is left
+    bool renumbered = false;
+  } state_;
 };
 
 }  // namespace gltfx::prove

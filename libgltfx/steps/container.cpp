@@ -99,7 +99,7 @@ StepDescription container_step() {
           "all bytes, and the text except `uri`, `chunk`, `buffer`, offsets and views of images",
           "the `name` of a buffer that becomes part of another, and numbers of other chunks",
           [](const ConvertOptions& options) {
-            return options.to.has_value() || options.glb_version.has_value();
+            return options.to.has_value() || options.later.glb_version.has_value();
           },
           store};
 }

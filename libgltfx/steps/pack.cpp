@@ -378,11 +378,11 @@ class Packer {
 
 Result<StepOutcome> pack(const StepInput& input) {
   const container::Container& old = input.asset.container();
-  const bool keeps = !input.options.glb_version && old.glb_version == 3U;
-  const bool is_asked = input.options.glb_version == GlbVersion::three;
+  const bool keeps = !input.options.later.glb_version && old.glb_version == 3U;
+  const bool is_asked = input.options.later.glb_version == GlbVersion::three;
   Packer packer(input, keeps || is_asked ? 3 : 2);
   auto outcome = packer.run();
-  const bool may_be_larger = input.options.glb_version != GlbVersion::two;
+  const bool may_be_larger = input.options.later.glb_version != GlbVersion::two;
   if (outcome || !may_be_larger || !packer.is_too_large()) return outcome;
   return Packer(input, 3).run();
 }

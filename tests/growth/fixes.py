@@ -27,10 +27,10 @@ TOLD_ONCE = {"JSON_DUPLICATE_KEY", "JSON_TRAILING_COMMA", "JSON_MISSING_COMMA", 
 # Each member that refers to an element of a root array, and to which.
 REFERENCES = {"mesh": "meshes", "material": "materials", "indices": "accessors", "bufferView": "bufferViews",
               "buffer": "buffers", "input": "accessors", "output": "accessors", "node": "nodes", "children": "nodes",
-              "nodes": "nodes", "attributes": "accessors", "targets": "accessors"}
+              "nodes": "nodes", "attributes": "accessors", "targets": "accessors", "shape": "shapes"}
 # Reported once for objects that share data: the whole example is repeated.
-WHOLE = {"ANIMATION_ROTATION_FLIPS", "ANIMATION_TANGENTS_MOVE", "MORPH_TARGET_NAME_REPEATED",
-         "NORMALS_AGAINST_WINDING", "SURFACE_INSIDE_OUT"}
+WHOLE = {"ANIMATION_ROTATION_FLIPS", "ANIMATION_TANGENTS_MOVE", "BOUNDING_VOLUME_MISSES_POSES",
+         "MORPH_TARGET_NAME_REPEATED", "NORMALS_AGAINST_WINDING", "SURFACE_INSIDE_OUT"}
 
 
 def shifted(value, by, array=None):

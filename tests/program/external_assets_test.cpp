@@ -73,7 +73,7 @@ TEST_F(ExternalFiles, AreInReportsOfEveryForm) {
   folder_.write("a.gltf", parent_of("c.gltf"));
   folder_.write("c.gltf", kWrongChild);
   for (const std::string format :
-       {"text", "json", "jsonl", "github", "gitlab", "sarif", "junit", "agent", "csv"}) {
+       {"text", "json", "jsonl", "github", "gitlab", "sarif", "junit", "agent"}) {
     const Outcome outcome = validate({"a.gltf", "--format", format});
     EXPECT_EQ(outcome.code, 1) << format;
     EXPECT_THAT(outcome.out, AllOf(HasSubstr("EXTERNAL_ASSET_INVALID"), HasSubstr("c.gltf"),

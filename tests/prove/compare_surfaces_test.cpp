@@ -110,9 +110,9 @@ TEST(CompareSurfaces, SeesWhatBoundsDoNotAllow) {
   CompareOptions wide;
   wide.bounds.position = 0.02;
   const std::vector<std::pair<EditedAsset, bool>> others{
-      {sheet(4, hill), true},                    // a vertex in the middle is higher
-      {sheet(4, flat, 1), false},                // a part is gone
-      {sheet(4, flat, 0, false, 0.01F), false},  // texture coordinates slide
+      {sheet(4, hill), true},                   // a vertex in the middle is higher
+      {sheet(4, flat, 1), false},               // a part is gone
+      {sheet(4, flat, 0, false, 0.3F), false},  // texture coordinates slide
   };
   for (const auto& [other, allowed_by_wide] : others) {
     for (const bool back : {false, true}) {

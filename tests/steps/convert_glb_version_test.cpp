@@ -45,7 +45,7 @@ class GlbVersions : public testing::Test {
   ConvertReport run(const std::string& bytes, std::optional<GlbVersion> version,
                     bool partial = false) {
     ConvertOptions options = options_to(output());
-    options.glb_version = version;
+    options.later.glb_version = version;
     options.partial = partial;
     return convert_file(folder_.write("a.glb", bytes).native(), options);
   }
@@ -125,7 +125,7 @@ TEST_F(GlbVersions, FilesGoIntoAGlbOfVersionThree) {
   const fs::path path = folder_.write(
       "a.gltf", R"({"asset":{"version":"2.0"},"buffers":[{"uri":"b.bin","byteLength":4}]})");
   ConvertOptions options = options_to(output());
-  options.glb_version = GlbVersion::three;
+  options.later.glb_version = GlbVersion::three;
   const ConvertReport report = convert_file(path.native(), options);
   ASSERT_TRUE(report.written) << report.error;
   EXPECT_EQ(report.steps[0].what, "one GLB of version 3, 1 buffer");
@@ -145,7 +145,7 @@ TEST_F(GlbVersions, FilesGoIntoTheFirstChunkAndTheOthersStay) {
       "a.glb", glb3({{kExtra, "x"}, {kChunkJson, text}, {kChunkBin, "abcd"}, {kChunkBin, "xyz"}}));
   ConvertOptions options = options_to(output());
   options.to = StoredAs::glb;
-  options.glb_version = GlbVersion::three;
+  options.later.glb_version = GlbVersion::three;
   const ConvertReport report = convert_file(path.native(), options);
   ASSERT_TRUE(report.written) << report.error;
   const StoredAsset now = StoredAsset::at(output());
@@ -216,10 +216,10 @@ TEST_F(GlbVersions, InPlaceTheVersionStaysUnlessAsked) {
   EXPECT_FALSE(convert_file(path.native(), options).changes);
   options.in_place = true;
   EXPECT_FALSE(convert_file(path.native(), options).changes);
-  options.glb_version = GlbVersion::two;
+  options.later.glb_version = GlbVersion::two;
   EXPECT_TRUE(convert_file(path.native(), options).written);
   EXPECT_EQ(StoredAsset::at(path).container.glb_version, 2U);
-  options.glb_version = GlbVersion::three;
+  options.later.glb_version = GlbVersion::three;
   EXPECT_TRUE(convert_file(path.native(), options).written);
   EXPECT_EQ(content_of(path), three);
 }
@@ -241,7 +241,7 @@ std::set<std::string> sent_there_and_back(const std::vector<fs::path>& paths, st
     const StoredAsset before = StoredAsset::at(path);
     const bool is_3 = before.container.glb_version == 3U;
     ConvertOptions options = options_to(folder.path() / "there.glb");
-    options.glb_version = is_3 ? GlbVersion::two : GlbVersion::three;
+    options.later.glb_version = is_3 ? GlbVersion::two : GlbVersion::three;
     const ConvertReport there = convert_file(path.native(), options);
     if (!there.written) {
       EXPECT_NE(there.error, "") << path;
@@ -249,7 +249,7 @@ std::set<std::string> sent_there_and_back(const std::vector<fs::path>& paths, st
       continue;
     }
     const std::string from = std::exchange(options.output, (folder.path() / "back.glb").native());
-    options.glb_version = is_3 ? GlbVersion::three : GlbVersion::two;
+    options.later.glb_version = is_3 ? GlbVersion::three : GlbVersion::two;
     const ConvertReport back = convert_file(from, options);
     EXPECT_TRUE(back.written) << path << back.error;
     const bool is_sound =
@@ -292,7 +292,7 @@ TEST_F(GlbVersions, AboveFourGibibytesVersionThreeStays) {
   ConvertOptions options;
   options.to = StoredAs::glb;
   EXPECT_FALSE(convert_file(path.native(), options).changes);
-  options.glb_version = GlbVersion::two;
+  options.later.glb_version = GlbVersion::two;
   const ConvertReport refused = convert_file(path.native(), options);
   EXPECT_EQ(refused.problem, EditProblem::refused);
   EXPECT_THAT(refused.error, HasSubstr("a GLB of version 2 has at most 4 GiB; use --glb 3"));

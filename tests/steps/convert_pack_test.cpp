@@ -213,7 +213,7 @@ TEST_F(Pack, RefusesTooManyBytesBeforeWriting) {
   const fs::path path = folder_.write(
       "a.gltf", "{" + kAsset + R"(, "buffers": [{"byteLength": 4300000000, "uri": "b.bin"}]})");
   ConvertOptions options = options_to(output());
-  options.glb_version = GlbVersion::two;
+  options.later.glb_version = GlbVersion::two;
   EXPECT_THAT(convert_file(path.native(), options).error,
               HasSubstr("a GLB of version 2 has at most 4 GiB; use --glb 3, or --to gltf"));
   EXPECT_FALSE(fs::exists(output()));

@@ -21,6 +21,7 @@ const std::map<std::string, std::string, std::less<>> kWriters{
     {"libgltfx/pipeline/picture_file.cpp", "pictures"},
     {"libgltfx/pipeline/result_store.cpp", "the cache of results"},
     {"libgltfx/pipeline/seal.cpp", "the key of the cache"},
+    {"tools/gltfx/compare_pictures.cpp", "pictures"},
     {"tools/gltfx/output.cpp", "reports"},
     {"tools/gltfx/output.hpp", "reports"},
     {"tools/gltfx/schema_tests.cpp", "new folders of test cases"},

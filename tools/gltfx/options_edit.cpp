@@ -230,8 +230,9 @@ void declare_convert(Options& options, ConvertRequest& request) {
       one_of(request.convert.to,
              {{"glb", StoredAs::glb}, {"gltf", StoredAs::gltf}, {"embedded", StoredAs::embedded}}));
   ConvertOptions& convert = request.convert;
-  options.add("--glb", "VERSION", "Write GLBs of version 2 (default) or 3",
-              one_of(convert.glb_version, {{"2", GlbVersion::two}, {"3", GlbVersion::three}}));
+  options.add(
+      "--glb", "VERSION", "Write GLBs of version 2 (default) or 3",
+      one_of(convert.later.glb_version, {{"2", GlbVersion::two}, {"3", GlbVersion::three}}));
   options.add("--compress", "CODEC", "Store geometry as meshopt, draco or none (plain)",
               one_of(convert.compress, {{"none", Compression::none},
                                         {"meshopt", Compression::meshopt},

@@ -72,19 +72,19 @@ struct Simplification {
   std::uint64_t triangles = 0;  ///< of all meshes together; meshes that must not change count, too
 };
 
-/// What becomes of parts that glTF 2.0 does not have.
+/// Versions after 2.0: of glTF, of GLB, and what becomes of external assets.
 struct LaterParts {
   std::string gltf;      ///< "2.0": the asset gets that version; empty: it keeps its own
   bool flatten = false;  ///< external assets are copied into the asset
+  /// Nothing: `least`, but an asset that is replaced in place, or goes nowhere, keeps its version
+  /// unless ConvertOptions::to is glb.
+  std::optional<GlbVersion> glb_version;
 };
 
 /// Options of a run.
 struct ConvertOptions : EditOptions {
   /// Nothing: from the ending of the output, or unchanged if there is no output.
   std::optional<StoredAs> to;
-  /// Nothing: `least`, but an asset that is replaced in place, or goes nowhere, keeps its version
-  /// unless `to` is glb.
-  std::optional<GlbVersion> glb_version;
   /// Nothing: compressed geometry stays as its bytes.
   std::optional<Compression> compress;
   /// The first that applies to an image decides.
@@ -106,7 +106,7 @@ struct ConvertOptions : EditOptions {
   /// Replaces what one of these engines refuses, or ignores with an effect on the picture. With
   /// `shrink`, geometry and images get the smallest encoding that all of them read.
   std::vector<TargetChoice> targets;
-  LaterParts later;     ///< parts of versions after 2.0
+  LaterParts later;     ///< versions after 2.0
   bool verify = false;  ///< compares rendered pictures before and after
   /// Write although a part of the request was refused.
   bool partial = false;
