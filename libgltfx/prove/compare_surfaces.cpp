@@ -110,7 +110,7 @@ class SurfaceComparison {
 
   const TextureUse& use_of(std::uint64_t material) const {
     const auto& uses = all_.texture_uses;
-    return material + 1 < uses.size() ? uses[material] : uses.back();
+    return material < uses.size() - 1 ? uses[material] : uses.back();
   }
 
   std::map<std::uint64_t, Group> grouped() {

@@ -104,15 +104,23 @@ TEST(CompareSurfaces, OfOtherTrianglesIsWithinBounds) {
   }
 }
 
+TEST(CompareSurfaces, SeesTextureCoordinatesWithoutAMaterial) {
+  const CompareReport report = between(sheet(1), sheet(1, flat, 0, false, 0.01F));
+  EXPECT_EQ(report.level, CompareLevel::differs) << sentences(report);
+  ASSERT_THAT(report.changes, SizeIs(1)) << sentences(report);
+  EXPECT_EQ(report.changes.front().kind, "geometry.texcoord");
+}
+
 TEST(CompareSurfaces, SeesWhatBoundsDoNotAllow) {
   const EditedAsset one = sheet(1);
   const auto hill = [](float u, float v) { return u == 0.5F && v == 0.5F ? 0.01F : 0.0F; };
   CompareOptions wide;
   wide.bounds.position = 0.02;
+  wide.bounds.texcoord = 2;  // the nearest points of a slope are beside those below it
   const std::vector<std::pair<EditedAsset, bool>> others{
-      {sheet(4, hill), true},                   // a vertex in the middle is higher
-      {sheet(4, flat, 1), false},               // a part is gone
-      {sheet(4, flat, 0, false, 0.3F), false},  // texture coordinates slide
+      {sheet(4, hill), true},                    // a vertex in the middle is higher
+      {sheet(4, flat, 1), false},                // a part is gone
+      {sheet(4, flat, 0, false, 0.01F), false},  // texture coordinates slide
   };
   for (const auto& [other, allowed_by_wide] : others) {
     for (const bool back : {false, true}) {
