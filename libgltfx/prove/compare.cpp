@@ -46,7 +46,9 @@ std::vector<ChangedBoxes> compare_assets(const model::OpenedAsset& ours,
                                          const model::OpenedAsset& theirs,
                                          const schema::Set& schemas, const CompareOptions& options,
                                          CompareReport& report) {
-  const bool same_bytes = container::same_bytes(ours.container().bytes, theirs.container().bytes);
+  // A draft with another text has the bytes of its asset.
+  const bool same_bytes = ours.document().text() == theirs.document().text() &&
+                          container::same_bytes(ours.container().bytes, theirs.container().bytes);
   if (same_bytes && same_resources(ours, theirs, options.jobs)) {
     report.level = CompareLevel::identical;
     return {};

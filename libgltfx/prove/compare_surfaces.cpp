@@ -133,7 +133,7 @@ class SurfaceComparison {
     result_.unread = ours != here_.end() || lost;
     if (!result_.unread) return true;
     if (ours != here_.end() && lost) {
-      all_.log.leave_out(fmt::format("{} cannot be read in both assets.", pair_.our_place));
+      all_.log.leave_out(fmt::format("{} cannot be read in either asset.", pair_.our_place));
       return true;
     }
     Change& change = add("geometry.elements",
