@@ -62,8 +62,8 @@ struct MeaningRequest {
   bool unused_may_go = false;
   /// Images may have other names.
   bool image_names_may_go = false;
-  /// `after` may lack members that only versions after 2.0 have, and be of another version. Extras of
-  /// `asset` are not compared: they have what was such a member.
+  /// `after` may lack members that only versions after 2.0 have, and be of another version. Extras
+  /// of `asset` are not compared: they have what was such a member.
   bool older_version = false;
   /// POSITION is compared in the space of the scene at rest, at each node with the mesh, if only
   /// nodes without a skin refer to the mesh and no scale above them is 0 or changes. The transform

@@ -28,8 +28,8 @@
 
 namespace gltfx {
 
-/// Validates the file at `path`, and its external assets. Never throws; a file that cannot be read gives a report with
-/// `readable == false` and one IO_ERROR. Safe to call from several threads.
+/// Validates the file at `path`, and its external assets. Never throws; a file that cannot be read
+/// gives a report with `readable == false` and one IO_ERROR. Safe to call from several threads.
 FileReport validate_file(const std::string& path, const ValidateOptions& options = {});
 
 /// Validates bytes, such as standard input. The report uses `name`. External resources are
