@@ -259,9 +259,9 @@ void LeafReader::read_coded_mode(json::NodeId primitive, const Hash128& path) {
 
 // Of a transform: what is not that many numbers.
 void LeafReader::read_broken_places(json::NodeId node, const Hash128& path) {
-  constexpr std::pair<std::string_view, std::size_t> kParts[] = {
+  constexpr std::pair<std::string_view, std::size_t> kTransformParts[] = {
       {"matrix", 16}, {"translation", 3}, {"rotation", 4}, {"scale", 3}};
-  for (const auto& [name, count] : kParts) {
+  for (const auto& [name, count] : kTransformParts) {
     const json::NodeId value = document_.find(node, name);
     if (value == json::kNoNode) continue;
     const bool numbers = document_.kind(value) == json::Kind::number_array;

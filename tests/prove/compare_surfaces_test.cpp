@@ -122,7 +122,8 @@ TEST(CompareSurfaces, SeesWhatBoundsDoNotAllow) {
       {sheet(4, flat, 1), false},                // a part is gone
       {sheet(4, flat, 0, false, 0.01F), false},  // texture coordinates slide
   };
-  for (const auto& [other, allowed_by_wide] : others) {
+  for (const auto& each : others) {
+    const EditedAsset& other = each.first;
     for (const bool back : {false, true}) {
       const auto compare = [&](const CompareOptions& options) {
         return back ? between(other, one, options) : between(one, other, options);
@@ -130,7 +131,7 @@ TEST(CompareSurfaces, SeesWhatBoundsDoNotAllow) {
       const CompareReport report = compare({});
       EXPECT_EQ(report.level, CompareLevel::differs) << sentences(report);
       EXPECT_THAT(report.changes, SizeIs(1)) << sentences(report);
-      EXPECT_EQ(compare(wide).level == CompareLevel::bounds, allowed_by_wide)
+      EXPECT_EQ(compare(wide).level == CompareLevel::bounds, each.second)
           << sentences(compare(wide));
     }
   }

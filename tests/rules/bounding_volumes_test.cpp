@@ -16,8 +16,6 @@
 namespace gltfx::test {
 namespace {
 
-using Json = AssetBuilder::Json;
-
 const std::string kSmall = "BOUNDING_VOLUME_TOO_SMALL";
 const std::string kPoses = "BOUNDING_VOLUME_MISSES_POSES";
 
@@ -26,12 +24,12 @@ struct Bounded : AssetBuilder {
   Bounded() {
     json["asset"]["version"] = "2.1";
     json["scene"] = 0;
-    json["scenes"] = Json::array({{{"nodes", {0}}}});
+    json["scenes"] = AssetBuilder::Json::array({{{"nodes", {0}}}});
     accessor("VEC3", 5126, 4, floats({1, 1, 1, -1, -1, 1, -1, 1, -1, 1, -1, -1}),
              {{"min", {-1, -1, -1}}, {"max", {1, 1, 1}}});
     accessor("SCALAR", 5123, 12, packed<std::uint16_t>({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}));
-    add("meshes",
-        {{"primitives", Json::array({{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}})}});
+    add("meshes", {{"primitives", AssetBuilder::Json::array(
+                                      {{{"attributes", {{"POSITION", 0}}}, {"indices", 1}}})}});
   }
 
   std::size_t node(const std::string& members) { return add("nodes", members_of(members)); }
@@ -49,9 +47,10 @@ struct Bounded : AssetBuilder {
     const std::size_t width = path == "rotation" ? 4 : path == "weights" ? 1 : 3;
     const char* const type = width == 4 ? "VEC4" : width == 3 ? "VEC3" : "SCALAR";
     const std::size_t output = accessor(type, 5126, values.size() / width, packed(values));
-    Json sampler{{"input", input}, {"output", output}, {"interpolation", kind}};
-    Json channel{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}};
-    add("animations", {{"samplers", Json::array({sampler})}, {"channels", Json::array({channel})}});
+    AssetBuilder::Json sampler{{"input", input}, {"output", output}, {"interpolation", kind}};
+    AssetBuilder::Json channel{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}};
+    add("animations", {{"samplers", AssetBuilder::Json::array({sampler})},
+                       {"channels", AssetBuilder::Json::array({channel})}});
   }
   Lines found() const { return selected(text(buffer_uri(bytes)), {kSmall, kPoses}); }
   // What the message says of the distance; 0: there is no finding.
@@ -177,7 +176,8 @@ TEST(BoundingVolume, EnclosesMorphedMeshes) {
   const std::size_t target =
       asset.accessor("VEC3", 5126, 4, floats({0, 0, 0, 0, 0, 0, 0, 4, 0, 0, 0, 0}),
                      {{"min", {0, 0, 0}}, {"max", {0, 4, 0}}});
-  asset.json["meshes"][0]["primitives"][0]["targets"] = Json::array({{{"POSITION", target}}});
+  asset.json["meshes"][0]["primitives"][0]["targets"] =
+      AssetBuilder::Json::array({{{"POSITION", target}}});
   asset.node(R"("mesh": 0, "boundingVolume": {"shape": 0}, "weights": [0])");
   EXPECT_EQ(asset.found(), Lines{});
   asset.json["nodes"][0]["weights"] = {0.5};
@@ -195,7 +195,7 @@ struct BoundedSkin : Bounded {
         accessor("VEC4", 5121, 4, std::string("\0\0\0\0\1\0\0\0\1\0\0\0\0\0\0\0", 16));
     const std::size_t weights =
         accessor("VEC4", 5126, 4, floats({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}));
-    Json& attributes = json["meshes"][0]["primitives"][0]["attributes"];
+    AssetBuilder::Json& attributes = json["meshes"][0]["primitives"][0]["attributes"];
     attributes["JOINTS_0"] = joints;
     attributes["WEIGHTS_0"] = weights;
     box(2, 2, 2);
@@ -244,8 +244,9 @@ TEST(BoundingVolume, EnclosesExternalAssets) {
   asset.node(R"("externalAsset": 0, "boundingVolume": {"shape": 0})");
   const std::string uri =
       "data:model/gltf+json;base64," + base64(child.text(buffer_uri(child.bytes)));
-  asset.json["externalAssets"] = Json::array({{{"file", 0}}});
-  asset.json["files"] = Json::array({{{"uri", uri}, {"mimeType", "model/gltf+json"}}});
+  asset.json["externalAssets"] = AssetBuilder::Json::array({{{"file", 0}}});
+  asset.json["files"] =
+      AssetBuilder::Json::array({{{"uri", uri}, {"mimeType", "model/gltf+json"}}});
   EXPECT_EQ(asset.found(), Lines{});
   asset.json["shapes"][0]["box"]["size"] = {2, 2, 2};
   EXPECT_NEAR(asset.amount(), 1, 1e-6);
@@ -258,7 +259,7 @@ TEST(BoundingVolume, ManyNestedVolumesAreJudged) {
   asset.box(2, 2, 2);
   constexpr int kDepth = 300;
   for (int i = 0; i < kDepth; ++i) {
-    Json node{{"boundingVolume", {{"shape", 0}}}, {"mesh", 0}};
+    AssetBuilder::Json node{{"boundingVolume", {{"shape", 0}}}, {"mesh", 0}};
     if (i + 1 < kDepth) node["children"] = {i + 1};
     asset.add("nodes", std::move(node));
   }

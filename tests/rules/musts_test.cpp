@@ -21,13 +21,13 @@
 namespace gltfx::test {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 const std::filesystem::path kMusts = GLTFX_SOURCE_DIR "/tests/rules/musts";
 
-Json read_table(const std::filesystem::path& path) {
+OrderedJson read_table(const std::filesystem::path& path) {
   std::ifstream file(path);
-  return Json::parse(file);
+  return OrderedJson::parse(file);
 }
 
 std::string deep_png(PngColor color, const std::string& texel) {
@@ -51,13 +51,13 @@ std::string picture_of(const std::string& name) {
 
 // --- Edits: JSON pointers and values; null deletes ---
 
-void edit_value(Json& document, const std::string& pointer, const Json& value) {
-  const Json::json_pointer place(pointer);
+void edit_value(OrderedJson& document, const std::string& pointer, const OrderedJson& value) {
+  const OrderedJson::json_pointer place(pointer);
   if (!value.is_null()) {
     document[place] = value;
     return;
   }
-  Json& holder = document.at(place.parent_pointer());
+  OrderedJson& holder = document.at(place.parent_pointer());
   if (holder.is_array()) {
     holder.erase(std::stoul(place.back()));
   } else {
@@ -65,7 +65,7 @@ void edit_value(Json& document, const std::string& pointer, const Json& value) {
   }
 }
 
-void edit_all(Json& document, const Json& row, const char* edits) {
+void edit_all(OrderedJson& document, const OrderedJson& row, const char* edits) {
   if (!row.contains(edits)) return;
   for (const auto& [pointer, value] : row.at(edits).items()) edit_value(document, pointer, value);
 }
@@ -76,7 +76,7 @@ void append_little_endian(std::string& out, std::uint32_t bits, std::size_t size
   for (std::size_t i = 0; i < size; ++i) out += static_cast<char>((bits >> (8 * i)) & 0xFFU);
 }
 
-void append_component(std::string& out, const Json& value, int type) {
+void append_component(std::string& out, const OrderedJson& value, int type) {
   if (type == kFloat) {
     const float number =
         value.is_string() ? std::stof(value.get<std::string>()) : value.get<float>();
@@ -86,7 +86,7 @@ void append_component(std::string& out, const Json& value, int type) {
   append_little_endian(out, static_cast<std::uint32_t>(value.get<std::int64_t>()), size);
 }
 
-std::size_t components_of(const Json& accessor) {
+std::size_t components_of(const OrderedJson& accessor) {
   static const std::map<std::string, std::size_t> counts{
       {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
   return counts.at(accessor.at("type"));
@@ -94,14 +94,14 @@ std::size_t components_of(const Json& accessor) {
 
 class DocumentPacker {
  public:
-  explicit DocumentPacker(Json document) : document_(std::move(document)) {}
+  explicit DocumentPacker(OrderedJson document) : document_(std::move(document)) {}
 
-  Json build() {
+  OrderedJson build() {
     if (document_.contains("bufferViews")) {
-      for (Json& view : document_["bufferViews"]) add_given(view);
+      for (OrderedJson& view : document_["bufferViews"]) add_given(view);
     }
     if (document_.contains("accessors")) {
-      for (Json& accessor : document_["accessors"]) add_accessor(accessor);
+      for (OrderedJson& accessor : document_["accessors"]) add_accessor(accessor);
     }
     if (made_.json.contains("bufferViews")) document_["bufferViews"] = made_.json["bufferViews"];
     if (!made_.bytes.empty()) {
@@ -112,9 +112,9 @@ class DocumentPacker {
     return document_;
   }
 
-  static void embed_pictures(Json& document) {
+  static void embed_pictures(OrderedJson& document) {
     if (!document.contains("images")) return;
-    for (Json& image : document["images"]) {
+    for (OrderedJson& image : document["images"]) {
       if (!image.contains("picture")) continue;
       const std::string bytes = picture_of(image["picture"]);
       const std::string type = image.value("type", Textured::type_of(bytes));
@@ -126,7 +126,7 @@ class DocumentPacker {
 
  private:
   // A view without either is kept unchanged.
-  void add_given(Json& view) {
+  void add_given(OrderedJson& view) {
     if (view.contains("picture")) {
       const std::string bytes = picture_of(view["picture"]);
       view.erase("picture");
@@ -140,13 +140,13 @@ class DocumentPacker {
     }
   }
 
-  static std::string raw(const Json& numbers) {
+  static std::string raw(const OrderedJson& numbers) {
     std::string bytes;
-    for (const Json& number : numbers) append_component(bytes, number, kUint8);
+    for (const OrderedJson& number : numbers) append_component(bytes, number, kUint8);
     return bytes;
   }
 
-  static std::string pack(const Json& values, int type, std::size_t components,
+  static std::string pack(const OrderedJson& values, int type, std::size_t components,
                           std::size_t stride) {
     std::string bytes;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -157,12 +157,12 @@ class DocumentPacker {
     return bytes;
   }
 
-  void add_accessor(Json& accessor) {
-    const Json more = accessor.value("view", Json::object());
+  void add_accessor(OrderedJson& accessor) {
+    const OrderedJson more = accessor.value("view", OrderedJson::object());
     accessor.erase("view");
     const int type = accessor.value("componentType", 0);
     if (accessor.contains("values")) {
-      const Json values = accessor["values"];
+      const OrderedJson values = accessor["values"];
       const std::size_t components = components_of(accessor);
       accessor.erase("values");
       if (!accessor.contains("count")) accessor["count"] = values.size() / components;
@@ -174,33 +174,33 @@ class DocumentPacker {
       accessor.erase("bytes");
     }
     if (!accessor.contains("sparse")) return;
-    Json& indices = accessor["sparse"]["indices"];
+    OrderedJson& indices = accessor["sparse"]["indices"];
     indices["bufferView"] = made_.view(pack(indices["values"], indices["componentType"], 1, 0));
     indices.erase("values");
-    Json& values = accessor["sparse"]["values"];
+    OrderedJson& values = accessor["sparse"]["values"];
     values["bufferView"] = made_.view(pack(values["values"], type, components_of(accessor), 0));
     values.erase("values");
   }
 
-  Json document_;
+  OrderedJson document_;
   AssetBuilder made_;
 };
 
 // --- Rows ---
 
 // An asset, or another one with edits.
-Json base_of(const std::string& name, const Json& bases) {
-  const Json& base = bases.at(name);
+OrderedJson base_of(const std::string& name, const OrderedJson& bases) {
+  const OrderedJson& base = bases.at(name);
   if (!base.contains("from")) return base;
-  Json document = base_of(base.at("from"), bases);
+  OrderedJson document = base_of(base.at("from"), bases);
   edit_all(document, base, "given");
   return document;
 }
 
 // `given` changes the base into its variant; `values` are edits before bytes are packed, `set`
 // after.
-std::string asset_of_row(const Json& row, const Json& bases, bool violating) {
-  Json document = base_of(row.at("base"), bases);
+std::string asset_of_row(const OrderedJson& row, const OrderedJson& bases, bool violating) {
+  OrderedJson document = base_of(row.at("base"), bases);
   edit_all(document, row, "given");
   if (violating) edit_all(document, row, "values");
   document = DocumentPacker(std::move(document)).build();
@@ -218,7 +218,7 @@ std::set<std::string> findings_of(const std::string& asset, Severity least) {
   return lines;
 }
 
-std::set<std::string> lines_of(const Json& lines) {
+std::set<std::string> lines_of(const OrderedJson& lines) {
   if (lines.is_array()) return lines.get<std::set<std::string>>();
   return {lines.get<std::string>()};
 }
@@ -226,9 +226,9 @@ std::set<std::string> lines_of(const Json& lines) {
 class Musts : public testing::TestWithParam<std::string> {};
 
 TEST_P(Musts, AreErrorsWhereTheyAreBroken) {
-  const Json bases = read_table(kMusts / "bases.json");
+  const OrderedJson bases = read_table(kMusts / "bases.json");
   std::set<std::string> names;
-  for (const Json& row : read_table(kMusts / (GetParam() + ".json"))) {
+  for (const OrderedJson& row : read_table(kMusts / (GetParam() + ".json"))) {
     const bool must = row.contains("must");
     const std::string name = row.at(must ? "must" : "should");
     SCOPED_TRACE(name);

@@ -16,8 +16,6 @@
 namespace gltfx::test {
 namespace {
 
-using Json = AssetBuilder::Json;
-
 const std::set<std::string, std::less<>> kShapeCodes{"SHAPE_MESH_INVALID", "SHAPE_NOT_CONVEX",
                                                      "SHAPE_INSIDE_OUT", "SHAPE_ORIGIN_OUTSIDE"};
 
@@ -56,7 +54,7 @@ ShapeBody round_body(std::uint32_t rings, double hole) {
 }
 
 std::string shape_of(const ShapeBody& body, const std::string& type = "convexMesh",
-                     const Json& primitive = Json::object()) {
+                     const AssetBuilder::Json& primitive = AssetBuilder::Json::object()) {
   AssetBuilder made;
   made.json["asset"]["version"] = "2.1";
   std::vector<float> least(3, 1e30F), most(3, -1e30F);
@@ -66,9 +64,9 @@ std::string shape_of(const ShapeBody& body, const std::string& type = "convexMes
   }
   made.accessor("VEC3", 5126, body.size(), packed(body.points), {{"min", least}, {"max", most}});
   made.accessor("SCALAR", 5125, body.corners.size(), packed(body.corners));
-  Json one{{"attributes", {{"POSITION", 0}}}, {"indices", 1}};
+  AssetBuilder::Json one{{"attributes", {{"POSITION", 0}}}, {"indices", 1}};
   one.update(primitive);
-  made.add("meshes", {{"primitives", Json::array({one})}});
+  made.add("meshes", {{"primitives", AssetBuilder::Json::array({one})}});
   made.add("shapes", {{"type", type}, {type, {{"mesh", 0}}}});
   return made.text(buffer_uri(made.bytes));
 }
@@ -182,7 +180,7 @@ TEST(ShapeMesh, HasOnePrimitiveOfTriangles) {
 TEST(ShapeMesh, IsMorphedByItsOwnWeights) {
   ShapeBody body = round_body(9, 0);
   AssetBuilder made;
-  made.json = Json::parse(shape_of(body));
+  made.json = AssetBuilder::Json::parse(shape_of(body));
   made.json.erase("buffers");
   made.bytes = packed(body.points);
   made.bytes += packed(body.corners);
@@ -192,7 +190,8 @@ TEST(ShapeMesh, IsMorphedByItsOwnWeights) {
   const std::size_t target = made.accessor("VEC3", 5126, body.size(), packed(moves));
   made.json["accessors"][target]["min"] = {-2, -2, 0};
   made.json["accessors"][target]["max"] = {2, 2, 0};
-  made.json["meshes"][0]["primitives"][0]["targets"] = Json::array({{{"POSITION", target}}});
+  made.json["meshes"][0]["primitives"][0]["targets"] =
+      AssetBuilder::Json::array({{{"POSITION", target}}});
   EXPECT_EQ(selected(made.text(buffer_uri(made.bytes)), kShapeCodes), Lines{});
   made.json["meshes"][0]["weights"] = {1};
   EXPECT_EQ(selected(made.text(buffer_uri(made.bytes)), kShapeCodes),
@@ -208,7 +207,7 @@ TEST(ShapeMesh, HolesAreAHint) {
 }
 
 TEST(ShapeMesh, OnlyGltf21HasShapes) {
-  Json asset = Json::parse(shape_of(round_body(30, 2)));
+  AssetBuilder::Json asset = AssetBuilder::Json::parse(shape_of(round_body(30, 2)));
   asset["asset"]["version"] = "2.0";
   EXPECT_EQ(selected(asset.dump(), kShapeCodes), Lines{});
 }

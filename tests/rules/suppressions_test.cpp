@@ -4,12 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include "rules/verdict.hpp"
+#include "rules/selected.hpp"
 
 namespace gltfx::test {
 namespace {
-
-using Lines = std::vector<std::string>;
 
 ValidateOptions enabled() {
   ValidateOptions options;
