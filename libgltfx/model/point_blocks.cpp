@@ -50,19 +50,6 @@ std::vector<bool> drawn_vertices(const Geometry& geometry) {
 
 }  // namespace
 
-Box moved_box(const Affine& transform, const Box& box) {
-  Box moved{transform.columns[3], transform.columns[3]};
-  for (std::size_t column = 0; column < 3; ++column) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double a = transform.columns[column][k] * box.least[column];
-      const double b = transform.columns[column][k] * box.greatest[column];
-      moved.least[k] += std::min(a, b);
-      moved.greatest[k] += std::max(a, b);
-    }
-  }
-  return moved;
-}
-
 Box stated_bounds(const GeometrySource& source, const Mesh& mesh) {
   Box all;
   for (const Primitive& primitive : mesh.primitives) {

@@ -15,9 +15,6 @@
 
 namespace gltfx::model {
 
-/// The box around a box that is moved (J. Arvo, "Transforming axis-aligned bounding boxes", 1990).
-Box moved_box(const Affine& transform, const Box& box);
-
 /// The box of a mesh without morph targets and skins, as accessors state it. Empty: they do not.
 Box stated_bounds(const GeometrySource& source, const Mesh& mesh);
 

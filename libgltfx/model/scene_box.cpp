@@ -173,6 +173,19 @@ double Box::diagonal() const {
   return std::hypot(greatest[0] - least[0], greatest[1] - least[1], greatest[2] - least[2]);
 }
 
+Box moved_box(const Affine& transform, const Box& box) {
+  Box moved{transform.columns[3], transform.columns[3]};
+  for (std::size_t column = 0; column < 3; ++column) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double a = transform.columns[column][k] * box.least[column];
+      const double b = transform.columns[column][k] * box.greatest[column];
+      moved.least[k] += std::min(a, b);
+      moved.greatest[k] += std::max(a, b);
+    }
+  }
+  return moved;
+}
+
 Result<Box> mesh_box(const GeometrySource& source, const Mesh& mesh) {
   GeometryRequest request;
   request.surface = false;

@@ -26,6 +26,9 @@ struct Box {
   static constexpr double kFar = std::numeric_limits<double>::infinity();
 };
 
+/// The box around a box that is moved (J. Arvo, "Transforming axis-aligned bounding boxes", 1990).
+Box moved_box(const Affine& transform, const Box& box);
+
 /// The vertices that elements of a mesh draw, without morph targets and skins, in its own space.
 /// Returns an Error (half a sentence) if they cannot be read.
 Result<Box> mesh_box(const GeometrySource& source, const Mesh& mesh);

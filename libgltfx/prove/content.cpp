@@ -81,11 +81,17 @@ ItemId Content::find(json::NodeId value) const {
 
 void Content::add_list(std::string pointer, json::NodeId array) {
   const json::Document& document = side_.document();
-  if (array == json::kNoNode || document.kind(array) != json::Kind::array) return;
+  if (array == json::kNoNode || !document.is_array(array)) return;
   if (list(pointer) != kNoItem) return;
   const auto number = static_cast<std::uint32_t>(lists_.size());
   ItemList& added = lists_.emplace_back();
   added.pointer = std::move(pointer);
+  if (document.kind(array) == json::Kind::number_array) {  // no objects; a value of the root
+    Item none;
+    none.node = array;
+    added.items.assign(document.array_size(array), none);
+    return;
+  }
   arrays_.insert(array);
   for (const json::NodeId element : document.elements(array)) {
     ids_[element] = {number, static_cast<std::uint32_t>(added.items.size())};

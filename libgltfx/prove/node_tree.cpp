@@ -141,8 +141,7 @@ void NodeTree::find_order(const Content& content) {
   const auto enter = [&](const std::vector<std::uint32_t>& siblings, const Hash128& above) {
     std::unordered_map<Hash128, std::uint64_t, HashHasher> repeats;
     for (const std::uint32_t node : siblings) {
-      // A list of numbers has no items.
-      const Hash128 label = list == kNoItem ? Hash128() : content.item({list, node}).label;
+      const Hash128 label = content.item({list, node}).label;
       places_[node] = hash_of_all(above, label, repeats[label]++);
       order_.push_back(node);
     }

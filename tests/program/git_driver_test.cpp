@@ -168,6 +168,16 @@ TEST_F(GitDriver, OutlinesAreSortedLinesAndTheSameInEachRun) {
             shell("gltfx inspect --format outline '" + fixture("good/bowl.glb") + "'").out);
 }
 
+TEST_F(GitDriver, AnOutlineOfListsOfNumbersHasLines) {
+  for (const std::string list : {"nodes", "meshes", "images", "materials", "textures", "scenes",
+                                 "skins", "animations", "cameras", "accessors", "buffers"}) {
+    folder_.write("a.gltf", R"({"asset": {"version": "2.0"}, ")" + list + R"(": [5, 0, 1]})");
+    const Outcome outcome = shell("gltfx inspect --format outline a.gltf");
+    EXPECT_EQ(outcome.code, 0) << list;
+    EXPECT_THAT(outcome.out, HasSubstr("asset  glTF 2.0  ")) << list;
+  }
+}
+
 TEST_F(GitDriver, AnOutlineNamesFilesInPlaceOfReadingThem) {
   folder_.write("leaf.gltf", asset_with("leaf.png"));
   const std::string without = shell("gltfx inspect --format outline leaf.gltf").out;

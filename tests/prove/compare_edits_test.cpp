@@ -124,6 +124,20 @@ TEST(CompareEdits, TellsEachAtItsPlace) {
   }
 }
 
+TEST(CompareEdits, ListsOfNumbersAreNoObjects) {
+  for (const char* const list : {"nodes", "meshes", "images", "materials", "textures", "scenes",
+                                 "skins", "animations", "cameras"}) {
+    const EditedAsset before = odd_asset();
+    EditedAsset after = before;
+    after.json[list] = {5, 0, 1};
+    EXPECT_EQ(compared(before, after).level, CompareLevel::differs) << list;
+    EXPECT_EQ(compared(after, before).level, CompareLevel::differs) << list;
+    EditedAsset other = after;
+    other.json[list] = {5, 0};
+    EXPECT_EQ(compared(after, other).level, CompareLevel::differs) << list;
+  }
+}
+
 TEST(CompareEdits, AReferenceToAnEqualObjectIsStorage) {
   const EditedAsset before = odd_asset();
   EditedAsset after = before;

@@ -39,8 +39,6 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-bool shows_both(const ComparePicture& picture) { return !picture.difference.bytes.empty(); }
-
 // A row of the table of pictures; the names of files are plain.
 std::string picture_cells(const ComparePicture& picture, const std::string& url) {
   const auto cell = [&](std::string_view words, const std::string& file) {
@@ -109,12 +107,12 @@ std::string markdown_pictures(const CompareReport& report, const std::string& ur
   std::string rows;
   for (const ComparePicture& picture : report.pictures) {
     const bool written = !picture.old_file.empty() || !picture.new_file.empty();
-    if (written && (picture.changed() || !shows_both(picture))) rows += picture_cells(picture, url);
+    if (written && (picture.changed() || !picture.has_both())) rows += picture_cells(picture, url);
   }
   const bool changed = std::any_of(report.pictures.begin(), report.pictures.end(),
                                    [](const auto& each) { return each.changed(); });
   if (!rows.empty()) return "| view | old | new | difference |\n|---|---|---|---|\n" + rows + "\n";
-  return changed || !shows_both(report.pictures.front()) ? "" : "The pictures show no change.\n\n";
+  return changed || !report.pictures.front().has_both() ? "" : "The pictures show no change.\n\n";
 }
 
 }  // namespace gltfx::tool

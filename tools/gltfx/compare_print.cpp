@@ -72,8 +72,6 @@ std::vector<std::string> storage_rows(const CompareReport& report) {
   return rows;
 }
 
-bool has_both(const ComparePicture& picture) { return !picture.difference.bytes.empty(); }
-
 // "the picture changes by 12.3 of 255 steps; noise explains at most 1.4"
 std::string picture_row(const ComparePicture& picture) {
   return fmt::format(
@@ -182,7 +180,7 @@ std::string compare_text(const CompareReport& report, std::size_t most, const St
     text += wrapped("unproven: " + report::safe_cut(each, 400), 2);
   }
   for (const ComparePicture& picture : report.pictures) {
-    if (has_both(picture)) text += wrapped("picture: " + picture_row(picture), 2);
+    if (picture.has_both()) text += wrapped("picture: " + picture_row(picture), 2);
   }
   if (!report.picture_problem.empty()) {
     text += wrapped("picture: " + report::safe_cut(report.picture_problem, 400), 2);
@@ -193,7 +191,7 @@ std::string compare_text(const CompareReport& report, std::size_t most, const St
 void write_picture_verdict(json::Writer& writer, const ComparePicture& picture) {
   writer.member("view", picture.view);
   if (picture.change) writer.member("change", std::uint64_t{*picture.change});
-  if (!has_both(picture)) return;
+  if (!picture.has_both()) return;
   writer.member("changed", picture.changed());
   writer.key("distance");
   writer.number(picture.distance);

@@ -132,6 +132,8 @@ struct ComparePicture {
   /// Names of the files that the caller wrote; compare_files() leaves them empty.
   std::string old_file, new_file, difference_file;
 
+  /// Whether there is an old and a new picture.
+  bool has_both() const { return !difference.bytes.empty(); }
   /// Whether the picture shows a change. The level of the assets does not depend on it.
   bool changed() const { return distance > limit; }
 };

@@ -5,6 +5,7 @@
 
 #include "model/external_places.hpp"
 #include "model/instancing.hpp"
+#include "model/scene_box.hpp"
 #include "rules/shows/shows.hpp"
 
 namespace gltfx::validate {
@@ -17,18 +18,9 @@ using model::RootArray;
 // Primitives of all nodes together. Larger scenes are not looked at.
 constexpr std::size_t kMostParts = std::size_t{1} << 17U;
 
-// Arvo, "Transforming axis-aligned bounding boxes", 1990.
 BoundsBox moved_box(const model::Affine& transform, const BoundsBox& box) {
-  BoundsBox moved{transform.columns[3], transform.columns[3]};
-  for (std::size_t column = 0; column < 3; ++column) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double a = transform.columns[column][k] * box.least[column];
-      const double b = transform.columns[column][k] * box.most[column];
-      moved.least[k] += std::min(a, b);
-      moved.most[k] += std::max(a, b);
-    }
-  }
-  return moved;
+  const model::Box moved = model::moved_box(transform, {box.least, box.most});
+  return {moved.least, moved.greatest};
 }
 
 bool draws_copies(const DataPhase& phase, const model::Node& node) {
