@@ -24,6 +24,10 @@ struct Option {
   std::string type;  ///< empty: it takes no value
 };
 
+bool needs_value(const Option& option) {
+  return !option.type.empty() && !option.type.starts_with('[');
+}
+
 // Lines as "  -f,--format NAME[=FILE] ... text".
 std::vector<Option> options_of(const std::string& help) {
   const std::regex line(
@@ -73,8 +77,7 @@ TEST_P(OptionForm, AFlagTakesNoValue) {
 
 TEST_P(OptionForm, AnOptionNeedsItsValue) {
   for (const Option& option : options_) {
-    if (option.type.empty()) continue;
-    if (option.type.starts_with('[') && option.type.ends_with(']')) continue;  // it may do without
+    if (!needs_value(option)) continue;
     const std::string& name = option.name;
     expect_said({name}, name + " needs a value: " + option.type + ".");
     if (option.short_name.empty()) continue;
@@ -86,8 +89,7 @@ TEST_P(OptionForm, AnOptionNeedsItsValue) {
 
 // Invalid values, for one option of each verb: the parser treats options alike.
 TEST_P(OptionForm, WhatLooksLikeNoValueIsNone) {
-  const auto option = std::find_if(options_.begin(), options_.end(),
-                                   [](const Option& each) { return !each.type.empty(); });
+  const auto option = std::find_if(options_.begin(), options_.end(), needs_value);
   if (option == options_.end()) return;
   const std::string& name = option->name;
   expect_said({name, "--", "a.gltf"}, name + " needs a value: " + option->type + ".");
