@@ -3,21 +3,11 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { BREAKERS } from "./hostile.mjs";
+import { isAccessible, open } from "./in_browser.mjs";
 import { requirementChecks } from "./requirements.mjs";
 
 const shownCount = (page) => page.locator("#count").textContent();
 const rows = (page) => page.locator("#list > li").count();
-
-async function open(context, url) {
-  const page = await context.newPage();
-  page.requests = [];
-  page.complaints = [];
-  page.on("request", (request) => page.requests.push(request.url()));
-  page.on("console", (message) => page.complaints.push(message.text()));
-  page.on("pageerror", (error) => page.complaints.push(error.message));
-  await page.goto(url);
-  return page;
-}
 
 /** Opens folded parts, so that they are checked as well. */
 async function unfold(page) {
@@ -27,23 +17,6 @@ async function unfold(page) {
   }
   const finding = page.locator(".finding details > summary").first();
   if (await finding.isVisible()) await finding.click();
-}
-
-async function isAccessible(browser, url, axeSource) {
-  for (const colorScheme of ["light", "dark"]) {
-    for (const width of [1280, 360]) {
-      const context = await browser.newContext({ colorScheme, viewport: { width, height: 900 } });
-      const page = await open(context, url);
-      await unfold(page);
-      // The page's own policy lets no script in: axe comes through the debugger.
-      const result = await page.evaluate(`${axeSource}; axe.run(document, {resultTypes: ["violations"]})`);
-      const found = result.violations.map((one) => `${one.id}: ${one.nodes[0].html} ${one.nodes[0].failureSummary}`);
-      assert.deepEqual(found, [], `${colorScheme}, ${width} px`);
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-      assert.ok(wide <= width, `${width} px: the page is ${wide} px wide`);
-      await context.close();
-    }
-  }
 }
 
 async function loadsNothing(browser, url) {
@@ -263,9 +236,9 @@ async function showsAllInTheEnd(browser, url) {
 export function browserChecks(browser, url, limitsUrl, axePath) {
   const axeSource = readFileSync(axePath, "utf8");
   return [
-    ["accessible in both themes, at 1280 and 360 px", () => isAccessible(browser, url, axeSource)],
-    ["requirements are accessible, too", () => isAccessible(browser, `${limitsUrl}#verdict=error`, axeSource)],
-    ["so is their matrix", () => isAccessible(browser, `${limitsUrl}#view=matrix`, axeSource)],
+    ["accessible in both themes, at 1280 and 360 px", () => isAccessible(browser, url, axeSource, unfold)],
+    ["requirements are accessible, too", () => isAccessible(browser, `${limitsUrl}#verdict=error`, axeSource, unfold)],
+    ["so is their matrix", () => isAccessible(browser, `${limitsUrl}#view=matrix`, axeSource, unfold)],
     ...requirementChecks(browser, limitsUrl, open),
     ["loads nothing and complains of nothing", () => loadsNothing(browser, url)],
     ["text of assets stays text", () => textStaysText(browser, url)],

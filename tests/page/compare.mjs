@@ -4,6 +4,7 @@ import assert from "node:assert/strict";
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { BREAKERS } from "./hostile.mjs";
+import { isAccessible, open } from "./in_browser.mjs";
 
 const BUFFER = "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAACAPwAAgD8AAAAAAAAAAAAAgD8AAAAAAAECAAID";
 const PAIRS = 60;  // more than the list shows at once
@@ -37,37 +38,14 @@ export function writePairs(folder) {
   return places;
 }
 
-async function open(context, url) {
-  const page = await context.newPage();
-  page.requests = [];
-  page.complaints = [];
-  page.on("request", (request) => page.requests.push(request.url()));
-  page.on("console", (message) => page.complaints.push(message.text()));
-  page.on("pageerror", (error) => page.complaints.push(error.message));
-  await page.goto(url);
-  return page;
-}
-
 async function unfoldFirst(page, count) {
   for (let i = 0; i < count; ++i) await page.locator("#list > li").nth(i).locator("summary").click();
 }
 
-async function isAccessible(browser, url, axeSource) {
-  for (const colorScheme of ["light", "dark"]) {
-    for (const width of [1280, 360]) {
-      const context = await browser.newContext({ colorScheme, viewport: { width, height: 900 }, reducedMotion: "reduce" });
-      const page = await open(context, url);
-      await unfoldFirst(page, 3);
-      const second = page.locator(".pictures-part").nth(1);
-      if (await second.count() > 0) await second.locator('input[value="slider"]').check({ force: true });
-      const result = await page.evaluate(`${axeSource}; axe.run(document, {resultTypes: ["violations"]})`);
-      const found = result.violations.map((one) => `${one.id}: ${one.nodes[0].html} ${one.nodes[0].failureSummary}`);
-      assert.deepEqual(found, [], `${colorScheme}, ${width} px`);
-      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
-      assert.ok(wide <= width, `${width} px: the page is ${wide} px wide`);
-      await context.close();
-    }
-  }
+async function unfoldSome(page) {
+  await unfoldFirst(page, 3);
+  const second = page.locator(".pictures-part").nth(1);
+  if (await second.count() > 0) await second.locator('input[value="slider"]').check({ force: true });
 }
 
 async function textStaysText(browser, url) {
@@ -151,7 +129,7 @@ async function marksChanges(browser, url) {
 /** [name, check] */
 export function compareChecks(browser, url, axeSource) {
   return [
-    ["the page of a comparison is accessible", () => isAccessible(browser, url, axeSource)],
+    ["the page of a comparison is accessible", () => isAccessible(browser, url, axeSource, unfoldSome, { reducedMotion: "reduce" })],
     ["text of compared assets stays text", () => textStaysText(browser, url)],
     ["pairs are filtered by level, kind and text", () => filters(browser, url)],
     ["comparisons work by keyboard", () => worksByKeyboard(browser, url)],
