@@ -160,10 +160,10 @@ void fork_often(int count, const std::function<std::string()>& work) {
 }
 
 // The first forks come while what is made once is being made.
-TEST_F(Fork, AChildFindsWhatItsParentFinds) { fork_often(200, findings); }
+TEST_F(Fork, AChildFindsWhatItsParentFinds) { fork_often(60, findings); }
 
 TEST_F(Fork, AChildDrawsWhatItsParentDraws) {
-  if (can_bake()) fork_often(40, pixels);
+  if (can_bake()) fork_often(20, pixels);
 }
 
 int sockets() {
