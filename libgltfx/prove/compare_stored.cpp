@@ -94,12 +94,13 @@ class StoredValues {
     for (std::size_t i = 0; i < used.size(); ++i) {
       const model::AnimationSampler& sampler = animation.samplers[i];
       read_object(sampler.object, {"input", "output", "interpolation"});
-      if (used[i] || sampler.object == json::kNoNode) continue;
+      if (sampler.object == json::kNoNode) continue;
       bool readable = false;
-      add(hash_of_all(static_cast<int>(sampler.interpolation),
-                      sampler.input ? content_.elements(*sampler.input, readable) : Hash128{},
-                      sampler.output ? content_.elements(*sampler.output, readable) : Hash128{}),
-          sampler.object);
+      values_.push_back(
+          {hash_of_all(static_cast<int>(sampler.interpolation),
+                       sampler.input ? content_.elements(*sampler.input, readable) : Hash128{},
+                       sampler.output ? content_.elements(*sampler.output, readable) : Hash128{}),
+           sampler.object, used[i]});
     }
   }
 

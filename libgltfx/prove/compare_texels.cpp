@@ -24,7 +24,8 @@ struct TexelStatistics {
   double angle = 0;               ///< normal maps: degrees that 99 % of the texels do not exceed
   bool unread_differs = false;    ///< only what nothing reads, or what is transparent, differs
   bool green_inverted = false;
-  double coverage = 0;  ///< part of the texels whose alpha is on the other side of one half
+  double coverage =
+      0;  ///< masks: part of the texels whose alpha is on the other side of the cutoff
 };
 
 double normal_angle(const Texel& a, const Texel& b) {
@@ -44,6 +45,7 @@ TexelStatistics measure_texels(const codec::Image& ours, const codec::Image& the
   const Texels here(ours);
   const Texels there(theirs);
   const double full = ours.bits == 32 ? 1 : kFull;
+  const double cutoff = use.cutoff.value_or(0) * full;
   constexpr std::size_t kAngles = 1800;  // of a tenth of a degree
   std::vector<std::uint64_t> angles(use.normal ? kAngles + 1 : 0);
   TexelStatistics found;
@@ -72,14 +74,14 @@ TexelStatistics measure_texels(const codec::Image& ours, const codec::Image& the
     found.square += most * most;
     found.greatest = std::max(found.greatest, most);
     inverted += std::fabs(a[1] + b[1] - full) <= full / 128 && apart(a[0], b[0]) <= full / 128;
-    across += (a[3] >= full / 2) != (b[3] >= full / 2);
+    across += (a[3] >= cutoff) != (b[3] >= cutoff);
     if (!use.normal) continue;
     const double angle = normal_angle(a, b);
     ++angles[std::isfinite(angle) ? static_cast<std::size_t>(std::ceil(angle * 10)) : kAngles];
   }
   found.mean /= count;
   found.square /= count;
-  found.coverage = use.channels[3] ? static_cast<double>(across) / count : 0;
+  found.coverage = use.cutoff ? static_cast<double>(across) / count : 0;
   found.green_inverted = found.greatest > 0.1 && static_cast<double>(inverted) >= 0.95 * count;
   std::uint64_t above = 0;
   const auto most_above = static_cast<std::uint64_t>(0.01 * count);
@@ -160,6 +162,7 @@ class TexelComparison {
     for (std::size_t k = 0; k < 4; ++k) use.channels[k] = use.channels[k] || their_use.channels[k];
     use.normal = use.normal || their_use.normal;
     use.data = use.data || their_use.data;
+    if (!use.cutoff) use.cutoff = their_use.cutoff;
     if (!use.used()) std::fill(std::begin(use.channels), std::end(use.channels), true);
     const TexelStatistics found = measure_texels(one, other, use);
     if (found.greatest == 0) {

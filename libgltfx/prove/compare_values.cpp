@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "model/fields.hpp"
 #include "prove/column.hpp"
 #include "prove/equal_images.hpp"
 #include "prove/hash_sum.hpp"
@@ -211,12 +212,25 @@ class ValuePair {
     return {other.pointer(at), !steps.empty(), at};
   }
 
+  // Whether the value is in the member that is named like the type of its object, which is another
+  // one now: the parts of a camera, a light or a shape, which come and go with it.
+  bool is_of_changed_type(const Side& side, const Item& item, const Leaf& leaf) const {
+    const json::Document& here = all_.ours.side().document();
+    const json::Document& there = all_.theirs.side().document();
+    const std::string before = model::string_member(here, ours_.node, "type");
+    const std::string after = model::string_member(there, theirs_.node, "type");
+    if (before == after || before.empty() || after.empty()) return false;
+    const std::vector<std::string> steps = steps_to(side, item.node, leaf.at);
+    return steps.size() > 1 && steps.front() == (&item == &ours_ ? before : after);
+  }
+
   void only_one(const Leaf& leaf, bool ours) {
     if (leaf.kind == LeafKind::aside) return;
     const Side& side = ours ? all_.ours.side() : all_.theirs.side();
     const Side& other = ours ? all_.theirs.side() : all_.ours.side();
     const Item& item = ours ? ours_ : theirs_;
     const Item& partner = ours ? theirs_ : ours_;
+    if (is_of_changed_type(side, item, leaf)) return;
     std::string own = side.pointer(leaf.at);
     const Stand stand = find_stand(side, item.node, other, partner.node, leaf.at, own);
     const bool in_sampler = is_of_sampler(side, item, leaf);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "image/header.hpp"
+#include "model/fields.hpp"
 #include "model/texture.hpp"
 
 namespace gltfx::prove {
@@ -11,13 +12,12 @@ namespace {
 
 using model::RootArray;
 
-std::optional<std::uint32_t> image_of(const Side& side, json::NodeId texture_info) {
+// Of one texture, for different readers.
+std::vector<std::uint32_t> images_of(const Side& side, json::NodeId texture_info) {
   const auto texture = side.asset().index(texture_info, "index", RootArray::textures);
-  if (!texture) return std::nullopt;
-  const auto images =
-      model::read_texture(side.asset(), side.asset().elements(RootArray::textures)[*texture])
-          .images;
-  return images.empty() ? std::nullopt : std::optional(images.front());
+  if (!texture) return {};
+  return model::read_texture(side.asset(), side.asset().elements(RootArray::textures)[*texture])
+      .images;
 }
 
 // Its own, or that of an extension on it.
@@ -34,6 +34,25 @@ std::uint64_t set_of(const Side& side, json::NodeId texture_info) {
     }
   }
   return read(texture_info).value_or(0);
+}
+
+// The channels that its material reads.
+void note_channels(const Side& side, const schema::SlotUse& slot, ImageUse& use) {
+  bool alpha = true;
+  if (schema::has_coverage(side.graph().set(), slot)) {
+    const json::NodeId material = side.tree().root_element(slot.texture_info);
+    const std::string mode = model::string_member(side.document(), material, "alphaMode");
+    alpha = mode == "MASK" || mode == "BLEND";
+    if (mode == "MASK") {
+      const double cutoff =
+          model::number_member(side.document(), material, "alphaCutoff").value_or(0.5);
+      use.cutoff = std::min(use.cutoff.value_or(cutoff), cutoff);
+    }
+  }
+  for (const char channel : slot.slot->channels) {
+    const std::size_t at = std::string_view("rgba").find(channel);
+    if (at != std::string_view::npos && (at < 3 || alpha)) use.channels[at] = true;
+  }
 }
 
 }  // namespace
@@ -68,8 +87,8 @@ std::vector<TextureUse> texture_uses(const Content& content) {
     if (tree.is_member(slot.texture_info)) {
       use.normals_mapped |= model::is_normal_map(tree.name(slot.texture_info));
     }
-    if (const auto image = image_of(side, slot.texture_info)) {
-      const auto& header = side.resources().images[*image].header;
+    for (const std::uint32_t image : images_of(side, slot.texture_info)) {
+      const auto& header = side.resources().images[image].header;
       std::uint32_t& most = longest[item.index];
       if (header) most = std::max({most, header->width, header->height});
     }
@@ -84,16 +103,14 @@ std::vector<ImageUse> image_uses(const Content& content) {
   const Side& side = content.side();
   std::vector<ImageUse> uses(side.asset().count(RootArray::images));
   for (const schema::SlotUse& slot : side.graph().checked().slots) {
-    const auto image = image_of(side, slot.texture_info);
-    if (!image || slot.slot == nullptr) continue;
-    ImageUse& use = uses[*image];
+    if (slot.slot == nullptr) continue;
     const graph::Tree& tree = side.tree();
     const bool normal =
         tree.is_member(slot.texture_info) && model::is_normal_map(tree.name(slot.texture_info));
-    (normal ? use.normal : slot.slot->srgb ? use.color : use.data) = true;
-    for (const char channel : slot.slot->channels) {
-      const std::size_t at = std::string_view("rgba").find(channel);
-      if (at != std::string_view::npos) use.channels[at] = true;
+    for (const std::uint32_t image : images_of(side, slot.texture_info)) {
+      ImageUse& use = uses[image];
+      (normal ? use.normal : slot.slot->srgb ? use.color : use.data) = true;
+      note_channels(side, slot, use);
     }
   }
   return uses;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -26,6 +27,7 @@ std::vector<TextureUse> texture_uses(const Content& content);
 struct ImageUse {
   bool color = false, normal = false, data = false;
   bool channels[4] = {false, false, false, false};
+  std::optional<double> cutoff;  ///< the lowest one of masked materials
   bool used() const { return channels[0] || channels[1] || channels[2] || channels[3]; }
 };
 /// By image.

@@ -96,6 +96,10 @@ struct SlotUse {
   std::string pointer;         ///< of the texture info
 };
 
+/// Whether the alpha channel of the slot is the coverage of its material, which `alphaMode` may
+/// ignore (section 3.9.4): that of a base color.
+bool has_coverage(const Set& set, const SlotUse& use);
+
 /// Elements with references: one flag per element of a target array.
 class UsedElements {
  public:

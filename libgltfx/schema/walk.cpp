@@ -25,6 +25,12 @@ const TargetArray* CheckResult::root_target(std::string_view name) const {
   return found == targets.end() ? nullptr : &*found;
 }
 
+bool has_coverage(const Set& set, const SlotUse& use) {
+  if (use.slot == nullptr || use.owner_type == kNone) return false;
+  const auto* factor = set.find_property(use.owner_type, use.slot->scaled_by);
+  return factor != nullptr && factor->parameter == "base_color";
+}
+
 Walker::Walker(const json::Document& document, const Set& set, const CheckOptions& options,
                Sink& schema_sink, Sink& reference_sink, const ObjectVisitor& visitor)
     : document_(document),

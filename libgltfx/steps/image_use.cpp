@@ -159,7 +159,7 @@ class UseReader {
     if (has_colors) tally.kinds.insert(kind_of(use));
     if (channels.find('a') == channels.npos) return;
     if (!has_colors) tally.alpha_alone = true;
-    if (!is_coverage(use)) {
+    if (!schema::has_coverage(graph_.set(), use)) {
       to.alpha = true;
       return;
     }
@@ -181,12 +181,6 @@ class UseReader {
     const std::string_view pointer = use.pointer;
     const bool normal = model::is_normal_map(pointer.substr(pointer.rfind('/') + 1));
     return normal ? ImageClass::normal : ImageClass::data;
-  }
-
-  bool is_coverage(const SlotUse& use) const {
-    if (use.owner_type == schema::kNone) return false;
-    const auto* factor = graph_.set().find_property(use.owner_type, use.slot->scaled_by);
-    return factor != nullptr && factor->parameter == "base_color";
   }
 
   static void judge(ImageUse& use, const Tally& tally) {

@@ -138,6 +138,57 @@ TEST(CompareEdits, ListsOfNumbersAreNoObjects) {
   }
 }
 
+TEST(CompareEdits, AnotherTypeOfAnObjectIsOneChange) {
+  EditedAsset before = odd_asset();
+  before.json["cameras"] = Json::parse(R"([{"name": "Lens", "type": "perspective",
+      "perspective": {"yfov": 0.7, "znear": 0.1}}])");
+  EditedAsset after = before;
+  after.json["cameras"] = Json::parse(R"([{"name": "Lens", "type": "orthographic",
+      "orthographic": {"xmag": 1, "ymag": 1, "znear": 0.1, "zfar": 9}}])");
+  const CompareReport report = compared(before, after);
+  ASSERT_THAT(report.changes, SizeIs(1)) << told(report);
+  EXPECT_EQ(report.changes.front().new_pointer, "/cameras/0/type");
+  EXPECT_THAT(compared(after, before).changes, SizeIs(1));
+}
+
+TEST(CompareEdits, AChannelIsGoneWithItsSampler) {
+  EditedAsset before = odd_asset();
+  Json& clip = before.json["animations"][0];
+  clip["channels"].push_back(
+      Json::parse(R"({"sampler": 1, "target": {"node": 0, "path": "scale"}})"));
+  EditedAsset after = before;
+  after.json["animations"][0]["channels"].erase(1);
+  const CompareReport report = compared(before, after);
+  ASSERT_THAT(report.changes, SizeIs(1)) << told(report);
+  EXPECT_EQ(report.changes.front().kind, "animation.channel");
+  EXPECT_THAT(compared(after, before).changes, SizeIs(1));
+}
+
+// A texel of one color, with an alpha of 255 and of 100.
+TEST(CompareEdits, OpaqueMaterialsReadNoAlpha) {
+  EditedAsset before = odd_asset();
+  before.json["images"][0]["uri"] =
+      "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR4nGM4kWL0HwAF"
+      "tAJeHzr7ywAAAABJRU5ErkJggg==";
+  EditedAsset after = before;
+  after.json["images"][0]["uri"] =
+      "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR4nGM4kWKUAgAF"
+      "GQHDX/fUYgAAAABJRU5ErkJggg==";
+  const auto with_mode = [&](const char* mode, double cutoff) {
+    for (EditedAsset* each : {&before, &after}) {
+      each->json["materials"][0]["alphaMode"] = mode;
+      each->json["materials"][0]["alphaCutoff"] = cutoff;
+    }
+    CompareOptions options;
+    options.bounds.image = 1;
+    return compared(before, after, options).level;
+  };
+  EXPECT_EQ(with_mode("OPAQUE", 0.5), CompareLevel::storage);
+  EXPECT_EQ(with_mode("BLEND", 0.5), CompareLevel::bounds);
+  EXPECT_EQ(with_mode("MASK", 0.25), CompareLevel::bounds);
+  EXPECT_EQ(with_mode("MASK", 0.5), CompareLevel::differs);
+}
+
 TEST(CompareEdits, AReferenceToAnEqualObjectIsStorage) {
   const EditedAsset before = odd_asset();
   EditedAsset after = before;

@@ -85,7 +85,7 @@ class SlotReader {
     if (slot.images.empty()) return std::nullopt;
     read_material(slot);
     slot.srgb = use.slot->srgb;
-    slot.coverage = is_coverage(use);
+    slot.coverage = schema::has_coverage(context_.schemas, use);
     slot.normal_map = model::is_normal_map(slot.property);
     slot.channels = ChannelSet(use.slot->channels);
     if (slot.coverage && alpha_mode(slot) == "OPAQUE") slot.channels.remove('a');
@@ -130,13 +130,6 @@ class SlotReader {
   std::string alpha_mode(const TextureSlot& slot) const {
     std::string mode = model::string_member(document_, slot.material, "alphaMode");
     return mode.empty() ? "OPAQUE" : mode;
-  }
-
-  // Alpha is coverage only in the base color.
-  bool is_coverage(const schema::SlotUse& use) const {
-    if (use.owner_type == schema::kNone) return false;
-    const auto* factor = context_.schemas.find_property(use.owner_type, use.slot->scaled_by);
-    return factor != nullptr && factor->parameter == "base_color";
   }
 
   // Hides channels whose factor is always 0.
