@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <tuple>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -34,7 +35,8 @@ constexpr SpecialKind kSpecialKinds[] = {
     {"geometry.attribute", "an attribute of vertices was added or removed", true},
     {"geometry.color", "colors of vertices are others", true},
     {"geometry.custom", "values of an attribute of an application or extension are others", true},
-    {"geometry.elements", "triangles, lines or points were added or removed", true},
+    {"geometry.elements",
+     "triangles, lines or points were added or removed, or connect other vertices", true},
     {"geometry.material", "primitives use another material", true},
     {"geometry.morph", "values of a morph target are others", true},
     {"geometry.normal", "normals or tangents are others", true},
@@ -117,6 +119,8 @@ std::string_view compare_level_name(CompareLevel level) {
 namespace prove {
 namespace {
 
+constexpr std::size_t kMostAlso = 100;  // in Change::also
+
 // Kinds that count only if the options name them.
 bool counts_on_request(std::string_view kind) { return kind == "generator" || kind == "order"; }
 
@@ -159,7 +163,10 @@ std::string_view kind_of(std::string_view list, std::string_view what) {
 }
 
 void ChangeLog::add(Change change) {
-  if (counts_on_request(change.kind) && !options_.count.contains(change.kind)) return;
+  if (counts_on_request(change.kind) && !options_.count.contains(change.kind)) {
+    const auto& place = change.old_pointer ? change.old_pointer : change.new_pointer;
+    return note_storage(fmt::format("{} is another one", *place));
+  }
   if (options_.drawn && !is_drawn(change.kind) && !options_.count.contains(change.kind)) return;
   if (options_.ignore.contains(change.kind)) return;
   std::string key = fmt::format("{}\n{}\n{}", change.kind, change.old_pointer.value_or("-"),
@@ -178,6 +185,33 @@ void ChangeLog::forget(const std::function<bool(const Change&)>& gone) {
   std::erase_if(changes_, gone);
 }
 
+void ChangeLog::merge(const std::function<std::string(Change&)>& cause_of) {
+  std::unordered_map<std::string, std::size_t> places;
+  std::vector<Change> kept;
+  for (Change& change : changes_) {
+    std::string cause = cause_of(change);
+    const auto [at, is_new] = places.try_emplace(std::move(cause), kept.size());
+    if (is_new || at->first.empty()) {
+      kept.push_back(std::move(change));
+      continue;
+    }
+    Change& first = kept[at->second];
+    const auto& pointer = change.old_pointer ? change.old_pointer : change.new_pointer;
+    if (pointer != first.old_pointer && first.also.size() < kMostAlso) {
+      first.also.push_back(*pointer);
+    }
+    for (std::string& place : change.also) {
+      if (first.also.size() < kMostAlso) first.also.push_back(std::move(place));
+    }
+    first.level = std::max(first.level, change.level);
+    if (share_of(change) <= share_of(first)) continue;
+    first.what = std::move(change.what);
+    first.measure = change.measure;
+    first.time = change.time;
+  }
+  changes_ = std::move(kept);
+}
+
 bool ChangeLog::differs() const {
   return std::any_of(changes_.begin(), changes_.end(),
                      [](const Change& change) { return change.level == CompareLevel::differs; });
@@ -192,7 +226,6 @@ void ChangeLog::merge_within_bounds() {
     const auto [at, is_new] = worst.try_emplace(family_of(changes_[i].kind), i);
     if (!is_new && share_of(changes_[i]) > share_of(changes_[at->second])) at->second = i;
   }
-  constexpr std::size_t kMostPlaces = 100;
   std::map<std::string_view, std::size_t> others;
   std::vector<Change> kept;
   for (std::size_t i = 0; i < changes_.size(); ++i) {
@@ -203,7 +236,7 @@ void ChangeLog::merge_within_bounds() {
     ++others[family_of(change.kind)];
     std::vector<std::string>& also = changes_[chosen].also;
     const auto& pointer = change.old_pointer ? change.old_pointer : change.new_pointer;
-    if (pointer && also.size() < kMostPlaces) also.push_back(*pointer);
+    if (pointer && also.size() < kMostAlso) also.push_back(*pointer);
   }
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     Change& change = changes_[i];

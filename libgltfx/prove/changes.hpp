@@ -31,6 +31,9 @@ class ChangeLog {
 
   /// Removes the changes for which the function is true.
   void forget(const std::function<bool(const Change&)>& gone);
+  /// Changes for which the function gives the same text, not an empty one, become one: the greatest
+  /// of them, with the pointers of the others.
+  void merge(const std::function<std::string(Change&)>& cause_of);
   bool differs() const;
   /// All so far.
   const std::vector<Change>& changes() const { return changes_; }

@@ -10,6 +10,7 @@
 #include "prove/compare_sizes.hpp"
 #include "prove/compare_texels.hpp"
 #include "prove/compare_values.hpp"
+#include "prove/shared_causes.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -75,6 +76,7 @@ std::vector<ChangedBoxes> compare_assets(const model::OpenedAsset& ours,
   compare_poses(all);
   compare_image_texels(all);
   compare_stored_objects(all);
+  merge_shared_causes(all);
   if (match.is_renumbered()) log.note_storage("objects have other numbers");
   report.sizes = compare_sizes(all, ours, theirs);
   log.take(report);

@@ -89,12 +89,36 @@ std::unordered_set<Hash128, HashHasher> identities(const Content& content,
   return all;
 }
 
+// Whether only one asset has the list.
+bool tell_lost_list(const Comparison& all, const Half& half, std::uint32_t list) {
+  const ItemList& lost = half.content.lists()[list];
+  const Content& other = half.ours ? all.theirs : all.ours;
+  if (lost.items.size() < 2 || other.list(lost.pointer) != kNoItem) return false;
+  const json::Document& document = half.content.side().document();
+  const json::NodeId array = half.content.side().tree().parent(lost.items.front().node);
+  if (array == json::kNoNode || !document.is_object(lost.items.front().node)) return false;
+  Change change;
+  change.kind = kind_of(lost.pointer, half.ours ? "removed" : "added");
+  (half.ours ? change.old_pointer : change.new_pointer) = half.content.side().pointer(array);
+  constexpr std::uint32_t kMostNames = 3;
+  std::string names;
+  for (std::uint32_t i = 0; i < std::min<std::size_t>(lost.items.size(), kMostNames); ++i) {
+    names += (i == 0 ? "" : ", ") + Comparison::called(half.content, {list, i});
+  }
+  change.what = fmt::format("all {} objects of the list were {}: {}{}", lost.items.size(),
+                            half.ours ? "removed" : "added", names,
+                            lost.items.size() > kMostNames ? " and so on" : "");
+  all.log.add(std::move(change));
+  return true;
+}
+
 void tell_lost(const Comparison& all, const Half& half) {
   const auto uses = find_uses(all, half);
   const std::uint32_t nodes = half.content.list("/nodes");
   const Content& other = half.ours ? all.theirs : all.ours;
   for (std::uint32_t list = 0; list < uses.size(); ++list) {
     const std::string& pointer = half.content.lists()[list].pointer;
+    if (tell_lost_list(all, half, list)) continue;
     const auto others = identities(other, pointer);
     for (std::uint32_t i = 0; i < uses[list].size(); ++i) {
       const ItemId id{list, i};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects that store what others use: what else they say, and those that nothing uses.
 #include <algorithm>
-#include <initializer_list>
+#include <span>
 
 #include <fmt/format.h>
 
+#include "base/checked.hpp"
+#include "model/fields.hpp"
 #include "model/mesh.hpp"
 #include "prove/compare_values.hpp"
 #include "prove/hash_sum.hpp"
@@ -14,7 +16,17 @@ namespace gltfx::prove {
 namespace {
 
 using model::RootArray;
-using MemberNames = std::initializer_list<std::string_view>;
+using MemberNames = std::span<const std::string_view>;
+
+// What describes bytes and elements. Their values are compared by what uses them.
+constexpr std::string_view kOfAccessors[] = {"bufferView", "byteOffset", "componentType",
+                                             "normalized", "count",      "type",
+                                             "max",        "min",        "sparse"};
+constexpr std::string_view kOfViews[] = {"buffer", "byteOffset", "byteLength", "byteStride",
+                                         "target"};
+constexpr std::string_view kOfBuffers[] = {"uri", "byteLength"};
+constexpr std::string_view kOfChannels[] = {"sampler", "target"};
+constexpr std::string_view kOfCurves[] = {"input", "output", "interpolation"};
 
 /// A value of an object that only stores data.
 struct StoredValue {
@@ -30,11 +42,10 @@ class StoredValues {
 
   /// Sorted by hash.
   std::vector<StoredValue> read() {
-    read_list(RootArray::accessors, {"bufferView", "byteOffset", "componentType", "normalized",
-                                     "count", "type", "max", "min", "sparse"});
-    read_list(RootArray::buffer_views,
-              {"buffer", "byteOffset", "byteLength", "byteStride", "target"});
-    read_list(RootArray::buffers, {"uri", "byteLength"});
+    read_list(RootArray::accessors, kOfAccessors);
+    read_list(RootArray::buffer_views, kOfViews);
+    read_list(RootArray::buffers, kOfBuffers);
+    read_short_buffers();
     for (const model::Animation& animation : side_.views().animations) read_animation(animation);
     read_unused_samplers();
     std::stable_sort(
@@ -84,7 +95,7 @@ class StoredValues {
   void read_animation(const model::Animation& animation) {
     std::vector<bool> used(animation.samplers.size());
     for (const auto& channel : animation.channels) {
-      read_object(channel.object, {"sampler", "target"});
+      read_object(channel.object, kOfChannels);
       if (channel.target != json::kNoNode) {
         const json::NodeId extras = document_.find(channel.target, "extras");
         if (extras != json::kNoNode) add(hash_json(document_, extras), extras);
@@ -93,7 +104,7 @@ class StoredValues {
     }
     for (std::size_t i = 0; i < used.size(); ++i) {
       const model::AnimationSampler& sampler = animation.samplers[i];
-      read_object(sampler.object, {"input", "output", "interpolation"});
+      read_object(sampler.object, kOfCurves);
       if (sampler.object == json::kNoNode) continue;
       bool readable = false;
       values_.push_back(
@@ -101,6 +112,26 @@ class StoredValues {
                        sampler.input ? content_.elements(*sampler.input, readable) : Hash128{},
                        sampler.output ? content_.elements(*sampler.output, readable) : Hash128{}),
            sampler.object, used[i]});
+    }
+  }
+
+  // Strict readers cannot read views that end beyond the stated length.
+  void read_short_buffers() {
+    const auto& buffers = side_.asset().elements(RootArray::buffers);
+    std::vector<std::uint64_t> ends(buffers.size());
+    for (const model::BufferView& view : side_.views().buffer_views) {
+      if (!view.buffer || !view.byte_length) continue;
+      std::uint64_t& end = ends[*view.buffer];
+      end = std::max(end, saturating_add(view.byte_offset.value_or(0), *view.byte_length));
+    }
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+      if (buffers[i] == json::kNoNode || ends[i] == 0) continue;
+      const auto length = model::unsigned_member(document_, buffers[i], "byteLength");
+      if (length && *length >= ends[i]) continue;
+      const json::NodeId value = document_.find(buffers[i], "byteLength");
+      const bool missing = value == json::kNoNode;
+      add(hash_of_all('b', missing ? Hash128{} : hash_json(document_, value)),
+          missing ? buffers[i] : value);
     }
   }
 
@@ -143,6 +174,62 @@ std::vector<json::NodeId> stored_only_in(const std::vector<StoredValue>& these,
   return only;
 }
 
+/// The members that describe data, which no change tells: a row names the first that differs.
+class Descriptions {
+ public:
+  explicit Descriptions(const Comparison& all) : all_(all) {}
+
+  void run() {
+    compare(RootArray::accessors, kOfAccessors);
+    compare(RootArray::buffer_views, kOfViews);
+    compare(RootArray::buffers, kOfBuffers);
+    if (count_ == 0) return;
+    const std::string more = count_ == 1 ? "" : fmt::format(" (and {} more)", count_ - 1);
+    all_.log.note_storage(fmt::format("{}{} describes data differently", first_, more));
+  }
+
+ private:
+  void compare(RootArray list, MemberNames names) {
+    const auto& here = all_.ours.side().asset().elements(list);
+    const auto& there = all_.theirs.side().asset().elements(list);
+    if (here.size() != there.size()) {
+      const auto& longer = here.size() > there.size() ? all_.ours : all_.theirs;
+      const json::NodeId last = longer.side().asset().elements(list).back();
+      if (last != json::kNoNode) note(longer.side().pointer(last));
+      return;
+    }
+    for (std::size_t i = 0; i < here.size(); ++i) {
+      if (here[i] != json::kNoNode && there[i] != json::kNoNode) compare(here[i], there[i], names);
+    }
+  }
+
+  void compare(json::NodeId ours, json::NodeId theirs, MemberNames names) {
+    const json::Document& here = all_.ours.side().document();
+    const json::Document& there = all_.theirs.side().document();
+    const auto compare_member = [&](std::string_view name) {
+      const json::NodeId one = here.find(ours, name);
+      const json::NodeId other = there.find(theirs, name);
+      if (one == json::kNoNode && other == json::kNoNode) return;
+      const bool both = one != json::kNoNode && other != json::kNoNode;
+      if (both && hash_json(here, one) == hash_json(there, other)) return;
+      note(one != json::kNoNode ? all_.ours.side().pointer(one)
+                                : all_.theirs.side().pointer(other));
+    };
+    for (const std::string_view name : names) {
+      if (name != "uri") compare_member(name);
+    }
+    compare_member("extensions");
+  }
+
+  void note(std::string place) {
+    if (count_++ == 0) first_ = std::move(place);
+  }
+
+  const Comparison& all_;
+  std::string first_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 void compare_stored_objects(const Comparison& all) {
@@ -164,6 +251,7 @@ void compare_stored_objects(const Comparison& all) {
                               change.after.empty() ? "none" : change.after);
     all.log.add(std::move(change));
   }
+  Descriptions(all).run();
 }
 
 }  // namespace gltfx::prove

@@ -166,8 +166,10 @@ class TexelComparison {
     if (!use.used()) std::fill(std::begin(use.channels), std::end(use.channels), true);
     const TexelStatistics found = measure_texels(one, other, use);
     if (found.greatest == 0) {
-      return all_.log.note_storage(found.unread_differs ? "texels that nothing reads were changed"
-                                                        : "images are encoded differently");
+      return all_.log.note_storage(
+          found.unread_differs
+              ? fmt::format("texels of {} that nothing reads were changed", all_.our_pointer(ours))
+              : std::string("images are encoded differently"));
     }
     tell_texels(ours, theirs, use, found);
   }

@@ -29,7 +29,7 @@ bool is_plain(LeafKind kind) { return kind <= LeafKind::aside; }
 struct Stand {
   std::string pointer;
   bool there = false;
-  json::NodeId value = json::kNoNode;
+  json::NodeId value = json::kNoNode;  ///< there; else what is missing there
 };
 
 /// The steps from an object down to a value.
@@ -73,21 +73,42 @@ class ValuePair {
     };
     const auto here = collect(all_.ours, ours_);
     const auto there = collect(all_.theirs, theirs_);
+    std::vector<LeafPair> pairs;
     auto other = there.begin();
     for (const Leaf* leaf : here) {
       for (; other != there.end() && hash_less((*other)->path, leaf->path); ++other) {
-        only_one(**other, false);
+        pairs.push_back({nullptr, *other});
       }
-      if (other != there.end() && (*other)->path == leaf->path) {
-        both(*leaf, **other++);
-      } else {
-        only_one(*leaf, true);
-      }
+      const bool has_partner = other != there.end() && (*other)->path == leaf->path;
+      pairs.push_back({leaf, has_partner ? *other++ : nullptr});
     }
-    for (; other != there.end(); ++other) only_one(**other, false);
+    for (; other != there.end(); ++other) pairs.push_back({nullptr, *other});
+    tell(std::move(pairs));
   }
 
  private:
+  /// Leaves of one path; null: that side has none.
+  struct LeafPair {
+    const Leaf* ours = nullptr;
+    const Leaf* theirs = nullptr;
+  };
+
+  // In the order of the texts, because the order of hashes is another one in each run.
+  void tell(std::vector<LeafPair> pairs) {
+    std::sort(pairs.begin(), pairs.end(), [](const LeafPair& a, const LeafPair& b) {
+      const bool added = a.ours == nullptr;
+      if (added != (b.ours == nullptr)) return !added;
+      return added ? a.theirs < b.theirs : a.ours < b.ours;
+    });
+    for (const LeafPair& pair : pairs) {
+      if (pair.ours != nullptr && pair.theirs != nullptr) {
+        both(*pair.ours, *pair.theirs);
+      } else {
+        only_one(pair.ours != nullptr ? *pair.ours : *pair.theirs, pair.ours != nullptr);
+      }
+    }
+  }
+
   std::string_view kind(const Side& side, const Leaf& leaf) const {
     if (leaf.kind == LeafKind::extras) return "extras";
     if (leaf.kind == LeafKind::foreign) return "extension.unknown";
@@ -104,9 +125,7 @@ class ValuePair {
       if (!partners) all_.log.note_equal(here.pointer(ours.at));
       return;
     }
-    // It still names what is gone, which is told.
-    if (ours.target && !there.link(theirs.at) && !all_.match.theirs(ours.target)) return;
-    if (theirs.target && !here.link(ours.at) && !all_.match.ours(theirs.target)) return;
+    if (names_gone(ours.at, theirs.at)) return;
     const std::optional<double> length = apart_in_scene(ours, theirs);
     if (length == 0.0) return;
     Change change;
@@ -204,12 +223,24 @@ class ValuePair {
       mine = side.tree().step(mine, step).node;
       if (next.node == json::kNoNode || next.element) {
         own = side.pointer(mine);
-        return {other.pointer(at), false, at};
+        return {other.pointer(at), false, mine};
       }
       at = next.node;
     }
     own = side.pointer(value);
-    return {other.pointer(at), !steps.empty(), at};
+    return {other.pointer(at), !steps.empty(), steps.empty() ? value : at};
+  }
+
+  // Whether one value names an object that is gone, which is told, and the other one names nothing.
+  bool names_gone(json::NodeId ours, json::NodeId theirs) const {
+    const auto target_of = [](const Content& content, json::NodeId value) {
+      const Link* link = content.side().link(value);
+      return link == nullptr ? ItemId{} : content.find(link->target);
+    };
+    const ItemId here = target_of(all_.ours, ours);
+    const ItemId there = target_of(all_.theirs, theirs);
+    if (here && there) return false;
+    return (here && !all_.match.theirs(here)) || (there && !all_.match.ours(there));
   }
 
   // Whether the value is in the member that is named like the type of its object, which is another
@@ -232,10 +263,13 @@ class ValuePair {
     const Item& partner = ours ? theirs_ : ours_;
     if (is_of_changed_type(side, item, leaf)) return;
     std::string own = side.pointer(leaf.at);
-    const Stand stand = find_stand(side, item.node, other, partner.node, leaf.at, own);
+    Stand stand = find_stand(side, item.node, other, partner.node, leaf.at, own);
+    if (stand.there && names_gone(ours ? leaf.at : stand.value, ours ? stand.value : leaf.at))
+      return;
     const bool in_sampler = is_of_sampler(side, item, leaf);
     if (in_sampler && !other.asset().index(partner.node, "sampler", model::RootArray::samplers)) {
       own = side.pointer(item.node) + "/sampler";
+      stand.value = side.document().find(item.node, "sampler");
     }
     Change change;
     change.kind = kind(side, leaf);
@@ -243,7 +277,8 @@ class ValuePair {
     if (is_name && !list_.empty()) change.kind = kind_of(list_, "renamed");
     change.name = name_;
     std::string& text = ours ? change.before : change.after;
-    text = short_value(side.document(), leaf.at);
+    const bool whole = !stand.there && stand.value != json::kNoNode;
+    text = short_value(side.document(), whole ? stand.value : leaf.at);
     auto& pointer = ours ? change.old_pointer : change.new_pointer;
     auto& other_pointer = ours ? change.new_pointer : change.old_pointer;
     pointer = own;

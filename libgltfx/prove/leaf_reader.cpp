@@ -116,7 +116,10 @@ bool LeafReader::is_default(schema::TypeId type, std::string_view name, json::No
 void LeafReader::read_object(json::NodeId object, const Hash128& path) {
   const schema::TypeId type = side_.graph().type(object);
   const schema::TypeId origin = side_.type(object);
-  if (origin == types_.primitive) read_coded_mode(object, path);
+  if (origin == types_.primitive) {
+    read_coded_mode(object, path);
+    read_contradictions(object, path);
+  }
   if (origin == types_.node) {
     read_broken_places(object, path);
     read_broken_indices(object, "children", path);
@@ -257,6 +260,23 @@ void LeafReader::read_coded_mode(json::NodeId primitive, const Hash128& path) {
   }
 }
 
+// Accessors describe the attributes of a bitstream: those of another type.
+void LeafReader::read_contradictions(json::NodeId object, const Hash128& path) {
+  const model::Primitive primitive = model::read_primitive(side_.asset(), object);
+  const auto draco = model::read_draco(side_.asset(), primitive);
+  const codec::DracoMesh* mesh = draco ? side_.source().draco.mesh(draco->buffer_view) : nullptr;
+  if (mesh == nullptr) return;
+  for (const model::Attribute& attribute : primitive.attributes) {
+    const auto id = model::draco_id(side_.asset(), *draco, attribute.name);
+    const auto* values = id ? model::find_attribute(*mesh, *id) : nullptr;
+    if (values == nullptr || !attribute.accessor) continue;
+    const model::ElementType type = side_.views().accessors[*attribute.accessor].format.type;
+    if (type == model::format_of(*values, false).type) continue;
+    add(attribute.value, below(below(path, "attributes"), attribute.name),
+        hash_of_all(static_cast<int>(type)), LeafKind::value);
+  }
+}
+
 // Of a transform: what is not that many numbers.
 void LeafReader::read_broken_places(json::NodeId node, const Hash128& path) {
   constexpr std::pair<std::string_view, std::size_t> kTransformParts[] = {
@@ -270,7 +290,7 @@ void LeafReader::read_broken_places(json::NodeId node, const Hash128& path) {
   }
 }
 
-// Of a list of nodes: what leads to none.
+// Of a list of nodes: what leads to none, or again to the same.
 void LeafReader::read_broken_indices(json::NodeId object, std::string_view name,
                                      const Hash128& path) {
   const json::NodeId list = document_.find(object, name);
@@ -282,10 +302,13 @@ void LeafReader::read_broken_indices(json::NodeId object, std::string_view name,
   }
   std::uint64_t position = 0;
   std::uint64_t broken = 0;
+  std::unordered_set<json::NodeId> seen;
   for (json::NumberCursor at(document_, list); at.valid(); at.advance(), ++position) {
     const Link* link = side_.link(list, position);
-    if (link != nullptr && link->target != json::kNoNode) continue;
-    add(list, below(below(path, name), broken++), hash_number(at.number().value), LeafKind::value);
+    const bool leads = link != nullptr && link->target != json::kNoNode;
+    if (leads && seen.insert(link->target).second) continue;
+    add(list, below(below(path, name), broken++),
+        leads ? hash_content("repeated") : hash_number(at.number().value), LeafKind::value);
   }
 }
 

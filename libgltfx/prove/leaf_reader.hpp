@@ -38,6 +38,7 @@ class LeafReader {
   void read_numbers(json::NodeId array, const Hash128& path);
   void read_texture(json::NodeId texture, const Hash128& path);
   void read_coded_mode(json::NodeId primitive, const Hash128& path);
+  void read_contradictions(json::NodeId primitive, const Hash128& path);
   void read_broken_places(json::NodeId node, const Hash128& path);
   void read_broken_indices(json::NodeId object, std::string_view name, const Hash128& path);
   bool is_left_out(schema::TypeId type, std::string_view name, json::NodeId value) const;

@@ -118,7 +118,11 @@ class SoupLists {
       const bool fits =
           is_there && (found->second.width == stream.width ||
                        stream.kind == SemanticKind::weights || stream.kind == SemanticKind::color);
-      if (!fits) {
+      if (!fits && is_there) {
+        tell_width(stream, found->second);
+        continue;
+      }
+      if (!is_there) {
         tell_attribute(stream, all_.ours.side(), true);
         continue;
       }
@@ -140,6 +144,15 @@ class SoupLists {
     (lost ? change.old_pointer : change.new_pointer) = side.pointer(stream.value);
   }
 
+  void tell_width(const SoupStream& ours, const SoupStream& theirs) {
+    if (!group_.use.reads(ours) && all_.options.drawn) return;
+    Change& change =
+        add("geometry.attribute", fmt::format("{} has {} numbers a vertex, not {}",
+                                              printable(ours.name), theirs.width, ours.width));
+    change.old_pointer = all_.ours.side().pointer(ours.value);
+    change.new_pointer = all_.theirs.side().pointer(theirs.value);
+  }
+
   void tell_joints(const SoupStream& ours, const SoupStream& theirs) {
     const bool lost = theirs.joints == json::kNoNode;
     const Side& side = (lost ? all_.ours : all_.theirs).side();
@@ -159,17 +172,55 @@ class SoupLists {
         return tell_streams(found.near, a.arity);
       }
     }
+    const bool same_vertices = a.rows == b.rows && a.width == b.width;
     if (found.fewer > 0 || found.more > 0) {
       std::vector<std::string> parts;
       if (found.fewer > 0) parts.push_back(counted_elements(found.fewer, a.arity) + " fewer");
       if (found.more > 0) parts.push_back(counted_elements(found.more, a.arity) + " more");
       Change& change =
           add_at_primitives("geometry.elements", fmt::format("{}", fmt::join(parts, ", ")));
+      if (same_vertices) place_at_indices(change);
       tell_distance(found, a, b, change);
       // Pairs by place are no evidence of a change of values beside it.
       return;
     }
+    if (same_vertices && !found.distances.empty()) return tell_connected(found.distances, a.arity);
     tell_streams(found.distances, a.arity);
+  }
+
+  void place_at_indices(Change& change) const {
+    if (!group_.lone) return;
+    const auto place = [](const SurfacePiece& piece) {
+      const Side& side = piece.content->side();
+      const json::NodeId value = side.document().find(piece.primitive, "indices");
+      return side.pointer(value == json::kNoNode ? piece.primitive : value);
+    };
+    change.old_pointer = place(*group_.ours);
+    change.new_pointer = place(*group_.theirs);
+  }
+
+  static double share_of(const Change& change) {
+    return change.measure->bound > 0 ? change.measure->value / change.measure->bound : 0;
+  }
+
+  // The vertices are the same, so that all streams differ because of the indices.
+  void tell_connected(const std::vector<StreamDistance>& distances, unsigned arity) {
+    std::optional<Change> worst;
+    std::uint64_t elements = 0;
+    CompareLevel level = CompareLevel::bounds;
+    for (const StreamDistance& distance : distances) {
+      Change change = describe_stream(all_, distance, arity, group_.pair.scale);
+      elements = std::max(elements, distance.elements);
+      level = std::max(level, change.level);
+      if (!worst || share_of(change) > share_of(*worst)) worst = std::move(change);
+    }
+    Change& change =
+        add_at_primitives("geometry.elements",
+                          fmt::format("{} {} other vertices: {}", counted_elements(elements, arity),
+                                      elements == 1 ? "connects" : "connect", worst->what));
+    change.measure = worst->measure;
+    change.level = level;
+    place_at_indices(change);
   }
 
   static std::string place_text(const model::Vector3& at) {
@@ -183,10 +234,8 @@ class SoupLists {
     for (std::size_t i = 0; i < a.streams.size(); ++i) {
       const StreamDistance distance{&a.streams[i], near.greatest[i], found.left.size(), 0, false};
       Change change = describe_stream(all_, distance, a.arity, group_.pair.scale);
-      const double share =
-          change.measure->bound > 0 ? change.measure->value / change.measure->bound : 0;
-      if (share <= most) continue;
-      most = share;
+      if (share_of(change) <= most) continue;
+      most = share_of(change);
       worst = std::move(change);
     }
     Change& change = add_at_primitives(

@@ -145,7 +145,8 @@ class SoupComparison {
     for (std::uint32_t i = 0; i < here.size(); ++i) {
       if (here[i] != there[i]) pairs.push_back({i, i, 0});
     }
-    if (pairs.size() > left_.size() + left_.size() / 4) return false;
+    const std::size_t left = std::max(left_.size(), their_left_.size());
+    if (pairs.size() > left + left / 4) return false;
     // Noise leaves no element equal: then the order is right if all are near.
     if (pairs.size() == here.size() && !order_is_plausible(pairs)) return false;
     pairs_ = std::move(pairs);
