@@ -162,8 +162,9 @@ class NodeComparison {
       const model::Vector3& b = after.columns[i];
       const model::Vector3 across = model::cross(a, b);
       const double angle = std::atan2(std::sqrt(model::dot(across, across)), model::dot(a, b));
-      const double ratio = std::sqrt(model::dot(b, b) / model::dot(a, a));
-      greatest = std::max({greatest, angle, std::isfinite(ratio) ? std::fabs(ratio - 1) : 0.0});
+      const auto [least, most] = std::minmax(model::dot(a, a), model::dot(b, b));
+      const double growth = most > least ? std::sqrt(most / least) - 1 : 0;
+      greatest = std::max({greatest, angle, growth});
     }
     greatest *= 180 / std::numbers::pi;
     const double bound = all_.options.bounds.normal;

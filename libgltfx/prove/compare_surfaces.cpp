@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "prove/hash_sum.hpp"
 #include "prove/soup_lists.hpp"
+#include "prove/stream_change.hpp"
 #include "prove/texture_use.hpp"
 
 namespace gltfx::prove {
@@ -223,8 +224,22 @@ class SurfaceComparison {
     tell_material(*group.ours.front()->piece, *group.theirs.front()->piece);
   }
 
+  using SoupsByArity = std::map<unsigned, std::pair<std::vector<Soup>, std::vector<Soup>>>;
+
+  // Triangles became lines, for example.
+  void tell_mode(const SoupsByArity& soups, const SurfacePiece& ours, const SurfacePiece& theirs) {
+    std::string before, after;
+    for (const auto& [arity, both] : soups) {
+      if (!both.first.empty()) before = counted_elements(both.first.front().elements(), arity);
+      if (!both.second.empty()) after = counted_elements(both.second.front().elements(), arity);
+    }
+    Change& change = add("geometry.elements", fmt::format("{} became {}", before, after));
+    change.old_pointer = pointer_of(ours, "mode");
+    change.new_pointer = pointer_of(theirs, "mode");
+  }
+
   void compare_group(std::uint64_t material, const Group& group) {
-    std::map<unsigned, std::pair<std::vector<Soup>, std::vector<Soup>>> by_arity;
+    SoupsByArity by_arity;
     const auto read = [&](const std::vector<ShownPiece*>& pieces, bool ours) {
       for (const ShownPiece* each : pieces) {
         Soup soup = soup_of(*each->piece);
@@ -239,9 +254,11 @@ class SurfaceComparison {
     const SurfacePiece* other = group.theirs.empty() ? nullptr : group.theirs.front()->piece;
     const bool lone = group.ours.size() == 1 && group.theirs.size() == 1;
     const SoupGroup pieces{pair_, use_of(material), one, other, lone};
+    if (lone && by_arity.size() > 1) return tell_mode(by_arity, *one, *other);
     if (by_arity.empty()) by_arity[3];
     for (auto& [arity, both] : by_arity) {
-      compare_soup_lists(all_, pieces, both.first, both.second, result_.changes);
+      compare_soup_lists(all_, pieces, std::move(both.first), std::move(both.second),
+                         result_.changes);
     }
   }
 

@@ -268,6 +268,8 @@ class ValuePair {
       return;
     const bool in_sampler = is_of_sampler(side, item, leaf);
     if (in_sampler && !other.asset().index(partner.node, "sampler", model::RootArray::samplers)) {
+      // An index that leads to none is a value of its own.
+      if (other.document().find(partner.node, "sampler") != json::kNoNode) return;
       own = side.pointer(item.node) + "/sampler";
       stand.value = side.document().find(item.node, "sampler");
     }

@@ -260,7 +260,7 @@ void LeafReader::read_coded_mode(json::NodeId primitive, const Hash128& path) {
   }
 }
 
-// Accessors describe the attributes of a bitstream: those of another type.
+// Accessors describe the attributes of a bitstream: those of another format.
 void LeafReader::read_contradictions(json::NodeId object, const Hash128& path) {
   const model::Primitive primitive = model::read_primitive(side_.asset(), object);
   const auto draco = model::read_draco(side_.asset(), primitive);
@@ -270,10 +270,12 @@ void LeafReader::read_contradictions(json::NodeId object, const Hash128& path) {
     const auto id = model::draco_id(side_.asset(), *draco, attribute.name);
     const auto* values = id ? model::find_attribute(*mesh, *id) : nullptr;
     if (values == nullptr || !attribute.accessor) continue;
-    const model::ElementType type = side_.views().accessors[*attribute.accessor].format.type;
-    if (type == model::format_of(*values, false).type) continue;
+    const model::Format& said = side_.views().accessors[*attribute.accessor].format;
+    const model::Format stored = model::format_of(*values, false);
+    if (said.type == stored.type && said.component == stored.component) continue;
     add(attribute.value, below(below(path, "attributes"), attribute.name),
-        hash_of_all(static_cast<int>(type)), LeafKind::value);
+        hash_of_all(static_cast<int>(said.type), static_cast<int>(said.component)),
+        LeafKind::value);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -31,7 +32,8 @@ SoupStreamMap streams_of(const std::vector<Soup>& soups) {
   return streams;
 }
 
-Soup joined(const std::vector<Soup>& soups, const std::vector<SoupStream>& streams) {
+// Takes the soups, so that large ones are not held twice.
+Soup joined(std::vector<Soup>&& soups, const std::vector<SoupStream>& streams) {
   Soup all;
   all.arity = soups.front().arity;
   for (SoupStream stream : streams) {
@@ -39,7 +41,21 @@ Soup joined(const std::vector<Soup>& soups, const std::vector<SoupStream>& strea
     all.width += stream.width;
     all.streams.push_back(std::move(stream));
   }
-  for (const Soup& soup : soups) append_soup(all, soup);
+  const auto is_equal = [](const SoupStream& a, const SoupStream& b) {
+    return a.name == b.name && a.width == b.width && a.offset == b.offset;
+  };
+  Soup& first = soups.front();
+  if (soups.size() == 1 && first.width == all.width &&
+      std::equal(all.streams.begin(), all.streams.end(), first.streams.begin(), first.streams.end(),
+                 is_equal)) {
+    std::swap(all.rows, first.rows);
+    std::swap(all.corners, first.corners);
+    return all;
+  }
+  for (Soup& soup : soups) {
+    append_soup(all, soup);
+    soup = Soup();
+  }
   return all;
 }
 
@@ -48,13 +64,13 @@ class SoupLists {
   SoupLists(const Comparison& all, const SoupGroup& group, std::vector<Change>& changes)
       : all_(all), group_(group), changes_(changes) {}
 
-  void run(const std::vector<Soup>& ours, const std::vector<Soup>& theirs) {
+  void run(std::vector<Soup>&& ours, std::vector<Soup>&& theirs) {
     if (ours.empty() && theirs.empty()) return tell_unseen();
     if (ours.empty() || theirs.empty()) return tell_elements(ours, theirs);
     const std::vector<SoupStream> common = common_streams(streams_of(ours), streams_of(theirs));
     if (common.empty()) return;
-    const Soup a = joined(ours, common);
-    const Soup b = joined(theirs, common);
+    const Soup a = joined(std::move(ours), common);
+    const Soup b = joined(std::move(theirs), common);
     SoupScale scale;
     scale.texels = group_.use.texels;
     scale.position =
@@ -190,9 +206,14 @@ class SoupLists {
 
   void place_at_indices(Change& change) const {
     if (!group_.lone) return;
-    const auto place = [](const SurfacePiece& piece) {
+    const auto modes = [](const SurfacePiece& piece) {
+      return model::read_primitive(piece.content->side().asset(), piece.primitive).mode;
+    };
+    const bool other_mode = modes(*group_.ours) != modes(*group_.theirs);
+    const auto place = [&](const SurfacePiece& piece) {
       const Side& side = piece.content->side();
-      const json::NodeId value = side.document().find(piece.primitive, "indices");
+      const json::NodeId value =
+          side.document().find(piece.primitive, other_mode ? "mode" : "indices");
       return side.pointer(value == json::kNoNode ? piece.primitive : value);
     };
     change.old_pointer = place(*group_.ours);
@@ -271,6 +292,9 @@ class SoupLists {
       if (!group_.lone) continue;
       added.old_pointer = all_.ours.side().pointer(stream.value);
       added.new_pointer = all_.theirs.side().pointer(values_.at(stream.name));
+      if (stream.joints != json::kNoNode) {
+        added.also.push_back(all_.ours.side().pointer(stream.joints));
+      }
     }
   }
 
@@ -293,9 +317,9 @@ Change change_of(const SurfacePair& pair, std::string_view kind, std::string wha
 }
 
 void compare_soup_lists(const Comparison& comparison, const SoupGroup& group,
-                        const std::vector<Soup>& ours, const std::vector<Soup>& theirs,
+                        std::vector<Soup>&& ours, std::vector<Soup>&& theirs,
                         std::vector<Change>& changes) {
-  SoupLists(comparison, group, changes).run(ours, theirs);
+  SoupLists(comparison, group, changes).run(std::move(ours), std::move(theirs));
 }
 
 }  // namespace gltfx::prove

@@ -22,9 +22,10 @@ struct SoupGroup {
   bool lone = false;  ///< there is one of each
 };
 
-/// Adds the changes between soups of one arity. Precondition: not all of the pieces are equal.
+/// Adds the changes between soups of one arity, which it takes. Precondition: not all of the pieces
+/// are equal.
 void compare_soup_lists(const Comparison& comparison, const SoupGroup& group,
-                        const std::vector<Soup>& ours, const std::vector<Soup>& theirs,
+                        std::vector<Soup>&& ours, std::vector<Soup>&& theirs,
                         std::vector<Change>& changes);
 
 }  // namespace gltfx::prove

@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
-#include <unordered_map>
 
 #include "prove/column.hpp"
 #include "prove/hash_sum.hpp"
@@ -18,69 +16,6 @@ namespace {
 using model::SemanticKind;
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-
-double angle_of(const double* a, const double* b) {
-  const model::Vector3 p{a[0], a[1], a[2]};
-  const model::Vector3 q{b[0], b[1], b[2]};
-  const bool turns = model::dot(p, p) > 0;
-  if (turns != (model::dot(q, q) > 0)) return kEndless;
-  const model::Vector3 across = model::cross(p, q);
-  const double degrees =
-      std::atan2(std::sqrt(model::dot(across, across)), model::dot(p, q)) * 180 / std::numbers::pi;
-  if (std::isnan(degrees)) return kEndless;
-  // If only the lengths differ, the vectors are not equal.
-  return degrees > 0 ? degrees : std::numeric_limits<double>::min();
-}
-
-// Pairs (joint, weight), sorted by joint; padding has weight 0.
-double influence_distance(const double* a, const double* b, unsigned width) {
-  double greatest = 0;
-  unsigned i = 0;
-  unsigned k = 0;
-  const auto ends = [width](const double* list, unsigned at) {
-    return at >= width || list[at + 1] == 0;
-  };
-  while (!ends(a, i) || !ends(b, k)) {
-    const bool only_a = ends(b, k) || (!ends(a, i) && a[i] < b[k]);
-    const bool only_b = ends(a, i) || (!ends(b, k) && b[k] < a[i]);
-    const double weight = only_a   ? apart(a[i + 1], 0)
-                          : only_b ? apart(b[k + 1], 0)
-                                   : apart(a[i + 1], b[k + 1]);
-    greatest = std::max(greatest, weight);
-    if (!only_b) i += 2;
-    if (!only_a) k += 2;
-  }
-  return greatest;
-}
-
-}  // namespace
-
-double stream_distance(const SoupStream& stream, const double* a, const double* b,
-                       const SoupScale& scale) {
-  a += stream.offset;
-  b += stream.offset;
-  double greatest = 0;
-  for (unsigned i = 0; i < stream.width; ++i) greatest = std::max(greatest, apart(a[i], b[i]));
-  if (greatest == 0) return 0;
-  const bool direction =
-      stream.kind == SemanticKind::normal || stream.kind == SemanticKind::tangent;
-  if (stream.kind == SemanticKind::weights) {
-    return stream.joints == json::kNoNode ? greatest : influence_distance(a, b, stream.width);
-  }
-  if (stream.width >= 3 && direction && !stream.of_target) {
-    if (stream.width > 3 && apart(a[3], b[3]) > 0) return kEndless;
-    return angle_of(a, b);
-  }
-  if (stream.width == 3 && (direction || stream.kind == SemanticKind::position)) {
-    double square = 0;
-    for (unsigned i = 0; i < 3; ++i) square += std::pow(apart(a[i], b[i]), 2);
-    const double length = std::sqrt(square);
-    return direction ? length * 180 / std::numbers::pi : length;
-  }
-  return stream.kind == SemanticKind::texcoord ? greatest * scale.texels : greatest;
-}
-
-namespace {
 
 /// An element of each soup, and how far the corners of the second one are turned.
 struct ElementPair {
@@ -94,22 +29,7 @@ class SoupComparison {
       : a_(ours), b_(theirs), scale_(scale) {}
 
   SoupDifference run() {
-    const std::vector<Hash128> here = hash_elements(a_);
-    const std::vector<Hash128> there = hash_elements(b_);
-    find_leftovers(here, there, left_, their_left_);
-    if (left_.empty() && their_left_.empty()) {
-      const auto unseen = [](const Hash128& each) { return each == Hash128{}; };
-      result_.unseen = std::all_of(here.begin(), here.end(), unseen);
-      return result_;
-    }
-    if (is_reversed()) {
-      result_.reversed = true;
-      return result_;
-    }
-    if (a_.elements() == b_.elements() && pairs_in_order(here, there)) {
-      result_.distances = measure(pairs_);
-      return std::move(result_);
-    }
+    if (find_order() == Order::told) return std::move(result_);
     pair_by_other_streams();
     const std::size_t placed = pairs_.size();
     pair_by_place();
@@ -122,21 +42,66 @@ class SoupComparison {
   }
 
  private:
+  enum class Order : std::uint8_t { told, other };
+
+  // What is told without pairing elements of other places in the lists.
+  Order find_order() {
+    const std::vector<Hash128> here = hash_elements(a_);
+    const std::vector<Hash128> there = hash_elements(b_);
+    find_leftovers(here, there);
+    if (left_.empty() && their_left_.empty()) {
+      const auto unseen = [](const Hash128& each) { return each == Hash128{}; };
+      result_.unseen = std::all_of(here.begin(), here.end(), unseen);
+      return Order::told;
+    }
+    if (is_reversed(there)) {
+      result_.reversed = true;
+      return Order::told;
+    }
+    if (a_.elements() != b_.elements() || !pairs_in_order(here, there)) return Order::other;
+    result_.distances = measure(pairs_);
+    return Order::told;
+  }
+
+  // Sorted by their hashes, then by their places.
+  static void sort_by_hash(std::vector<std::uint32_t>& elements,
+                           const std::vector<Hash128>& hashes) {
+    std::sort(elements.begin(), elements.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return hashes[a] == hashes[b] ? a < b : hash_less(hashes[a], hashes[b]);
+    });
+  }
+
+  static std::vector<std::uint32_t> seen_elements(const std::vector<Hash128>& hashes) {
+    std::vector<std::uint32_t> elements;
+    elements.reserve(hashes.size());
+    for (std::uint32_t i = 0; i < hashes.size(); ++i) {
+      if (hashes[i] != Hash128{}) elements.push_back(i);
+    }
+    sort_by_hash(elements, hashes);
+    return elements;
+  }
+
   // Elements of each soup that the other one does not have, in order.
-  static void find_leftovers(const std::vector<Hash128>& here, const std::vector<Hash128>& there,
-                             std::vector<std::uint32_t>& ours, std::vector<std::uint32_t>& theirs) {
-    std::unordered_map<Hash128, std::int64_t, HashHasher> counts;
-    for (const Hash128& each : here) ++counts[each];
-    for (std::uint32_t i = 0; i < there.size(); ++i) {
-      if (there[i] != Hash128{} && --counts[there[i]] < 0) theirs.push_back(i);
+  void find_leftovers(const std::vector<Hash128>& here, const std::vector<Hash128>& there) {
+    const std::vector<std::uint32_t> ours = seen_elements(here);
+    const std::vector<std::uint32_t> theirs = seen_elements(there);
+    std::size_t i = 0, k = 0;
+    while (i < ours.size() || k < theirs.size()) {
+      const bool only_ours =
+          k == theirs.size() || (i < ours.size() && hash_less(here[ours[i]], there[theirs[k]]));
+      const bool only_theirs =
+          !only_ours && (i == ours.size() || hash_less(there[theirs[k]], here[ours[i]]));
+      if (only_ours) {
+        left_.push_back(ours[i++]);
+      } else if (only_theirs) {
+        their_left_.push_back(theirs[k++]);
+      } else {
+        ++i;
+        ++k;
+      }
     }
-    for (std::uint32_t i = 0; i < here.size(); ++i) {
-      if (here[i] == Hash128{}) continue;
-      std::int64_t& left = counts[here[i]];
-      if (left <= 0) continue;
-      --left;
-      ours.push_back(i);
-    }
+    std::sort(left_.begin(), left_.end());
+    std::sort(their_left_.begin(), their_left_.end());
   }
 
   // Whether the lists of both have the same order, as far as their elements are equal.
@@ -175,10 +140,9 @@ class SoupComparison {
     return 2 * std::max(near, others_equal) > pairs.size();
   }
 
-  bool is_reversed() const {
+  bool is_reversed(const std::vector<Hash128>& there) const {
     if (a_.arity != 3 || left_.size() != their_left_.size()) return false;
     const std::vector<Hash128> turned = hash_elements(a_, nullptr, true);
-    const std::vector<Hash128> there = hash_elements(b_);
     Hash128 one, other;
     for (const std::uint32_t i : left_) add_to_sum(one, turned[i]);
     for (const std::uint32_t i : their_left_) add_to_sum(other, there[i]);
@@ -223,14 +187,19 @@ class SoupComparison {
       if (left_.empty() || their_left_.empty()) return;
       const std::vector<Hash128> here = hash_elements(a_, &stream);
       const std::vector<Hash128> there = hash_elements(b_, &stream);
-      std::unordered_map<Hash128, std::pair<std::vector<std::uint32_t>, std::size_t>, HashHasher>
-          waiting;
-      for (const std::uint32_t i : their_left_) waiting[there[i]].first.push_back(i);
+      std::vector<std::uint32_t> waiting = their_left_;
+      sort_by_hash(waiting, there);
+      std::vector<std::uint32_t> taken(waiting.size());  // by the first of each hash
       take_pairs([&](std::uint32_t i) -> std::optional<std::uint32_t> {
-        const auto found = waiting.find(here[i]);
-        if (found == waiting.end()) return std::nullopt;
-        auto& [all, next] = found->second;
-        return next < all.size() ? std::optional(all[next++]) : std::nullopt;
+        const auto first = std::lower_bound(
+            waiting.begin(), waiting.end(), here[i],
+            [&](std::uint32_t k, const Hash128& hash) { return hash_less(there[k], hash); });
+        const auto place = static_cast<std::size_t>(first - waiting.begin());
+        if (first == waiting.end()) return std::nullopt;
+        const std::size_t next = place + taken[place];
+        if (next >= waiting.size() || there[waiting[next]] != here[i]) return std::nullopt;
+        ++taken[place];
+        return waiting[next];
       });
     }
   }
@@ -254,11 +223,11 @@ class SoupComparison {
     std::erase_if(their_left_, [&](std::uint32_t i) { return taken[i]; });
   }
 
-  using Cell = std::array<std::int64_t, 3>;
-  struct CellHasher {
-    std::size_t operator()(const Cell& cell) const {
-      return static_cast<std::size_t>(hash_of_all(cell[0], cell[1], cell[2]).low);
-    }
+  using Cell = std::uint64_t;  // a hash
+  struct InCell {
+    Cell cell = 0;
+    std::uint32_t element = 0;
+    std::uint32_t taken = 0;  ///< of a cell, at its first element: they are moved to the front
   };
 
   model::Vector3 center(const Soup& soup, const SoupStream& positions,
@@ -277,48 +246,60 @@ class SoupComparison {
     const SoupStream* positions = a_.find(SemanticKind::position);
     if (positions == nullptr || positions->width != 3 || !(scale_.position > 0)) return;
     const double size = 2 * scale_.position;
-    const auto cell_of = [&](const model::Vector3& at, const Cell& shift) -> std::optional<Cell> {
-      Cell cell{};
+    const auto cell_of = [&](const model::Vector3& at, unsigned grid) -> std::optional<Cell> {
+      std::array<std::int64_t, 3> cell{};
       for (std::size_t i = 0; i < 3; ++i) {
-        const double number = std::floor(at[i] / size + 0.5 * static_cast<double>(shift[i]));
+        const double number = std::floor(at[i] / size + 0.5 * ((grid >> i) & 1U));
         if (!(std::fabs(number) < 1e15)) return std::nullopt;
         cell[i] = static_cast<std::int64_t>(number);
       }
-      return cell;
+      return hash_of_all(cell).low;
     };
     // Grids that are shifted by half a cell: two centres within the bound share a cell of one.
     for (unsigned grid = 0; grid < 8 && !left_.empty() && !their_left_.empty(); ++grid) {
-      const Cell shift{grid & 1U, (grid >> 1U) & 1U, (grid >> 2U) & 1U};
-      std::unordered_map<Cell, std::vector<std::uint32_t>, CellHasher> cells;
+      std::vector<InCell> cells;
+      cells.reserve(their_left_.size());
       for (const std::uint32_t i : their_left_) {
-        if (const auto cell = cell_of(center(b_, *positions, i), shift)) cells[*cell].push_back(i);
+        if (const auto cell = cell_of(center(b_, *positions, i), grid)) {
+          cells.push_back({*cell, i, 0});
+        }
       }
+      std::sort(cells.begin(), cells.end(), [](const InCell& a, const InCell& b) {
+        return a.cell == b.cell ? a.element < b.element : a.cell < b.cell;
+      });
       take_pairs([&](std::uint32_t i) -> std::optional<std::uint32_t> {
-        const auto cell = cell_of(center(a_, *positions, i), shift);
-        const auto found = cell ? cells.find(*cell) : cells.end();
-        if (found == cells.end()) return std::nullopt;
-        return nearest_of(i, found->second);
+        const auto cell = cell_of(center(a_, *positions, i), grid);
+        if (!cell) return std::nullopt;
+        const auto first =
+            std::lower_bound(cells.begin(), cells.end(), *cell,
+                             [](const InCell& each, Cell wanted) { return each.cell < wanted; });
+        const bool any = first != cells.end() && first->cell == *cell;
+        return any ? nearest_of(i, first, cells.end()) : std::nullopt;
       });
     }
   }
 
-  std::optional<std::uint32_t> nearest_of(std::uint32_t ours,
-                                          std::vector<std::uint32_t>& waiting) const {
-    constexpr std::size_t kMost = 32;
-    std::size_t best = waiting.size();
+  // Of the elements of a cell that are left; takes it.
+  std::optional<std::uint32_t> nearest_of(std::uint32_t ours, std::vector<InCell>::iterator first,
+                                          std::vector<InCell>::iterator end) const {
+    constexpr std::uint32_t kMost = 32;
+    auto best = end;
     double nearest = kEndless;
-    for (std::size_t i = 0; i < std::min(waiting.size(), kMost); ++i) {
+    const auto begin = first + static_cast<std::ptrdiff_t>(
+                                   std::min<std::size_t>(first->taken, std::size_t(end - first)));
+    std::uint32_t tried = 0;
+    for (auto at = begin; at != end && at->cell == first->cell && tried < kMost; ++at, ++tried) {
       double sum = 0;
-      best_turn(ours, waiting[i], sum);
+      best_turn(ours, at->element, sum);
       if (sum < nearest) {
         nearest = sum;
-        best = i;
+        best = at;
       }
     }
-    if (best == waiting.size()) return std::nullopt;
-    const std::uint32_t found = waiting[best];
-    waiting[best] = waiting.back();
-    waiting.pop_back();
+    if (best == end) return std::nullopt;
+    const std::uint32_t found = best->element;
+    std::swap(best->element, begin->element);
+    ++first->taken;
     return found;
   }
 

@@ -169,7 +169,7 @@ class SurfaceMatch {
   // Of triangles that face the same way: the one with the most similar values.
   Near nearest_to(std::size_t triangle, const Vector3& weights) {
     const Vector3 at = position_of(triangle, weights);
-    const Vector3& facing = from_.normal(triangle);
+    const Vector3 facing = from_.normal(triangle);
     near_.clear();
     to_.tree().each_near(at, scale_.position * 1.001, [&](std::uint32_t other) {
       if (model::dot(facing, to_.normal(other)) >= least_cosine_) near_.push_back(other);

@@ -22,7 +22,14 @@ class Patch {
   /// Triangles without area are left out.
   Patch(const Soup& soup, const SoupStream& positions, const std::vector<std::uint32_t>& elements)
       : soup_(soup), offset_(positions.offset) {
-    for (const std::uint32_t element : elements) add(element);
+    // Triangles share the points of the soup if most of these are used.
+    const bool shares = soup.vertices() <= 3 * elements.size();
+    for (std::uint32_t i = 0; shares && i < soup.vertices(); ++i) add_point(soup.row(i) + offset_);
+    elements_.reserve(elements.size());
+    normals_.reserve(elements.size());
+    corners_.reserve(3 * elements.size());
+    for (const std::uint32_t element : elements) add(element, shares);
+    if (!is_finite_) return;
     tree_.emplace(model::Surface{points_, corners_});
   }
   Patch(const Patch&) = delete;
@@ -30,8 +37,12 @@ class Patch {
 
   std::size_t size() const { return elements_.size(); }
   bool is_finite() const { return is_finite_; }
+  /// Precondition: is_finite().
   const model::SurfaceTree& tree() const { return *tree_; }
-  const model::Vector3& normal(std::size_t triangle) const { return normals_[triangle]; }
+  model::Vector3 normal(std::size_t triangle) const {
+    const std::array<float, 3>& normal = normals_[triangle];
+    return {double{normal[0]}, double{normal[1]}, double{normal[2]}};
+  }
   const double* row(std::size_t triangle, std::size_t corner) const {
     return soup_.row(soup_.corners[std::size_t{3} * elements_[triangle] + corner]);
   }
@@ -45,7 +56,12 @@ class Patch {
     return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
   }
 
-  void add(std::uint32_t element) {
+  void add_point(const double* at) {
+    points_.push_back(
+        {static_cast<float>(at[0]), static_cast<float>(at[1]), static_cast<float>(at[2])});
+  }
+
+  void add(std::uint32_t element, bool shares) {
     elements_.push_back(element);
     const std::size_t triangle = elements_.size() - 1;
     const model::Vector3 a = position(triangle, 0), b = position(triangle, 1),
@@ -62,11 +78,15 @@ class Patch {
       elements_.pop_back();
       return;
     }
-    normals_.push_back({normal[0] / area, normal[1] / area, normal[2] / area});
-    for (const model::Vector3& each : {a, b, c}) {
-      corners_.push_back(static_cast<std::uint32_t>(points_.size()));
-      points_.push_back(
-          {static_cast<float>(each[0]), static_cast<float>(each[1]), static_cast<float>(each[2])});
+    normals_.push_back({static_cast<float>(normal[0] / area), static_cast<float>(normal[1] / area),
+                        static_cast<float>(normal[2] / area)});
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (shares) {
+        corners_.push_back(soup_.corners[std::size_t{3} * element + corner]);
+      } else {
+        corners_.push_back(static_cast<std::uint32_t>(points_.size()));
+        add_point(row(triangle, corner) + offset_);
+      }
     }
   }
 
@@ -74,7 +94,7 @@ class Patch {
   const unsigned offset_;
   bool is_finite_ = true;
   std::vector<std::uint32_t> elements_;
-  std::vector<model::Vector3> normals_;
+  std::vector<std::array<float, 3>> normals_;
   std::vector<std::array<float, 3>> points_;
   std::vector<std::uint32_t> corners_;
   std::optional<model::SurfaceTree> tree_;
