@@ -264,7 +264,7 @@ std::vector<float> value_at(const Curve& curve, double time, std::uint64_t width
   const Checked needed = per_keyframe ? checked_mul(*per_keyframe, keyframes) : std::nullopt;
   const bool spline = curve.interpolation == Interpolation::cubic_spline;
   if (!needed || *needed > curve.values.count() || (spline && keyframes < 2)) return {};
-  if (rotation && curve.values.components() != 4) return {};
+  if (rotation && (curve.values.components() != 4 || width != 1)) return {};
   const std::uint64_t keyframe = keyframe_before(curve, time);
   const bool inside = time > time_at(curve, keyframe) && keyframe + 1 < keyframes;
   std::vector<float> values = inside ? between(curve, keyframe, width, time, rotation)

@@ -162,9 +162,11 @@ class NodeComparison {
       const model::Vector3& b = after.columns[i];
       const model::Vector3 across = model::cross(a, b);
       const double angle = std::atan2(std::sqrt(model::dot(across, across)), model::dot(a, b));
-      const auto [least, most] = std::minmax(model::dot(a, a), model::dot(b, b));
-      const double growth = most > least ? std::sqrt(most / least) - 1 : 0;
-      greatest = std::max({greatest, angle, growth});
+      const double one = model::dot(a, a);
+      const double other = model::dot(b, b);
+      const double growth =
+          one == other ? 0 : std::sqrt(std::max(one, other) / std::min(one, other)) - 1;
+      greatest = std::max({greatest, angle, std::isnan(growth) ? 0 : growth});
     }
     greatest *= 180 / std::numbers::pi;
     const double bound = all_.options.bounds.normal;

@@ -89,9 +89,21 @@ std::unordered_set<Hash128, HashHasher> identities(const Content& content,
   return all;
 }
 
+// Of a list in an extension of the asset that the other one lacks: a value of the asset tells it.
+bool is_lost_with_extension(const Comparison& all, const Half& half, std::string_view list) {
+  constexpr std::string_view kExtensions = "/extensions/";
+  if (!list.starts_with(kExtensions)) return false;
+  list.remove_prefix(kExtensions.size());
+  const Side& other = (half.ours ? all.theirs : all.ours).side();
+  const json::NodeId extensions = other.document().find(other.document().root(), "extensions");
+  if (extensions == json::kNoNode || !other.document().is_object(extensions)) return true;
+  return other.document().find(extensions, list.substr(0, list.find('/'))) == json::kNoNode;
+}
+
 // Whether only one asset has the list.
 bool tell_lost_list(const Comparison& all, const Half& half, std::uint32_t list) {
   const ItemList& lost = half.content.lists()[list];
+  if (is_lost_with_extension(all, half, lost.pointer)) return true;
   const Content& other = half.ours ? all.theirs : all.ours;
   if (lost.items.size() < 2 || other.list(lost.pointer) != kNoItem) return false;
   const json::Document& document = half.content.side().document();

@@ -280,6 +280,7 @@ class ValuePair {
     change.name = name_;
     std::string& text = ours ? change.before : change.after;
     const bool whole = !stand.there && stand.value != json::kNoNode;
+    if (whole && is_element(side, leaf, stand.value)) change.kind = kind_of(list_, "value");
     text = short_value(side.document(), whole ? stand.value : leaf.at);
     auto& pointer = ours ? change.old_pointer : change.new_pointer;
     auto& other_pointer = ours ? change.new_pointer : change.old_pointer;
@@ -298,6 +299,17 @@ class ValuePair {
     all_.log.add(std::move(change));
   }
 
+  // Whether a leaf is missing with an element of a list of its object, such as a primitive.
+  bool is_element(const Side& side, const Leaf& leaf, json::NodeId missing) const {
+    const graph::Tree& tree = side.tree();
+    if (list_.empty() || missing == leaf.at || missing == 0 || tree.is_member(missing))
+      return false;
+    const json::NodeId array = tree.parent(missing);
+    if (!tree.is_member(array) || tree.name(array) == "extras") return false;
+    const bool ours = &side == &all_.ours.side();
+    return tree.parent(array) == (ours ? ours_ : theirs_).node;
+  }
+
   // The sampler of a texture is part of it, but another object.
   static bool is_of_sampler(const Side& side, const Item& item, const Leaf& leaf) {
     const graph::Tree& tree = side.tree();
@@ -314,74 +326,17 @@ class ValuePair {
   const std::string name_;
 };
 
-std::set<std::string> declared(const Side& side, std::string_view list,
-                               const std::set<std::string, std::less<>>& storage) {
-  std::set<std::string> names;
-  const json::Document& document = side.document();
-  const json::NodeId array = document.find(document.root(), list);
-  if (array == json::kNoNode || document.kind(array) != json::Kind::array) return names;
-  for (const json::NodeId element : document.elements(array)) {
-    if (!document.is_string(element)) continue;
-    std::string name = document.string(element);
-    if (!storage.contains(name)) names.insert(std::move(name));
+// Leaves in the same order with equal values, as most objects have.
+bool have_equal_leaves(const Comparison& all, const Item& ours, const Item& theirs) {
+  if (ours.last - ours.first != theirs.last - theirs.first) return false;
+  for (std::uint32_t i = 0; i < ours.last - ours.first; ++i) {
+    const Leaf& one = all.ours.leaves()[ours.first + i];
+    const Leaf& other = all.theirs.leaves()[theirs.first + i];
+    if (one.path != other.path || one.kind != other.kind) return false;
+    if (!is_plain(one.kind)) continue;
+    if (one.value != other.value || all.match.theirs(one.target) != other.target) return false;
   }
-  return names;
-}
-
-// An extension that only one of both assets has is no change of the list.
-void compare_lists_of_extensions(const Comparison& all) {
-  const Side& here = all.ours.side();
-  const Side& there = all.theirs.side();
-  const auto& storage = all.ours.storage();
-  const auto seen = [](const Side& side) {
-    const auto& names = side.graph().checked().extensions_seen;
-    return std::set<std::string>(names.begin(), names.end());
-  };
-  const auto seen_here = seen(here);
-  const auto seen_there = seen(there);
-  for (const std::string_view list : {"extensionsUsed", "extensionsRequired"}) {
-    const auto ours = declared(here, list, storage);
-    const auto theirs = declared(there, list, storage);
-    const auto tell = [&](const std::string& name, bool removed) {
-      if (seen_here.contains(name) != seen_there.contains(name)) return;
-      Change change;
-      change.kind = "extension.list";
-      (removed ? change.old_pointer : change.new_pointer) = fmt::format("/{}", list);
-      change.what = fmt::format("{} {} {}", list, removed ? "no longer has" : "has a new",
-                                gltfx::quoted(name));
-      all.log.add(std::move(change));
-    };
-    for (const std::string& name : ours) {
-      if (!theirs.contains(name)) tell(name, true);
-    }
-    for (const std::string& name : theirs) {
-      if (!ours.contains(name)) tell(name, false);
-    }
-  }
-}
-
-bool has_integers(const json::Document& document, json::NodeId value) {
-  for (json::NodeId at = value; at < document.next(value); ++at) {
-    if (document.kind(at) == json::Kind::number && document.number(at).is_integer()) return true;
-    if (document.kind(at) != json::Kind::number_array) continue;
-    for (json::NumberCursor number(document, at); number.valid(); number.advance()) {
-      if (number.number().is_integer()) return true;
-    }
-  }
-  return false;
-}
-
-// Integers of unknown extensions may be indices: where objects have other numbers, nobody knows.
-void find_unknown_indices(const Comparison& all) {
-  if (!all.match.is_renumbered() || all.options.drawn) return;
-  const Side& side = all.ours.side();
-  for (const json::NodeId object : side.graph().unknown_extensions()) {
-    if (!has_integers(side.document(), object)) continue;
-    all.log.leave_out(fmt::format(
-        "{} has integers, which may be indices, and objects have other numbers; give its schema "
-        "with --schema.",
-        side.pointer(object)));
-  }
+  return true;
 }
 
 }  // namespace
@@ -395,7 +350,7 @@ void compare_values(const Comparison& all, const Helpers& helpers) {
     for (std::uint32_t i = 0; i < items.items.size(); ++i) {
       const ItemId ours{list, i};
       const ItemId theirs = all.match.theirs(ours);
-      if (!theirs) continue;
+      if (!theirs || have_equal_leaves(all, all.ours.item(ours), all.theirs.item(theirs))) continue;
       const bool helped =
           nodes && (helpers.ours[i] != kNoItem || helpers.theirs[theirs.index] != kNoItem);
       ValuePair(all, facts, all.ours.item(ours), all.theirs.item(theirs), items.pointer,
@@ -404,8 +359,7 @@ void compare_values(const Comparison& all, const Helpers& helpers) {
     }
   }
   ValuePair(all, facts, all.ours.root(), all.theirs.root(), "", "").run(nullptr);
-  compare_lists_of_extensions(all);
-  find_unknown_indices(all);
+  compare_extensions(all);
 }
 
 }  // namespace gltfx::prove

@@ -20,6 +20,9 @@ Helpers find_helpers(const Comparison& comparison);
 /// Values of objects and of the asset, extras, extensions and their lists.
 void compare_values(const Comparison& comparison, const Helpers& helpers);
 
+/// Lists of extensions. Of extensions without a schema: what cannot be known.
+void compare_extensions(const Comparison& comparison);
+
 /// Objects that were added or removed. An object that only removed objects use is not named.
 void compare_presence(const Comparison& comparison, const Helpers& helpers);
 

@@ -93,6 +93,7 @@ void Content::add_list(std::string pointer, json::NodeId array) {
     return;
   }
   arrays_.insert(array);
+  added.items.reserve(document.array_size(array));
   for (const json::NodeId element : document.elements(array)) {
     ids_[element] = {number, static_cast<std::uint32_t>(added.items.size())};
     added.items.emplace_back().node = element;
@@ -178,6 +179,7 @@ void Content::read_surfaces() {
 
 void Content::read_items() {
   LeafReader reader(*this, leaves_);
+  leaves_.reserve(side_.document().next(side_.document().root()) / 2);  // keys are no leaves
   for (std::uint32_t list = 0; list < lists_.size(); ++list) {
     for (std::uint32_t index = 0; index < lists_[list].items.size(); ++index) {
       Item& item = lists_[list].items[index];

@@ -246,7 +246,13 @@ void Matching::follow(ItemId ours, ItemId theirs) {
   };
   std::unordered_map<Hash128, Targets, HashHasher> there;
   const Item& one = a_.item(ours);
-  const Item& other = b_.item(theirs);
+  // Most objects refer to none that is left.
+  bool any = false;
+  for (std::uint32_t i = one.first; i < one.last && !any; ++i) {
+    const ItemId target = a_.leaves()[i].target;
+    any = target && !this->theirs(target);
+  }
+  const Item other = any ? b_.item(theirs) : Item{};
   for (std::uint32_t i = other.first; i < other.last; ++i) {
     const Leaf& leaf = b_.leaves()[i];
     if (leaf.target && !this->ours(leaf.target)) there[leaf.path].all.push_back(leaf.target);

@@ -82,6 +82,12 @@ class SoupReader {
     std::uint64_t vertices = UINT32_MAX;
     for (const SoupColumn& each : columns_) vertices = std::min(vertices, each.column.count());
     vertices_ = static_cast<std::uint32_t>(vertices);
+    if (primitive_.indices && data_.packed() == nullptr) {
+      // Their number is not bounded by bytes unless these are there.
+      const auto indices = data_.open(primitive_.indices);
+      if (!indices) return false;
+      if (indices->implied() && !side_.affords_implied(indices->count())) return false;
+    }
     model::Geometry geometry;
     if (!model::assemble(data_, vertices_, geometry)) return false;
     std::vector<std::uint32_t>& list = soup_.corners;

@@ -130,6 +130,15 @@ TEST(CompareCauses, ABufferThatOneAssetCannotReadIsOneChange) {
   EXPECT_EQ(change.what, "can be read in the old asset only");
 }
 
+TEST(CompareCauses, IndicesWithoutBytesTakeNoMemory) {
+  const EditedAsset before = shared_asset();
+  EditedAsset after = before;
+  after.json["accessors"][5]["count"] = std::uint64_t{1} << 53U;
+  const Change change = only_change(before, after);
+  EXPECT_EQ(change.new_pointer, "/accessors/5");
+  EXPECT_EQ(change.what, "can be read in the old asset only");
+}
+
 TEST(CompareCauses, AListThatIsGoneIsOneChange) {
   const EditedAsset before = EditedAsset::made(R"({"asset": {"version": "2.0"},
     "textures": [{"source": 0}, {"source": 1}, {"source": 2}],
@@ -148,6 +157,54 @@ TEST(CompareCauses, ACollapsedTriangleIsTheSameChangeInBothDirections) {
   EditedAsset after = before;
   put(after, 36, 0);  // the last vertex is where the third one is
   EXPECT_EQ(only_change(before, after).kind, "geometry.position");
+}
+
+TEST(CompareCauses, APrimitiveThatIsGoneIsTold) {
+  EditedAsset before = shared_asset();
+  Json& primitives = before.json["meshes"][0]["primitives"];
+  primitives.push_back(primitives[0]);
+  primitives[1]["extras"] = {{"a", 1}};
+  primitives[1]["extensions"] = {{"ACME_note", {{"b", 2}}}};
+  EditedAsset after = before;
+  after.json["meshes"][0]["primitives"].erase(1);
+  const CompareReport report = report_of(before, after);
+  ASSERT_THAT(report.changes, SizeIs(2)) << listed(report);
+  EXPECT_EQ(report.changes[0].kind, "geometry.elements") << listed(report);
+  EXPECT_EQ(report.changes[1].kind, "mesh.value") << listed(report);
+  EXPECT_EQ(report.changes[1].old_pointer, "/meshes/0/primitives/1") << listed(report);
+}
+
+// More elements than keyframes: no reader knows which of them is the rotation.
+TEST(CompareCauses, RotationsWithTooManyValuesAreNotRead) {
+  EditedAsset before = shared_asset();
+  before.json["accessors"].push_back(
+      {{"bufferView", 0}, {"componentType", 5126}, {"count", 2}, {"type", "VEC4"}});
+  before.json["animations"][0]["channels"][0]["target"]["path"] = "rotation";
+  before.json["animations"][0]["samplers"][0]["output"] = 6;
+  EditedAsset after = before;
+  after.json["accessors"][6]["count"] = 8;
+  const Change change = only_change(before, after);
+  EXPECT_EQ(change.kind, "animation.curve");
+  EXPECT_EQ(change.what, "has keyframes that can be read in one asset only");
+}
+
+TEST(CompareCauses, AScaleOfZeroDiffersInBothDirections) {
+  EditedAsset before = shared_asset();
+  before.json["nodes"].push_back({{"name", "Empty"}, {"scale", {1, 2, 1}}});
+  before.json["scenes"][0]["nodes"].push_back(3);
+  EditedAsset after = before;
+  after.json["nodes"][3]["scale"][2] = 0;
+  EXPECT_EQ(only_change(before, after).level, CompareLevel::differs);
+}
+
+TEST(CompareCauses, AModeThatMakesOtherElementsIsOneChange) {
+  const EditedAsset before = shared_asset();
+  EditedAsset after = before;
+  after.json["meshes"][0]["primitives"][0]["mode"] = 1;
+  const Change change = only_change(before, after);
+  EXPECT_EQ(change.kind, "geometry.elements");
+  EXPECT_EQ(change.new_pointer, "/meshes/0/primitives/0/mode");
+  EXPECT_EQ(change.what, "2 triangles became 2 lines");
 }
 
 TEST(CompareCauses, TellsAnAttributeWithOtherNumbersAtBothPlaces) {
