@@ -206,6 +206,23 @@ class Kinds {
   std::vector<std::uint32_t> slots_;
 };
 
+constexpr double kSeamSteps = 1U << 14U;  // of the size of a mesh
+
+// The longest side of its box.
+double extent_of(const Mesh& mesh) {
+  double longest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    float least = std::numeric_limits<float>::infinity();
+    float greatest = -least;
+    for (const Float3& p : mesh.positions) {
+      least = std::min(least, p[axis]);
+      greatest = std::max(greatest, p[axis]);
+    }
+    longest = std::max(longest, static_cast<double>(greatest) - static_cast<double>(least));
+  }
+  return longest;
+}
+
 bool may_repeat(std::span<const Triangle> triangles, std::span<const Float3> points) {
   const std::size_t count = std::min(kRepeatProbes, triangles.size());
   Kinds kinds(triangles, points, count);
@@ -238,10 +255,16 @@ std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances) {
   return instances > 1 ? std::min(flat, shared_bytes(shape, instances)) : flat;
 }
 
-// By a sum of the hashes of edges: edges in both directions cancel each other out.
+// By a sum of the hashes of edges: edges in both directions cancel each other out. Ends of edges
+// are rounded: the seam of a sphere of revolution is open by rounding errors alone.
 bool is_closed(const Mesh& mesh) {
-  const auto bits = [](const Float3& p) {
-    const auto part = [&p](std::size_t i) { return std::bit_cast<std::uint32_t>(p[i] + 0.0F); };
+  const double step = extent_of(mesh) / kSeamSteps;
+  if (!(step > 0)) return false;
+  const auto bits = [step](const Float3& p) {
+    const auto part = [&](std::size_t i) {
+      const double rounded = std::nearbyint(static_cast<double>(p[i]) / step);
+      return std::bit_cast<std::uint32_t>(static_cast<float>(rounded) + 0.0F);
+    };
     return mix_bits(part(0), mix_bits(part(1), part(2)));
   };
   std::vector<std::uint32_t> corners;

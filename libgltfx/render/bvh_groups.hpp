@@ -77,7 +77,7 @@ struct ShapeSize {
 std::uint64_t hierarchy_bytes(const ShapeSize& shape, std::uint64_t instances);
 
 /// Whether the mesh is the surface of a body, fronts outside: each edge of its triangles has a
-/// neighbour in the opposite direction.
+/// neighbour in the opposite direction. Gaps of a few ten thousandths of its size do not count.
 bool is_closed(const Mesh& mesh);
 
 /// A shape is shared where that costs less memory, unless a transform has no inverse in floats.

@@ -61,6 +61,27 @@ TEST(Wall, AFrontThrowsAShadowAndABackLetsLightIn) {
   }
 }
 
+// As spheres of revolution have it, whose last corners are computed from an angle of 2 pi.
+TEST(Wall, ASeamThatRoundingOpensIsClosed) {
+  Mesh seam = cube();
+  ASSERT_TRUE(is_closed(seam));
+  std::vector<Float3> positions(seam.positions.begin(), seam.positions.end());
+  auto triangles = std::vector(seam.triangles.begin(), seam.triangles.end());
+  const std::uint32_t corner = triangles.front()[0];
+  positions.push_back(positions[corner]);
+  triangles.front()[0] = static_cast<std::uint32_t>(positions.size() - 1);
+  const auto moved_by = [&](float distance) {
+    positions.back()[0] = positions[corner][0] + distance;
+    Mesh mesh;
+    mesh.positions = positions;
+    mesh.triangles = triangles;
+    return mesh;
+  };
+  EXPECT_TRUE(is_closed(moved_by(2e-7F)));
+  EXPECT_TRUE(is_closed(moved_by(-5e-7F)));
+  EXPECT_FALSE(is_closed(moved_by(0.01F)));
+}
+
 // A lamp in a closed body lights nothing outside, whichever sides the eye sees.
 TEST(Wall, AClosedBodyIsSolid) {
   EXPECT_TRUE(is_closed(cube()));
