@@ -20,6 +20,7 @@
 #include "pipeline/bake_views.hpp"
 #include "preview/interior.hpp"
 #include "prove/picture.hpp"
+#include "render/light.hpp"
 
 namespace gltfx {
 namespace {
@@ -41,17 +42,6 @@ BakeOptions drawing_options(const CompareOptions& compare) {
   return options;
 }
 
-// How much of the bound a change takes; without a measure, as much as any.
-double weight_of(const Change& change) {
-  if (!change.measure || !(change.measure->bound > 0)) return 1;
-  return change.measure->value / change.measure->bound;
-}
-
-bool is_greater(const Change& a, const Change& b) {
-  if (a.level != b.level) return a.level > b.level;
-  return weight_of(a) > weight_of(b);
-}
-
 // The index of the animation that a change is in.
 std::string animation_of(const std::optional<std::string>& pointer) {
   const auto steps = pointer ? split_pointer(*pointer) : std::nullopt;
@@ -60,11 +50,7 @@ std::string animation_of(const std::optional<std::string>& pointer) {
 
 // Both assets at the moment at which a clip differs most.
 void pose_at_change(const CompareReport& report, BakeOptions& ours, BakeOptions& theirs) {
-  const Change* greatest = nullptr;
-  for (const Change& change : report.changes) {
-    if (!change.time || !change.old_pointer || !change.new_pointer) continue;
-    if (greatest == nullptr || is_greater(change, *greatest)) greatest = &change;
-  }
+  const Change* greatest = prove::change_of_moment(report);
   if (greatest == nullptr) return;
   ours.animation = animation_of(greatest->old_pointer);
   theirs.animation = animation_of(greatest->new_pointer);
@@ -143,6 +129,15 @@ std::optional<PictureRegion> region_of(const model::Box& box, const render::View
   return region;
 }
 
+// Whether the order of lights, triangles and meshes decides which of them a random number chooses.
+bool order_matters(const render::Scene& scene) {
+  const auto random = [](const render::SceneMaterial& material) {
+    return render::is_emissive(material) || material.alpha_mode != render::AlphaMode::opaque;
+  };
+  return scene.lights.size() > 1 ||
+         std::any_of(scene.materials.begin(), scene.materials.end(), random);
+}
+
 /// Two scenes, or one, in front of one camera.
 class ComparedScenes {
  public:
@@ -175,7 +170,6 @@ class ComparedScenes {
     if (!both) return;
     add("opposite", views->back());
     if (!inside) add_change(*views, size);
-    for (ComparePicture& each : report_.pictures) each.limit = prove::noise_limit(noise_);
   }
 
  private:
@@ -226,10 +220,12 @@ class ComparedScenes {
     if (ours_) before = drawn(*ours_, view, 0);
     if (theirs_) after = drawn(*theirs_, view, 0);
     if (before && after) {
-      if (report_.pictures.size() == 1) {
-        noise_ = prove::square_difference(*before, drawn(*ours_, view, 1));
+      prove::SquareDifference found = prove::greatest_difference(*before, *after);
+      if (found.visible() && (order_matters(*ours_->scene) || order_matters(*theirs_->scene))) {
+        found = prove::greatest_difference(*before, *after, drawn(*ours_, view, 1));
       }
-      picture.distance = prove::square_difference(*before, *after);
+      picture.distance = found.distance;
+      picture.limit = found.limit;
       picture.difference = pixels_of(prove::marked_difference(*before, *after));
     }
     if (before) picture.old_pixels = pixels_of(*std::move(before));
@@ -254,7 +250,8 @@ class ComparedScenes {
     std::optional<std::size_t> greatest;
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
       if (joined(boxes_[i]).empty()) continue;
-      if (!greatest || is_greater(report_.changes[i], report_.changes[*greatest])) greatest = i;
+      if (!greatest || prove::is_greater(report_.changes[i], report_.changes[*greatest]))
+        greatest = i;
     }
     if (!greatest) return;
     const model::Box box = joined(boxes_[*greatest]);
@@ -273,7 +270,6 @@ class ComparedScenes {
   const BakeOptions options_;
   CompareReport& report_;
   std::optional<BakeScene> ours_, theirs_;
-  double noise_ = 0;
 };
 
 }  // namespace

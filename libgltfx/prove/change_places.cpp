@@ -8,6 +8,8 @@
 
 #include "base/json_pointer.hpp"
 #include "json/lines.hpp"
+#include "model/keyframes.hpp"
+#include "model/pose.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -24,8 +26,10 @@ std::optional<std::uint32_t> index_in(std::string_view step) {
 /// The nodes that show the objects of one asset.
 class ShownBoxes {
  public:
-  ShownBoxes(const Content& content, const NodeTree& tree)
-      : content_(content), tree_(tree), nodes_(content.list("/nodes")) {
+  /// `worlds`: of the nodes in another pose than at rest, or empty.
+  ShownBoxes(const Content& content, const NodeTree& tree, const std::vector<model::Affine>& worlds)
+      : content_(content), tree_(tree), worlds_(worlds), nodes_(content.list("/nodes")) {
+    find_subtrees();
     for (std::uint32_t list = 0; list < content.lists().size(); ++list) {
       const auto& items = content.lists()[list].items;
       for (std::uint32_t i = 0; i < items.size(); ++i) add_users({list, i});
@@ -61,19 +65,41 @@ class ShownBoxes {
     }
   }
 
+  const model::Affine& world(std::uint32_t node) const {
+    return worlds_.empty() ? tree_.world(node) : worlds_[node];
+  }
+
+  // The mesh of a node in the scene, or the node as a point.
+  model::Box own_box(std::uint32_t node) const {
+    model::Box box;
+    const auto mesh = content_.side().views().nodes[node].mesh;
+    const bool alone = tree_.children(node).empty();  // then it has the copies of the mesh, too
+    Content::Box own = Content::Box::nothing();
+    if (mesh) own = alone ? tree_.box(node) : content_.box(*mesh);
+    if (own.empty()) own.add(model::Vector3{});
+    for (unsigned i = 0; i < 8; ++i) box.add(world(node).point(own.corner(i)));
+    return box;
+  }
+
+  void find_subtrees() {
+    below_.resize(tree_.size());
+    for (auto at = tree_.order().rbegin(); at != tree_.order().rend(); ++at) {
+      const model::Box own = own_box(*at);
+      below_[*at].add(own.least);
+      below_[*at].add(own.greatest);
+      const model::NodeIndex above = tree_.parent(*at);
+      if (above == model::kNoNodeIndex) continue;
+      below_[above].add(below_[*at].least);
+      below_[above].add(below_[*at].greatest);
+    }
+  }
+
   // In the scene; empty: nothing is drawn there.
   model::Box box_of(std::uint32_t node, bool with_children) const {
-    model::Box box;
-    if (node >= tree_.size()) return box;
-    Content::Box own = Content::Box::nothing();
-    if (with_children) {
-      own = tree_.box(node);
-    } else if (const auto mesh = content_.side().views().nodes[node].mesh) {
-      own = content_.box(*mesh);
-    }
-    if (own.empty() || own.least == own.greatest) return box;
-    for (unsigned i = 0; i < 8; ++i) box.add(tree_.world(node).point(own.corner(i)));
-    return box;
+    if (node >= tree_.size() || below_[node].empty()) return {};
+    if (!with_children && !content_.side().views().nodes[node].mesh) return {};
+    const model::Box box = with_children ? below_[node] : own_box(node);
+    return box.diagonal() > 0 ? box : model::Box{};
   }
 
   model::Box box_of_curve(std::uint32_t animation, const std::vector<std::string>& steps) const {
@@ -119,10 +145,31 @@ class ShownBoxes {
 
   const Content& content_;
   const NodeTree& tree_;
+  const std::vector<model::Affine>& worlds_;
   const std::uint32_t nodes_;
+  std::vector<model::Box> below_;  ///< by node: of it and its children
   std::unordered_map<std::uint64_t, std::vector<ItemId>> users_;
   std::unordered_map<std::uint64_t, model::Box> boxes_;  ///< of objects other than nodes
 };
+
+// The nodes of an asset at the moment of a change.
+std::vector<model::Affine> posed_worlds(const Side& side, const std::optional<std::string>& pointer,
+                                        double time) {
+  const auto steps = pointer ? split_pointer(*pointer) : std::nullopt;
+  const auto index = steps && steps->size() > 1 ? index_in((*steps)[1]) : std::nullopt;
+  if (!index || *index >= side.views().animations.size()) return {};
+  const auto sampled = model::sample_animation(side.asset(), side.views(), side.resources(),
+                                               side.graph().set(), *index, time);
+  return model::compute_pose(side.asset(), side.views(),
+                             model::choose_scene(side.asset(), side.views()), sampled.values)
+      .world;
+}
+
+// How much of the bound a change takes; without a measure, as much as any.
+double weight_of(const Change& change) {
+  if (!change.measure || !(change.measure->bound > 0)) return 1;
+  return change.measure->value / change.measure->bound;
+}
 
 /// Lines and columns of one text.
 class PlacesInText {
@@ -145,6 +192,20 @@ class PlacesInText {
 
 }  // namespace
 
+bool is_greater(const Change& a, const Change& b) {
+  if (a.level != b.level) return a.level > b.level;
+  return weight_of(a) > weight_of(b);
+}
+
+const Change* change_of_moment(const CompareReport& report) {
+  const Change* greatest = nullptr;
+  for (const Change& change : report.changes) {
+    if (!change.time || !change.old_pointer || !change.new_pointer) continue;
+    if (greatest == nullptr || is_greater(change, *greatest)) greatest = &change;
+  }
+  return greatest;
+}
+
 void locate_changes(const Comparison& all, std::uint64_t our_offset, std::uint64_t their_offset,
                     CompareReport& report) {
   if (report.changes.empty()) return;
@@ -158,8 +219,13 @@ void locate_changes(const Comparison& all, std::uint64_t our_offset, std::uint64
 
 std::vector<ChangedBoxes> find_changed_boxes(const Comparison& all, const CompareReport& report) {
   std::vector<ChangedBoxes> boxes(std::min(report.changes.size(), kMostBoxes));
-  ShownBoxes ours(all.ours, all.our_nodes);
-  ShownBoxes theirs(all.theirs, all.their_nodes);
+  std::vector<model::Affine> our_worlds, their_worlds;
+  if (const Change* moment = change_of_moment(report)) {
+    our_worlds = posed_worlds(all.ours.side(), moment->old_pointer, *moment->time);
+    their_worlds = posed_worlds(all.theirs.side(), moment->new_pointer, *moment->time);
+  }
+  ShownBoxes ours(all.ours, all.our_nodes, our_worlds);
+  ShownBoxes theirs(all.theirs, all.their_nodes, their_worlds);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     const Change& change = report.changes[i];
     if (change.old_pointer) boxes[i].ours = ours.box(*change.old_pointer);

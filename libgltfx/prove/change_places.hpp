@@ -12,10 +12,16 @@
 
 namespace gltfx::prove {
 
-/// Of a changed object, in the space of the scene at rest; empty: it is not drawn.
+/// Of a changed object, in the space of the scene; empty: it is not drawn.
 struct ChangedBoxes {
   model::Box ours, theirs;
 };
+
+/// Whether the first one is more of a change: by level, then by its part of the bound.
+bool is_greater(const Change& a, const Change& b);
+
+/// The change at whose moment both assets are drawn: the greatest one that has a time, or null.
+const Change* change_of_moment(const CompareReport& report);
 
 /// Sets lines and columns of all changes. `our_offset`: byte in the file where the text begins.
 void locate_changes(const Comparison& comparison, std::uint64_t our_offset,
@@ -23,7 +29,7 @@ void locate_changes(const Comparison& comparison, std::uint64_t our_offset,
 
 /// The boxes of the first changes, up to a limit, in the order of the report: of a node with its
 /// children, of the largest node with a mesh, of what a material or image is seen on, of what a
-/// curve moves. Linear in the references of both assets.
+/// curve moves; all at change_of_moment(). Linear in the references of both assets.
 std::vector<ChangedBoxes> find_changed_boxes(const Comparison& comparison,
                                              const CompareReport& report);
 

@@ -133,6 +133,12 @@ double share_of(const Change& change) {
                                                      : 0;
 }
 
+// What is told once.
+std::string key_of(const Change& change) {
+  return fmt::format("{}\n{}\n{}", change.kind, change.old_pointer.value_or("-"),
+                     change.new_pointer.value_or("-"));
+}
+
 auto order_of(const Change& change) {
   // In the order of the old asset; what was added comes last.
   return std::tuple(!change.old_pointer.has_value(),
@@ -169,9 +175,7 @@ void ChangeLog::add(Change change) {
   }
   if (options_.drawn && !is_drawn(change.kind) && !options_.count.contains(change.kind)) return;
   if (options_.ignore.contains(change.kind)) return;
-  std::string key = fmt::format("{}\n{}\n{}", change.kind, change.old_pointer.value_or("-"),
-                                change.new_pointer.value_or("-"));
-  if (!told_.insert(std::move(key)).second) return;
+  if (!told_.insert(key_of(change)).second) return;
   changes_.push_back(std::move(change));
 }
 
@@ -182,7 +186,11 @@ void ChangeLog::note_equal(const std::string& pointer) { equal_.insert(pointer);
 void ChangeLog::leave_out(std::string what) { left_out_.insert(std::move(what)); }
 
 void ChangeLog::forget(const std::function<bool(const Change&)>& gone) {
-  std::erase_if(changes_, gone);
+  std::erase_if(changes_, [&](const Change& change) {
+    if (!gone(change)) return false;
+    told_.erase(key_of(change));
+    return true;
+  });
 }
 
 void ChangeLog::merge(const std::function<std::string(Change&)>& cause_of) {

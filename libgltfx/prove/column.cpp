@@ -92,7 +92,12 @@ std::optional<Column> Column::open(const Side& side, const model::PrimitiveData&
   if (!attribute.accessor) return std::nullopt;
   auto elements = data.open(attribute);
   // The accessor of an attribute in a bitstream has no stored data, but its elements are not zeros.
-  if (!elements && model::read_draco(side.asset(), data.primitive())) return std::nullopt;
+  const auto reference =
+      elements ? std::nullopt : model::read_draco(side.asset(), data.primitive());
+  if (reference &&
+      (data.packed() == nullptr || model::draco_id(side.asset(), *reference, attribute.name))) {
+    return std::nullopt;
+  }
   return make(side, *attribute.accessor, std::move(elements));
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/instancing.hpp"
 #include "model/skin.hpp"
 #include "prove/compare_surfaces.hpp"
 
@@ -77,7 +78,8 @@ class StaticSurfaces {
       const model::NodeIndex above = nodes_.parent(node);
       below_moving[node] = moving_[node] || (above != model::kNoNodeIndex && below_moving[above]);
       const model::Node& described = views.nodes[node];
-      const bool special = described.camera || described.extensions != json::kNoNode;
+      const bool special = described.camera ||
+                           (described.extensions != json::kNoNode && !has_copies_only(described));
       if (described.mesh && (below_moving[node] || special || !is_rigid(described))) {
         meshes_[*described.mesh] = false;
       }
@@ -90,6 +92,15 @@ class StaticSurfaces {
     add_pieces();
   }
 
+  // Whether its extensions only say where its mesh is drawn.
+  bool has_copies_only(const model::Node& node) const {
+    const Side& side = content_.side();
+    if (model::instance_attributes(side.asset(), node) == json::kNoNode) return false;
+    std::size_t members = 0;
+    for ([[maybe_unused]] const auto each : side.document().members(node.extensions)) ++members;
+    return members == 1;
+  }
+
   bool is_rigid(const model::Node& node) const {
     if (!node.mesh) return true;
     if (node.skin) return false;
@@ -100,17 +111,30 @@ class StaticSurfaces {
   }
 
   void add_pieces() {
-    const auto& views = content_.side().views();
+    const Side& side = content_.side();
+    model::MemoryBudget budget(kMostElements * sizeof(model::Affine));
     for (const std::uint32_t node : nodes_.order()) {
-      const auto& mesh = views.nodes[node].mesh;
-      if (!mesh || !meshes_[*mesh]) continue;
-      for (const Surface& surface : content_.surfaces(*mesh)) {
-        if (surface.primitive == json::kNoNode) continue;
-        elements_ += surface.elements + 1;
-        if (!fits()) return;
-        pieces_.push_back({&content_, surface.primitive, surface.material, nodes_.world(node),
-                           nullptr, &surface});
+      const model::Node& described = side.views().nodes[node];
+      if (!described.mesh || !meshes_[*described.mesh]) continue;
+      const auto copies =
+          model::read_instancing(side.asset(), side.views(), side.resources(), described, budget);
+      const model::Affine& world = nodes_.world(node);
+      if (!copies || !copies->readable) {
+        add_pieces_of(*described.mesh, world);
+      } else {
+        for (const model::Affine& copy : copies->transforms) {
+          add_pieces_of(*described.mesh, world * copy);
+        }
       }
+      if (!fits()) return;
+    }
+  }
+
+  void add_pieces_of(std::uint32_t mesh, const model::Affine& place) {
+    for (const Surface& surface : content_.surfaces(mesh)) {
+      if (surface.primitive == json::kNoNode || !fits()) continue;
+      elements_ += surface.elements + 1;
+      pieces_.push_back({&content_, surface.primitive, surface.material, place, nullptr, &surface});
     }
   }
 

@@ -53,6 +53,7 @@ class PoseComparison {
 
   void run() {
     collect();
+    leave_out_permuted();
     if (uses_.empty()) return;
     find_animations();
     pose({}, {}, "at rest");
@@ -96,6 +97,24 @@ class PoseComparison {
       }
       if (!use.primitives.empty()) uses_.push_back(std::move(use));
     });
+  }
+
+  // Surfaces are within bounds here, so that vertices far from each other at rest do not belong
+  // together: equal lists of indices lead to vertices in another order.
+  void leave_out_permuted() {
+    constexpr double kFar = 8;  // bounds: of distances that add up
+    constexpr double kRounded = 1e-6;
+    const double most = kFar * std::max(all_.options.bounds.position, kRounded) * all_.diagonal;
+    const PosePair rest{model::compute_pose(before_.asset(), before_.views(), roots_.here),
+                        model::compute_pose(after_.asset(), after_.views(), roots_.there)};
+    for (SkinnedUse& use : uses_) {
+      const JointPair joints = read_joints(before_, after_, use.skins, rest);
+      std::erase_if(use.primitives, [&](const ComparedCorners& corners) {
+        return joints.here.size() == joints.there.size() &&
+               farthest_skinned(corners, joints) > most;
+      });
+    }
+    std::erase_if(uses_, [](const SkinnedUse& use) { return use.primitives.empty(); });
   }
 
   // Times of keyframes of both assets, evenly chosen.

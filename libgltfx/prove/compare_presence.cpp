@@ -153,9 +153,9 @@ void tell_lost(const Comparison& all, const Half& half) {
       change.name = Comparison::name(half.content, id);
       (half.ours ? change.old_pointer : change.new_pointer) =
           half.content.side().pointer(item.node);
-      change.what =
-          fmt::format("the {} {} was {}", subject_of(pointer), Comparison::called(half.content, id),
-                      half.ours ? "removed" : "added");
+      const std::string_view fate = half.ours ? "removed" : "added";
+      change.what = change.name.empty() ? fmt::format("the {} was {}", subject_of(pointer), fate)
+                                        : fmt::format("was {}", fate);
       if (repeated) change.what += "; an equal one remains";
       all.log.add(std::move(change));
     }

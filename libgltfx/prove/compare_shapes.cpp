@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "prove/compare_copies.hpp"
 #include "prove/compare_surfaces.hpp"
 #include "prove/skin_pair.hpp"
 
@@ -119,10 +120,11 @@ class ShapeComparison {
     double scale = 0;
     const MeshUse* skinned = nullptr;
     const bool equal = have_equal_surfaces(here, there);
+    if (equal && !partners && may_be_joined(mesh, other)) forget_references(uses);
     for (const MeshUse& use : uses) {
       const bool has_skin = our_node(use.our_owner).skin && their_node(use.their_owner).skin;
       if (has_skin && skinned == nullptr) skinned = &use;
-      if (has_skin) continue;
+      if (has_skin || compare_copied(here, there, use)) continue;
       if (equal && !helps(use)) continue;
       const bool placed = (use.moved || helps(use)) && ++places <= kMostPlaces;
       if (placed && compare_at(here, there, use)) continue;
@@ -136,6 +138,46 @@ class ShapeComparison {
     pair.theirs = pieces(all_.theirs, there, {}, nullptr);
     pair.scale = scale;
     tell(compare_surfaces(all_, pair));
+  }
+
+  // Whether the transforms of copies undo what happened to the mesh.
+  bool compare_copied(std::uint32_t here, std::uint32_t there, const MeshUse& use) {
+    const auto copies = pair_copies(all_, use.our_node, use.their_node);
+    if (!copies || copies->moved == 0) return false;
+    if (copies->place) {
+      SurfacePair pair = surface_pair(here, there);
+      pair.ours = pieces(all_.ours, here, {}, nullptr);
+      pair.theirs = pieces(all_.theirs, there, *copies->place, nullptr);
+      pair.scale = copies->scale * all_.our_nodes.greatest_scale(use.our_node);
+      SurfaceChanges changes = compare_surfaces(all_, pair);
+      if (changes.level() != CompareLevel::differs) {
+        forget_copies(all_, use.our_node, use.their_node);
+        tell(std::move(changes));
+        return true;
+      }
+    }
+    tell_copies(all_, use.our_node, use.their_node, *copies);
+    return false;
+  }
+
+  // Of equal meshes one may stand for all; names are told where they count.
+  bool may_be_joined(ItemId mesh, ItemId other) const {
+    if (all_.match.theirs(mesh) && all_.match.ours(other)) return false;
+    const auto has_weights = [](const Content& content, ItemId item) {
+      return content.side().document().find(content.item(item).node, "weights") != json::kNoNode;
+    };
+    return !has_weights(all_.ours, mesh) && !has_weights(all_.theirs, other);
+  }
+
+  void forget_references(const std::vector<MeshUse>& uses) {
+    std::set<std::string> places;
+    for (const MeshUse& use : uses) {
+      places.insert(all_.ours.side().pointer(our_node(use.our_node).mesh_value));
+    }
+    all_.log.forget([&](const Change& change) {
+      return change.kind == "node.value" && change.old_pointer &&
+             places.contains(*change.old_pointer);
+    });
   }
 
   bool have_equal_surfaces(std::uint32_t here, std::uint32_t there) {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Objects that store what others use: what else they say, and those that nothing uses.
 #include <algorithm>
+#include <set>
 #include <span>
 
 #include <fmt/format.h>
 
 #include "base/checked.hpp"
+#include "base/text.hpp"
 #include "model/fields.hpp"
 #include "model/mesh.hpp"
 #include "prove/compare_values.hpp"
@@ -230,13 +232,53 @@ class Descriptions {
   std::size_t count_ = 0;
 };
 
+// The list of accessors, views or buffers whose element has that name; nothing: it is none.
+std::optional<RootArray> list_of_name(const Side& side, json::NodeId value) {
+  const graph::Tree& tree = side.tree();
+  const json::NodeId object = tree.parent(value);
+  if (!tree.is_member(value) || tree.name(value) != "name" || tree.root_element(object) != object) {
+    return std::nullopt;
+  }
+  for (const RootArray list : {RootArray::accessors, RootArray::buffer_views, RootArray::buffers}) {
+    const auto& elements = side.asset().elements(list);
+    const std::uint32_t at = side.index(object);
+    if (at < elements.size() && elements[at] == object) return list;
+  }
+  return std::nullopt;
+}
+
+// Names go with the views and accessors that have them, as long as none was renamed.
+void drop_names(const Side& side, std::vector<json::NodeId>& only, const Side& other,
+                const std::vector<json::NodeId>& theirs) {
+  std::set<RootArray> kept;
+  for (const json::NodeId each : theirs) {
+    if (const auto list = list_of_name(other, each)) kept.insert(*list);
+  }
+  std::erase_if(only, [&](json::NodeId each) {
+    const auto list = list_of_name(side, each);
+    return list && !kept.contains(*list) &&
+           side.asset().elements(*list).size() > other.asset().elements(*list).size();
+  });
+}
+
+// "name", or "a sampler that nothing uses".
+std::string noun(const Side& side, json::NodeId value) {
+  const graph::Tree& tree = side.tree();
+  return tree.is_member(value) ? printable(std::string(tree.name(value)).substr(0, 80))
+                               : std::string("a sampler that nothing uses");
+}
+
 }  // namespace
 
 void compare_stored_objects(const Comparison& all) {
   const std::vector<StoredValue> here = StoredValues(all.ours).read();
   const std::vector<StoredValue> there = StoredValues(all.theirs).read();
-  const std::vector<json::NodeId> gone = stored_only_in(here, there);
-  const std::vector<json::NodeId> come = stored_only_in(there, here);
+  std::vector<json::NodeId> gone = stored_only_in(here, there);
+  std::vector<json::NodeId> come = stored_only_in(there, here);
+  const std::size_t most = gone.size() + come.size();
+  drop_names(all.ours.side(), gone, all.theirs.side(), come);
+  drop_names(all.theirs.side(), come, all.ours.side(), gone);
+  if (gone.size() + come.size() < most) all.log.note_storage("other names of what stores data");
   const auto at = [](const Side& side, const std::vector<json::NodeId>& nodes, std::size_t i) {
     return i < nodes.size() ? std::optional(side.pointer(nodes[i])) : std::nullopt;
   };
@@ -247,8 +289,10 @@ void compare_stored_objects(const Comparison& all) {
     change.new_pointer = at(all.theirs.side(), come, i);
     if (i < gone.size()) change.before = short_value(all.ours.side().document(), gone[i]);
     if (i < come.size()) change.after = short_value(all.theirs.side().document(), come[i]);
-    change.what = fmt::format("{} -> {}", change.before.empty() ? "none" : change.before,
-                              change.after.empty() ? "none" : change.after);
+    change.what = i < gone.size() && i < come.size()
+                      ? fmt::format("{} -> {}", change.before, change.after)
+                  : i < gone.size() ? fmt::format("{} was removed", noun(all.ours.side(), gone[i]))
+                                    : fmt::format("{} was added", noun(all.theirs.side(), come[i]));
     all.log.add(std::move(change));
   }
   Descriptions(all).run();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <unordered_map>
 
 #include <fmt/format.h>
 
@@ -80,16 +81,18 @@ class SurfaceComparison {
     find_other_materials(groups);
     groups = grouped();
     std::erase_if(groups, [](const auto& group) { return group.second.equal(); });
+    join_equal_materials(groups);
     join_lone_groups(groups);
     for (auto& [material, group] : groups) compare_group(material, group);
     return std::move(result_);
   }
 
  private:
-  // Materials of our side by number, those of the other side by their partner.
+  // Materials of our side by number, the first of equal ones; those of the other side by their
+  // partner.
   std::uint64_t material_of(const SurfacePiece& piece, bool ours) {
     if (!piece.material) return UINT64_MAX;
-    if (ours) return *piece.material;
+    if (ours) return first_equal(*piece.material);
     const auto [at, is_new] = materials_.try_emplace(*piece.material);
     if (is_new) at->second = find_material(*piece.material);
     return at->second;
@@ -97,16 +100,42 @@ class SurfaceComparison {
 
   std::uint64_t find_material(std::uint32_t material) const {
     const ItemId theirs{all_.theirs.list("/materials"), material};
-    if (const ItemId partner = all_.match.ours(theirs)) return partner.index;
+    if (const ItemId partner = all_.match.ours(theirs)) return first_equal(partner.index);
     // One of several equal ones.
     for (const ShownPiece& each : here_) {
       if (!each.piece->material) continue;
       const ItemId one{all_.ours.list("/materials"), *each.piece->material};
       if (!all_.match.same(one, theirs)) continue;
       all_.log.note_equal(pointer_of(*each.piece, "material"));
-      return one.index;
+      return first_equal(one.index);
     }
     return (std::uint64_t{1} << 32U) + material;
+  }
+
+  // Where groups of equal materials are joined, the first of them.
+  std::uint32_t first_equal(std::uint32_t material) const {
+    const ItemId item{all_.ours.list("/materials"), material};
+    const auto found = first_equal_.find(all_.ours.item(item).content);
+    return found == first_equal_.end() ? material : found->second;
+  }
+
+  // A primitive may be joined with another one that has an equal material.
+  void join_equal_materials(std::map<std::uint64_t, Group>& groups) {
+    const bool lone = std::any_of(groups.begin(), groups.end(), [](const auto& group) {
+      return group.second.ours.empty() || group.second.theirs.empty();
+    });
+    if (!lone) return;
+    const std::uint32_t list = all_.ours.list("/materials");
+    for (const ShownPiece& each : here_) {
+      if (!each.piece->material) continue;
+      const std::uint32_t material = *each.piece->material;
+      const auto [at, is_new] =
+          first_equal_.try_emplace(all_.ours.item({list, material}).content, material);
+      if (!is_new) at->second = std::min(at->second, material);
+    }
+    materials_.clear();
+    groups = grouped();
+    std::erase_if(groups, [](const auto& group) { return group.second.equal(); });
   }
 
   const TextureUse& use_of(std::uint64_t material) const {
@@ -266,6 +295,7 @@ class SurfaceComparison {
   const SurfacePair& pair_;
   std::vector<ShownPiece> here_, there_;
   std::map<std::uint32_t, std::uint64_t> materials_;  ///< of the other side, by number
+  std::unordered_map<Hash128, std::uint32_t, HashHasher> first_equal_;  ///< by content
   SurfaceChanges result_;
 };
 

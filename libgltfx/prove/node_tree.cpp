@@ -5,6 +5,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "model/instancing.hpp"
 #include "prove/hash_sum.hpp"
 
 namespace gltfx::prove {
@@ -96,6 +97,23 @@ double greatest_scale_of(const model::Affine& place) {
   return std::sqrt(most);
 }
 
+namespace {
+
+constexpr std::uint64_t kTreeCopyBytes = std::uint64_t{1} << 28U;
+
+// A mesh where its node draws it: once, or as copies.
+void add_mesh(const Side& side, const model::Node& node, const Content::Box& mesh,
+              model::MemoryBudget& budget, Content::Box& box) {
+  const auto copies =
+      model::read_instancing(side.asset(), side.views(), side.resources(), node, budget);
+  if (!copies || !copies->readable || mesh.empty()) return box.add(mesh);
+  for (const model::Affine& each : copies->transforms) {
+    for (unsigned i = 0; i < 8; ++i) box.add(each.point(mesh.corner(i)));
+  }
+}
+
+}  // namespace
+
 NodeTree::NodeTree(const Content& content)
     : graph_(content.side().asset(), content.side().views().nodes) {
   read_locals(content);
@@ -156,11 +174,12 @@ void NodeTree::find_order(const Content& content) {
 
 void NodeTree::find_boxes(const Content& content) {
   const Side& side = content.side();
+  model::MemoryBudget budget(kTreeCopyBytes);
   boxes_.assign(locals_.size(), Content::Box::nothing());
   for (auto at = order_.rbegin(); at != order_.rend(); ++at) {
     const model::Node& node = side.views().nodes[*at];
     Content::Box& box = boxes_[*at];
-    if (node.mesh) box.add(content.box(*node.mesh));
+    if (node.mesh) add_mesh(side, node, content.box(*node.mesh), budget, box);
     if (box.empty()) box.add(model::Vector3{0, 0, 0});
     const model::NodeIndex above = graph_.parent(*at);
     if (above == model::kNoNodeIndex) continue;

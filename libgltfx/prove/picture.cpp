@@ -20,6 +20,18 @@ constexpr std::uint32_t kSquare = 8;  // pixels
 constexpr double kNoiseFactor = 3;
 constexpr double kStep = 1;
 
+double noise_limit(double noise) { return kStep + kNoiseFactor * noise; }
+
+// The greatest difference of a channel.
+int pixel_difference(const preview::Picture& a, const preview::Picture& b, std::size_t pixel) {
+  int apart = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    apart = std::max(apart, std::abs(static_cast<int>(a.bytes[pixel * a.channels + c]) -
+                                     static_cast<int>(b.bytes[pixel * b.channels + c])));
+  }
+  return apart;
+}
+
 // The mean difference of one channel over a square.
 double mean_difference(const preview::Picture& a, const preview::Picture& b, std::size_t first) {
   double sum = 0;
@@ -89,20 +101,115 @@ double similarity_around(const std::vector<float>& a, const std::vector<float>& 
 
 }  // namespace
 
-double square_difference(const preview::Picture& a, const preview::Picture& b) {
-  double greatest = 0;
-  for (std::uint32_t y = 0; y + kSquare <= a.height; y += kSquare) {
-    for (std::uint32_t x = 0; x + kSquare <= a.width; x += kSquare) {
-      for (std::uint32_t channel = 0; channel < 3; ++channel) {
-        const std::size_t first = (std::size_t{y} * a.width + x) * a.channels + channel;
-        greatest = std::max(greatest, mean_difference(a, b, first));
+namespace {
+
+/// A value for each whole square of a picture.
+class SquareGrid {
+ public:
+  explicit SquareGrid(const preview::Picture& picture)
+      : width_(picture.width / kSquare),
+        height_(picture.height / kSquare),
+        values_(std::size_t{width_} * height_) {}
+
+  std::uint32_t width() const { return width_; }
+  std::uint32_t height() const { return height_; }
+  double& at(std::uint32_t x, std::uint32_t y) { return values_[std::size_t{y} * width_ + x]; }
+
+  /// Calls `use(value)` for the squares at most `reach` away.
+  template <class F>
+  void around(std::uint32_t x, std::uint32_t y, std::uint32_t reach, F use) const {
+    for (std::uint32_t v = y - std::min(y, reach); v <= y + reach && v < height_; ++v) {
+      for (std::uint32_t u = x - std::min(x, reach); u <= x + reach && u < width_; ++u) {
+        use(values_[std::size_t{v} * width_ + u]);
       }
+    }
+  }
+  double sum_around(std::uint32_t x, std::uint32_t y, std::uint32_t reach) const {
+    double sum = 0;
+    around(x, y, reach, [&](double value) { sum += value; });
+    return sum;
+  }
+
+ private:
+  std::uint32_t width_, height_;
+  std::vector<double> values_;
+};
+
+// Of the means of squares, the greatest difference of a channel.
+SquareGrid differences_of(const preview::Picture& a, const preview::Picture& b) {
+  SquareGrid grid(a);
+  for (std::uint32_t y = 0; y < grid.height(); ++y) {
+    for (std::uint32_t x = 0; x < grid.width(); ++x) {
+      for (std::uint32_t channel = 0; channel < 3; ++channel) {
+        const std::size_t first =
+            (std::size_t{y} * kSquare * a.width + std::size_t{x} * kSquare) * a.channels + channel;
+        grid.at(x, y) = std::max(grid.at(x, y), mean_difference(a, b, first));
+      }
+    }
+  }
+  return grid;
+}
+
+/// How many pixels of each square are noisy, and how many of these are nevertheless equal.
+struct NoisyPixels {
+  SquareGrid all, equal;
+
+  NoisyPixels(const preview::Picture& before, const preview::Picture& after,
+              const preview::Picture& again)
+      : all(before), equal(before) {
+    constexpr int kNoisy = 3;  // steps
+    for (std::uint32_t y = 0; y < all.height() * kSquare; ++y) {
+      for (std::uint32_t x = 0; x < all.width() * kSquare; ++x) {
+        const std::size_t pixel = std::size_t{y} * before.width + x;
+        if (pixel_difference(before, again, pixel) < kNoisy) continue;
+        ++all.at(x / kSquare, y / kSquare);
+        if (pixel_difference(before, after, pixel) <= 1) ++equal.at(x / kSquare, y / kSquare);
+      }
+    }
+  }
+};
+
+// The square that exceeds its limit most. `limit(x, y)`: of a square that differs by more than a
+// step.
+template <class F>
+SquareDifference greatest_beyond(SquareGrid differences, const F& limit) {
+  SquareDifference greatest;
+  for (std::uint32_t y = 0; y < differences.height(); ++y) {
+    for (std::uint32_t x = 0; x < differences.width(); ++x) {
+      SquareDifference each{differences.at(x, y), kStep};
+      if (each.visible()) each.limit = limit(x, y);
+      if (each.distance - each.limit > greatest.distance - greatest.limit) greatest = each;
     }
   }
   return greatest;
 }
 
-double noise_limit(double noise) { return kStep + kNoiseFactor * noise; }
+}  // namespace
+
+double square_difference(const preview::Picture& a, const preview::Picture& b) {
+  return greatest_beyond(differences_of(a, b), [](auto, auto) { return kStep; }).distance;
+}
+
+SquareDifference greatest_difference(const preview::Picture& before,
+                                     const preview::Picture& after) {
+  return greatest_beyond(differences_of(before, after), [](auto, auto) { return kStep; });
+}
+
+SquareDifference greatest_difference(const preview::Picture& before, const preview::Picture& after,
+                                     const preview::Picture& again) {
+  constexpr std::uint32_t kReach = 2;  // squares
+  constexpr double kFew = 8;           // noisy pixels, too few to tell
+  const SquareGrid noise = differences_of(before, again);
+  const NoisyPixels noisy(before, after, again);
+  return greatest_beyond(differences_of(before, after), [&](std::uint32_t x, std::uint32_t y) {
+    const double all = noisy.all.sum_around(x, y, kReach);
+    const bool same_numbers = all >= kFew && noisy.equal.sum_around(x, y, kReach) >= all / 2;
+    if (same_numbers) return kStep;
+    double most = 0;
+    noise.around(x, y, 1, [&](double value) { most = std::max(most, value); });
+    return noise_limit(most);
+  });
+}
 
 void PictureProof::add(preview::Picture drawn, const preview::Picture& again) {
   noise_ = std::max(noise_, square_difference(drawn, again));
@@ -167,8 +274,8 @@ preview::Picture difference(const preview::Picture& a, const preview::Picture& b
 }
 
 preview::Picture marked_difference(const preview::Picture& a, const preview::Picture& b) {
-  constexpr float kUnseen = 3;  // steps, about as much as the noise of a pixel
-  constexpr float kFull = 40;   // steps that are as orange as any
+  constexpr float kUnseen = 1;  // steps: rounding
+  constexpr float kFull = 32;   // steps that are as orange as any
   constexpr float kPaleness = 0.6F;
   constexpr std::array<float, 3> kMark{226, 74, 0};
   preview::Picture result;
@@ -176,11 +283,7 @@ preview::Picture marked_difference(const preview::Picture& a, const preview::Pic
   result.height = a.height;
   const std::vector<float> luma = luma_of(b);
   for (std::size_t i = 0; i < luma.size(); ++i) {
-    int apart = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      apart = std::max(apart, std::abs(static_cast<int>(a.bytes[i * a.channels + c]) -
-                                       static_cast<int>(b.bytes[i * b.channels + c])));
-    }
+    const int apart = pixel_difference(a, b, i);
     const float part = std::clamp((static_cast<float>(apart) - kUnseen) / kFull, 0.0F, 1.0F);
     const float pale = luma[i] + (255 - luma[i]) * kPaleness;
     for (const float mark : kMark) {

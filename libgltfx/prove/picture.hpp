@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Measures the difference of two pictures.
 ///
-/// There are two questions with different measures. Whether a change is visible, in small pictures
-/// with noise: means over squares, in which noise averages out, compared with the noise between
-/// other seeds (PictureProof). How much two pictures of any files differ: PSNR and SSIM, which
-/// other programs also print, but for which the noise gives no bound.
+/// There are three questions with different measures. Whether a change is visible, in small
+/// pictures with noise: means over squares, in which noise averages out, compared with the noise
+/// between other seeds (PictureProof). Where two pictures with the same random numbers differ:
+/// there, an unchanged surface has no noise at all, unless the numbers went elsewhere
+/// (SquareDifference). How much two pictures of any files differ: PSNR and SSIM, which other
+/// programs also print, but for which the noise gives no bound.
 #pragma once
 
 #include <cstdint>
@@ -37,9 +39,21 @@ class PictureProof {
 /// beside the last whole square do not count.
 double square_difference(const preview::Picture& a, const preview::Picture& b);
 
-/// Up to which difference of such means pictures may show the same: `noise` is that between two
-/// seeds.
-double noise_limit(double noise);
+/// The square of 8 by 8 pixels in which two pictures differ most beyond their noise.
+struct SquareDifference {
+  double distance = 0;  ///< of the means of the square, in steps of 255
+  double limit = 1;     ///< up to which it says nothing
+  bool visible() const { return distance > limit; }
+};
+
+/// For pictures of one view with the same seed, whose limit is one step: rounding.
+SquareDifference greatest_difference(const preview::Picture& before, const preview::Picture& after);
+
+/// For scenes in which the order of lights and triangles decides which random number goes where.
+/// `again` is `before` with another seed. Around squares whose noisy pixels are equal, the same
+/// numbers were used, and the limit is one step; elsewhere three times the noise is added to it.
+SquareDifference greatest_difference(const preview::Picture& before, const preview::Picture& after,
+                                     const preview::Picture& again);
 
 /// The mean square of the difference of bytes, over pixels that are covered in one of the buffers.
 /// Precondition: pictures and buffers of the same size and number of channels; the buffers have

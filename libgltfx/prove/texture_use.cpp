@@ -5,6 +5,7 @@
 
 #include "image/header.hpp"
 #include "model/fields.hpp"
+#include "model/material.hpp"
 #include "model/texture.hpp"
 
 namespace gltfx::prove {
@@ -62,7 +63,9 @@ bool TextureUse::reads(const SoupStream& stream) const {
     case model::SemanticKind::texcoord:
       return sets.contains(stream.set);
     case model::SemanticKind::tangent:
-      return normals_mapped;
+      return normals_mapped && !unlit;
+    case model::SemanticKind::normal:
+      return !unlit;
     case model::SemanticKind::color:
       return stream.set == 0;
     case model::SemanticKind::application:
@@ -93,8 +96,9 @@ std::vector<TextureUse> texture_uses(const Content& content) {
       if (header) most = std::max({most, header->width, header->height});
     }
   }
-  for (std::size_t i = 0; i < uses.size(); ++i) {
+  for (std::uint32_t i = 0; i < uses.size(); ++i) {
     if (longest[i] > 0) uses[i].texels = longest[i];
+    uses[i].unlit = i + 1 < uses.size() && model::read_material(side.asset(), i).unlit;
   }
   return uses;
 }

@@ -15,6 +15,7 @@ namespace gltfx::prove {
 struct TextureUse {
   std::set<std::uint64_t> sets;  ///< the n of each TEXCOORD_n
   bool normals_mapped = false;   ///< a texture needs tangents
+  bool unlit = false;            ///< needs no normals
   double texels = 2048;          ///< the longest side of its images; without images a usual one
 
   /// Whether anything is drawn with that attribute.

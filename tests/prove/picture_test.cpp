@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "render/sampler.hpp"
+
 namespace gltfx::prove {
 namespace {
 
@@ -74,6 +76,59 @@ TEST(SquareDifference, IsThatOfMeans) {
     for (std::size_t x = 8; x < 16; ++x) spot.bytes[(y * 16 + x) * 3 + 2] = 104;
   }
   EXPECT_EQ(square_difference(grey(100), spot), 4);
+}
+
+// Grey with noise of up to 20 steps in both directions, other noise for another seed.
+Picture grainy(std::uint32_t seed) {
+  constexpr std::uint32_t kSide = 64;
+  Picture picture{kSide, kSide, 3, {}, {}};
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
+    const std::uint32_t mixed = render::mix_bits(i, seed);
+    for (int c = 0; c < 3; ++c) {
+      picture.bytes.push_back(static_cast<std::uint8_t>(80 + (mixed >> 16U) % 41));
+    }
+  }
+  return picture;
+}
+
+void brighten(Picture& picture, std::uint32_t side, std::uint8_t steps) {
+  for (std::size_t y = 0; y < side; ++y) {
+    for (std::size_t x = 0; x < side; ++x) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        std::uint8_t& byte = picture.bytes[(y * picture.width + x) * 3 + c];
+        byte = static_cast<std::uint8_t>(byte + steps);
+      }
+    }
+  }
+}
+
+TEST(GreatestDifference, IsAStepForEqualRandomNumbers) {
+  Picture brighter = grainy(1);
+  EXPECT_FALSE(greatest_difference(grainy(1), brighter).visible());
+  brighten(brighter, 8, 1);
+  EXPECT_FALSE(greatest_difference(grainy(1), brighter).visible());
+  brighten(brighter, 8, 1);
+  const SquareDifference found = greatest_difference(grainy(1), brighter);
+  EXPECT_TRUE(found.visible());
+  EXPECT_EQ(found.distance, 2);
+  EXPECT_EQ(found.limit, 1);
+}
+
+// A change of one square beside noise that is the same in both pictures.
+TEST(GreatestDifference, IgnoresNoiseThatBothPicturesHave) {
+  Picture brighter = grainy(1);
+  brighten(brighter, 8, 3);
+  const SquareDifference found = greatest_difference(grainy(1), brighter, grainy(2));
+  EXPECT_TRUE(found.visible());
+  EXPECT_EQ(found.limit, 1);
+}
+
+TEST(GreatestDifference, IsBeyondTheNoiseOfOtherRandomNumbers) {
+  Picture other = grainy(3);
+  EXPECT_GT(greatest_difference(grainy(1), other).distance, 1);
+  EXPECT_FALSE(greatest_difference(grainy(1), other, grainy(2)).visible());
+  brighten(other, 32, 40);
+  EXPECT_TRUE(greatest_difference(grainy(1), other, grainy(2)).visible());
 }
 
 TEST(PictureProof, AllowsThreeTimesTheNoiseAndAStep) {
