@@ -38,6 +38,13 @@ CompareBounds bounds_of(const ConvertOptions& options) {
   return bounds;
 }
 
+// Members that glTF 2.0 does not have, and what takes their place.
+bool is_of_later_version(const Change& change) {
+  const std::string& place = change.old_pointer ? *change.old_pointer : *change.new_pointer;
+  return begins_with(change.kind, {"asset.value", "object.removed", "geometry.attribute"}) ||
+         place.starts_with("/asset/extras") || place.ends_with("/boundingVolume");
+}
+
 }  // namespace
 
 AllowedChanges changes_of_upgrade() {
@@ -55,9 +62,11 @@ AllowedChanges changes_of_upgrade() {
 AllowedChanges changes_of_conversion(const ConvertOptions& options) {
   AllowedChanges allowed;
   allowed.bounds = bounds_of(options);
-  // Targets, and another size or place, change what they are asked to: their steps prove that.
+  // Targets, another size or place, and copies of external assets change what they are asked to.
   const bool free = !options.targets.empty() || options.placement.center ||
-                    options.placement.scale != 1 || options.placement.rebase;
+                    options.placement.scale != 1 || options.placement.rebase ||
+                    options.later.flatten;
+  const bool becomes_older = !options.later.gltf.empty();
   const bool images = !options.images.empty() || options.quality || options.texture_size;
   const bool merges = options.dedup || options.shrink;
   const bool prunes = options.prune || options.shrink;
@@ -65,6 +74,7 @@ AllowedChanges changes_of_conversion(const ConvertOptions& options) {
   allowed.others = [=](const Change& change) {
     const std::string_view kind = change.kind;
     if (free || kind == "stored.name") return true;
+    if (becomes_older && is_of_later_version(change)) return true;
     if (images && begins_with(kind, {"image.", "texture.value"})) return true;
     if (simplifies && begins_with(kind, {"geometry."})) return true;
     if (merges && (kind.ends_with(".removed") || kind.ends_with(".renamed"))) return true;

@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "change/commit.hpp"
+#include "steps/glb_chunks.hpp"
 
 namespace gltfx {
 
@@ -23,8 +24,10 @@ std::optional<GlbVersion> glb_version_of(const OpenedAsset& asset, const Convert
   if (!becomes_glb) return std::nullopt;
   const GlbVersion wanted = options.later.glb_version.value_or(GlbVersion::least);
   if (options.to) return wanted;
+  const bool becomes_older = !options.later.gltf.empty();  // glTF 2.0 has GLBs of version 2
   const bool keeps = options.output.empty() || change::is_in_place(options, asset.name());
-  if (!options.later.glb_version && keeps) return std::nullopt;
+  if (!options.later.glb_version && keeps && !becomes_older) return std::nullopt;
+  if (becomes_older && steps::names_chunks(asset.document())) return wanted;
   const bool has_it = (asset.container().glb_version == 3U) == (wanted == GlbVersion::three);
   return has_it ? std::nullopt : std::optional(wanted);
 }

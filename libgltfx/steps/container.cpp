@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The storage of the text, the buffers and the images of an asset (glTF 2.0 sections 3.6.1, 4).
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -14,15 +15,29 @@
 #include "container/uri.hpp"
 #include "graph/unknown_indices.hpp"
 #include "report/wording.hpp"
+#include "schema/version.hpp"
 #include "steps/file_names.hpp"
+#include "steps/older_version.hpp"
 #include "steps/storage.hpp"
 
 namespace gltfx::steps {
 namespace {
 
 Result<StepOutcome> store(const StepInput& input) {
-  return input.options.to.value_or(StoredAs::glb) == StoredAs::glb ? pack(input)
-                                                                   : store_as_text(input);
+  auto outcome = input.options.to.value_or(StoredAs::glb) == StoredAs::glb ? pack(input)
+                                                                           : store_as_text(input);
+  const json::Document& document = input.asset.document();
+  const bool becomes_older =
+      !input.options.later.gltf.empty() && schema::stated_version(document) > schema::kVersion2;
+  if (!outcome || !becomes_older) return outcome;
+  json::Editor editor(document);
+  restate_version(document, editor);
+  auto& edits = outcome->change.edits;
+  for (json::Edit& edit : editor.take()) edits.push_back(std::move(edit));
+  std::sort(edits.begin(), edits.end(),
+            [](const json::Edit& a, const json::Edit& b) { return a.span.begin < b.span.begin; });
+  outcome->freedom.version = true;
+  return outcome;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "base/text.hpp"
 #include "change/rewrite.hpp"
+#include "model/buffer_chunk.hpp"
 
 namespace gltfx::steps {
 namespace {
@@ -46,6 +47,15 @@ std::set<std::uint64_t> used_chunks(const model::AssetBytes& bytes) {
     if (const auto chunk = bytes.buffer_chunk(i)) used.insert(chunk->offset);
   }
   return used;
+}
+
+bool names_chunks(const json::Document& document) {
+  const model::Asset asset(document);
+  const auto& buffers = asset.elements(model::RootArray::buffers);
+  const schema::Version version = schema::stated_version(document);
+  return std::any_of(buffers.begin(), buffers.end(), [&](json::NodeId buffer) {
+    return model::chunk_member(document, buffer, version) != json::kNoNode;
+  });
 }
 
 std::optional<Chunk> lone_bin(const Container& container) {

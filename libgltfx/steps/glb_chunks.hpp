@@ -21,6 +21,9 @@ std::string chunk_type(const container::Chunk& chunk);
 void note_chunks(const container::Container& container, const std::set<std::uint64_t>& used,
                  std::uint32_t version, ConvertStep& row);
 
+/// Whether buffers name their chunks, which those of glTF 2.0 do not.
+bool names_chunks(const json::Document& document);
+
 /// The offsets of the data of BIN chunks that buffers have.
 std::set<std::uint64_t> used_chunks(const model::AssetBytes& bytes);
 

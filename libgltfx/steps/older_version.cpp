@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
 #include "report/wording.hpp"
 #include "schema/version.hpp"
@@ -49,7 +50,7 @@ class OlderVersionStep {
     store_integers_as_floats(asset);
     add_still_targets(asset);
     split_matrices(asset);
-    set_version();
+    if (!keeps_chunks_) restate_version(document_, editor_);
     auto change = changes_.finish();
     if (!change) return change.error();
     outcome_.change = *std::move(change);
@@ -68,6 +69,10 @@ class OlderVersionStep {
         const schema::Property* property =
             data_.graph.set().find_property(data_.graph.type(id), name);
         if (property == nullptr || property->since <= schema::kVersion2) continue;
+        if (name == "chunk" && needs_chunk(id)) {
+          keeps_chunks_ = true;
+          continue;
+        }
         members_.push_back({id, member.value, name});
         std::fill(dropped_.begin() + member.value, dropped_.begin() + document_.next(member.value),
                   true);
@@ -81,9 +86,8 @@ class OlderVersionStep {
       if (member.name == "externalAsset") {
         return Error{pointer + " shows another asset, which --flatten copies"};
       }
-      if (member.name == "chunk" && !is_implied(member)) {
-        return Error{pointer +
-                     " is a chunk of a GLB of version 3; convert to version 2 or to .gltf first"};
+      if (member.name == "chunk" && !has_data_without_chunk(member.object)) {
+        return Error{pointer + " is not the number of a BIN chunk"};
       }
     }
     for (const graph::Use& use : data_.graph.uses()) {
@@ -96,12 +100,22 @@ class OlderVersionStep {
     return std::nullopt;
   }
 
-  // Whether a buffer has the same bytes without the member.
-  bool is_implied(const LaterMember& chunk) const {
-    const auto& container = data_.input.asset.container();
-    const auto& buffers = data_.asset.elements(model::RootArray::buffers);
-    return container.format == container::Format::glb && container.glb_version == 2U &&
-           buffers.front() == chunk.object && document_.unsigned_integer(chunk.value) == 1U;
+  std::optional<container::Chunk> chunk_of(json::NodeId buffer) const {
+    return model::chunk_of(data_.input.asset.container(), document_, buffer,
+                           data_.graph.tree().position(buffer), schema::stated_version(document_));
+  }
+
+  // The container step stores the bytes of a chunk that is not the one of buffer 0.
+  bool needs_chunk(json::NodeId buffer) const {
+    const auto chunk = chunk_of(buffer);
+    const auto& bin = data_.input.asset.container().bin;
+    const bool is_implied =
+        chunk && bin && chunk->offset == bin->offset && data_.graph.tree().position(buffer) == 0;
+    return chunk && !is_implied;
+  }
+
+  bool has_data_without_chunk(json::NodeId buffer) const {
+    return document_.holds(buffer, "uri") || chunk_of(buffer);
   }
 
   // The custom before it was a member.
@@ -165,19 +179,13 @@ class OlderVersionStep {
     });
   }
 
-  void set_version() {
-    const json::NodeId asset = document_.find(document_.root(), "asset");
-    const std::string text = schema::version_text(schema::kVersion2);
-    editor_.replace_scalar(document_.find(asset, "version"), fmt::format(R"("{}")", text));
-    remove_member(document_, editor_, asset, "minVersion");
-  }
-
   StepData data_;
   const json::Document& document_;
   StepChanges changes_;
   json::Editor& editor_;
   std::vector<LaterMember> members_;
   std::vector<bool> dropped_;  ///< by node: whether it is a member of these, or in one
+  bool keeps_chunks_ = false;  ///< the container step restates the version
   StepOutcome outcome_;
 };
 
@@ -187,6 +195,13 @@ Result<StepOutcome> to_older_version(const StepInput& input) {
 }
 
 }  // namespace
+
+void restate_version(const json::Document& document, json::Editor& editor) {
+  const json::NodeId asset = document.find(document.root(), "asset");
+  const std::string text = schema::version_text(schema::kVersion2);
+  editor.replace_scalar(document.find(asset, "version"), fmt::format(R"("{}")", text));
+  remove_member(document, editor, asset, "minVersion");
+}
 
 StepDescription older_version_step();
 StepDescription older_version_step() {

@@ -2,6 +2,7 @@
 /// What glTF 2.1 allows and glTF 2.0 does not, in the form of glTF 2.0.
 #pragma once
 
+#include "json/edit.hpp"
 #include "steps/step_data.hpp"
 
 namespace gltfx::steps {
@@ -17,6 +18,9 @@ struct OlderVersion {
     row.refused.push_back({data.pointer(object), std::move(reason)});
   }
 };
+
+/// States glTF 2.0 as the version of an asset that has no members of later versions.
+void restate_version(const json::Document& document, json::Editor& editor);
 
 /// Names of attributes that begin neither as one of the specification nor with an underscore get
 /// one.

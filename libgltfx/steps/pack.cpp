@@ -30,6 +30,7 @@ using model::RootArray;
 using model::Storage;
 
 constexpr std::uint64_t kMostBytes = UINT32_MAX;  // of a GLB of version 2
+constexpr const char* kNoNumbers = "buffers of glTF 2.0 have no `chunk`; use --glb 2 or --to gltf";
 constexpr const char* kNoFirst = "buffer 0 has no data, but the BIN chunk of a GLB is its data";
 
 class Packer {
@@ -41,10 +42,12 @@ class Packer {
         bytes_(elements_, input.asset.container(), input.asset.resolver()),
         editor_(document_) {
     made_.version = version;
+    made_.leaves_chunks = !input.options.later.gltf.empty() && names_chunks(document_);
     outcome_.change.additions = change::Additions(document_);
   }
 
   Result<StepOutcome> run() {
+    if (made_.leaves_chunks && made_.version == 3) return Error{kNoNumbers};
     if (becomes_other()) note_chunks(glb(), used_chunks(bytes_), made_.version, outcome_.row);
     take_buffers();
     if (takes_files()) take_images();
@@ -86,7 +89,10 @@ class Packer {
   std::uint64_t count() const { return elements_.count(RootArray::buffers); }
   const container::Container& glb() const { return input_.asset.container(); }
   bool is_glb() const { return glb().format == container::Format::glb; }
-  bool becomes_other() const { return is_glb() && glb().glb_version != made_.version; }
+  // Whether no chunk stays as it is: another version, or buffers that cannot name theirs.
+  bool becomes_other() const {
+    return is_glb() && (glb().glb_version != made_.version || made_.leaves_chunks);
+  }
   bool is_in_chunk(std::uint64_t index) const {
     return bytes_.buffer_storage(index) == Storage::bin_chunk;
   }
@@ -124,7 +130,7 @@ class Packer {
       declare_buffer();
     } else {
       if (size_ == 0) return std::nullopt;
-      if (bin && bin->length > 0) return Error{kUnusedChunk};
+      if (bin && bin->length > 0 && moved_.chunks == 0) return Error{kUnusedChunk};
       declare_buffer();
     }
     outcome_.change.bins[position].whole = std::move(data_);
@@ -134,8 +140,11 @@ class Packer {
   void describe() {
     std::string form = "one GLB";
     if (becomes_other()) {
-      form = fmt::format("GLB version {} -> {}", *glb().glb_version, made_.version);
-      if (moved_.chunks > 0) form += fmt::format(", {} BIN chunks joined", moved_.chunks + 1);
+      if (glb().glb_version != made_.version) {
+        form = fmt::format("GLB version {} -> {}", *glb().glb_version, made_.version);
+      }
+      const std::uint64_t joined = moved_.chunks + (is_in_chunk(made_.home) ? 1U : 0U);
+      if (joined > 1) form += fmt::format(", {} BIN chunks joined", joined);
     } else if (is_glb()) {
       form = "the rest into the GLB";
     } else if (made_.version == 3) {
@@ -363,8 +372,9 @@ class Packer {
   /// The new GLB.
   struct {
     std::uint32_t version = 2;
-    std::uint64_t home = 0;  ///< the buffer that becomes the BIN chunk
-    std::string stuck;       ///< why a chunk cannot be joined; empty: all can be
+    std::uint64_t home = 0;      ///< the buffer that becomes the BIN chunk
+    bool leaves_chunks = false;  ///< the asset becomes one of glTF 2.0
+    std::string stuck;           ///< why a chunk cannot be joined; empty: all can be
   } made_;
   /// Numbers of what was in other places.
   struct {
