@@ -206,13 +206,12 @@ class Layout {
   // change.
   void choose_removed() {
     const bool certain = graph::find_unknown_with_integer(now_.graph) == json::kNoNode;
+    bool is_last = true;  // all buffers after it are removed
     for (std::uint64_t i = count(); i > 0; --i) {
       const std::uint64_t index = i - 1;
-      const bool is_last =
-          std::all_of(outcome_.removed.begin() + static_cast<std::ptrdiff_t>(i),
-                      outcome_.removed.end(), [](bool removed) { return removed; });
       outcome_.removed[index] =
           (is_new(index) && index != outcome_.home) || ((certain || is_last) && is_left(index));
+      is_last = is_last && outcome_.removed[index];
     }
   }
   bool is_left(std::uint64_t index) const {
