@@ -244,7 +244,16 @@ class Elsewhere {
     paths.merge(paths_of_external_assets(asset_.old));
     for (const ReplacedFile& file : asset_.replaced) paths.erase(file.path);
     for (const NewFile& file : asset_.files) paths.erase(file.path);
+    std::erase_if(paths, [this](const std::string& path) { return is_output(folder_ / path); });
     return copy_companions(paths, asset_.old.resolver(), folder_);
+  }
+
+  // Assets that refer to each other may all be written.
+  bool is_output(const fs::path& file) const {
+    const EditOptions& options = asset_.options;
+    const fs::path target = file.lexically_normal();
+    return target == fs::path(options.output).lexically_normal() ||
+           (options.outputs && options.outputs->contains(target.native()));
   }
 
   const AssetWrite& asset_;

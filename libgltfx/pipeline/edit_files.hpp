@@ -5,7 +5,9 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <new>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,17 +54,29 @@ Report edit_file(const std::string& path, const EditOptions& options, std::strin
   });
 }
 
+/// EditOptions::outputs of a run.
+inline std::shared_ptr<const std::set<std::string>> outputs_of(
+    const std::vector<EditInput>& inputs) {
+  auto outputs = std::make_shared<std::set<std::string>>();
+  for (const EditInput& input : inputs) {
+    outputs->insert(std::filesystem::path(input.output).lexically_normal().native());
+  }
+  return outputs;
+}
+
 /// Calls `edit(path, options, folders)` for each input, on up to `jobs` threads, and `consume` in
 /// the order of the inputs, one call at a time.
 template <class Report, class Options, class Edit>
 void edit_files(const std::vector<EditInput>& inputs, const Options& options, unsigned jobs,
                 const Edit& edit, const std::function<void(Report&&)>& consume) {
   FolderIndex folders;
+  const auto outputs = outputs_of(inputs);
   report_in_order<Report>(
       inputs.size(), jobs,
       [&](std::size_t i) {
         Options each = options;
         each.output = inputs[i].output;
+        each.outputs = outputs;
         // Many files keep all threads busy by themselves.
         if constexpr (requires { each.jobs; }) each.jobs = inputs.size() == 1 ? jobs : 1;
         return edit(inputs[i].path, each, folders);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "pipeline/edit_bytes.hpp"
+#include "pipeline/edit_files.hpp"
 #include "pipeline/fix_group.hpp"
 #include "pipeline/in_order.hpp"
 #include "schema/compile.hpp"
@@ -87,7 +88,9 @@ void fix_files(const std::vector<EditInput>& inputs, const FixOptions& options, 
     for (const EditInput& input : inputs) consume(unfixed(input.path, kNoMemory));
     return;
   }
-  FixRun run = run_with(options, jobs);
+  FixOptions of_run = options;
+  of_run.outputs = outputs_of(inputs);
+  FixRun run = run_with(of_run, jobs);
   std::vector<std::optional<FixReport>> reports(inputs.size());
   std::size_t group = 0, next = 0;
   report_in_order<std::vector<FixReport>>(

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -25,6 +26,7 @@ namespace gltfx {
 namespace {
 
 namespace fs = std::filesystem;
+using container::test::content_of;
 using container::test::TempFolder;
 using model::OpenedAsset;
 using testing::AnyOf;
@@ -216,6 +218,69 @@ TEST(EachLegacyAsset, DiffersInItsLegacyObjectsAloneAfterAnUpgrade) {
     }
   }
   EXPECT_GE(changed, 5U);
+}
+
+// An empty list is what `fix` removes.
+std::string asset_that_refers_to(const std::string& uri, const std::string& more = {}) {
+  return fmt::format(R"({{"asset":{{"version":"2.1"}},"externalAssets":[{{"file":0}}],
+"files":[{{"uri":"{}","mimeType":"model/gltf+json"}}]{}}})",
+                     uri, more);
+}
+
+class WrittenTogether : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& text) {
+    return folder_.write(fs::path("in") / name, text).native();
+  }
+  std::string output(const std::string& name) const {
+    return (folder_.path() / "out" / name).native();
+  }
+  std::vector<EditInput> inputs(const std::vector<std::string>& names) const {
+    std::vector<EditInput> inputs;
+    for (const std::string& name : names) {
+      inputs.push_back({(folder_.path() / "in" / name).native(), output(name)});
+    }
+    return inputs;
+  }
+
+  TempFolder folder_;
+};
+
+TEST_F(WrittenTogether, FixWritesAnAssetAndItsExternalAsset) {
+  const std::string empty = R"(,"bufferViews":[])";
+  write("a.gltf", asset_that_refers_to("b.gltf", empty));
+  write("b.gltf", R"({"asset":{"version":"2.1"},"bufferViews":[]})");
+  write("c.gltf", asset_that_refers_to("b.gltf"));
+  for (int run = 0; run < 2; ++run) {
+    fix_files(inputs({"a.gltf", "b.gltf", "c.gltf"}), {}, 2, [](FixReport&& report) {
+      EXPECT_TRUE(report.written) << report.path << report.error;
+    });
+    EXPECT_EQ(content_of(output("a.gltf")), asset_that_refers_to("b.gltf"));
+    EXPECT_EQ(content_of(output("b.gltf")), R"({"asset":{"version":"2.1"}})");
+  }
+}
+
+TEST_F(WrittenTogether, ConvertWritesAnAssetAndItsExternalAsset) {
+  write("a.gltf", asset_that_refers_to("b.gltf"));
+  write("b.gltf", R"({"asset":{"version":"2.1"},"materials":[{}]})");
+  ConvertOptions options;
+  options.prune = true;
+  options.shared_folder = true;
+  convert_files(inputs({"a.gltf", "b.gltf"}), options, 1, [](ConvertReport&& report) {
+    EXPECT_TRUE(report.written) << report.path << report.error;
+  });
+  EXPECT_EQ(content_of(output("b.gltf")), R"({"asset":{"version":"2.1"}})");
+}
+
+TEST_F(WrittenTogether, OtherExternalAssetsAreCopied) {
+  const std::string path = write("a.gltf", asset_that_refers_to("b.gltf", R"(,"bufferViews":[])"));
+  write("b.gltf", asset_that_refers_to("sub/../a.gltf"));
+  FixOptions options;
+  options.output = output("a.gltf");
+  const FixReport report = fix_file(path, options);
+  EXPECT_TRUE(report.written) << report.error;
+  EXPECT_EQ(content_of(output("a.gltf")), asset_that_refers_to("b.gltf"));
+  EXPECT_EQ(content_of(output("b.gltf")), asset_that_refers_to("sub/../a.gltf"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,9 @@ struct EditOptions {
   /// Write here instead; empty: nowhere. If the folder is a different one, files that the asset
   /// refers to are copied to it. Missing folders are made.
   std::string output;
+  /// The outputs of all assets of the run, lexically normal. They are not copied, as other files
+  /// are, for an asset that refers to them. Null: only `output`.
+  std::shared_ptr<const std::set<std::string>> outputs;
   /// Folder that must contain the asset and its files; empty: the asset's folder.
   std::string root;
   /// Searched folders: without a `root`, the root of an asset below one of them is that folder.
