@@ -35,6 +35,18 @@ bool is_own_member(std::string_view name) {
   return std::find(kOwnMembers.begin(), kOwnMembers.end(), name) != kOwnMembers.end();
 }
 
+// Many aliases of one file could make a small asset endless bytes.
+std::optional<Error> find_alias_excess(const container::Bytes& content, NewPaths& paths) {
+  using model::ExternalAssets;
+  if (paths.aliased.insert(content.view().data()).second) paths.aliased_bytes += content.size();
+  paths.copied_bytes += content.size();
+  const std::uint64_t most =
+      ExternalAssets::kTimesOpened * paths.aliased_bytes + ExternalAssets::kBytesMore;
+  if (paths.copied_bytes <= most) return std::nullopt;
+  return Error{fmt::format("its aliases stand for more than {} times the bytes of their files",
+                           ExternalAssets::kTimesOpened)};
+}
+
 }  // namespace
 
 FlatChild::FlatChild(model::AssetInTree& tree, const schema::Set& set)
@@ -140,7 +152,7 @@ std::optional<std::string> FlatChild::find_obstacle() const {
 std::optional<Error> FlatChild::move_files(NewPaths& paths, change::Change& change) {
   model::AssetBytes bytes(elements_, asset().container(), asset().resolver());
   if (auto trouble = move_buffers(bytes, paths, change)) return trouble;
-  return move_uris(bytes);
+  return move_uris(bytes, paths);
 }
 
 // The bytes of a chunk, or of an alias, become a file of their own.
@@ -155,6 +167,9 @@ std::optional<Error> FlatChild::move_buffers(model::AssetBytes& bytes, NewPaths&
     if (!aliased && bytes.buffer_storage(i) != Storage::bin_chunk) continue;
     auto content = bytes.buffer(i);
     if (!content) return content.error();
+    if (aliased) {
+      if (auto excess = find_alias_excess(*content, paths)) return excess;
+    }
     // The layout of new bytes would leave nothing of a buffer without a use.
     const bool is_used = !graph_.users(buffers[i]).empty();
     std::string path = is_used ? NewBuffer::own_path(paths.taken, paths.next++)
@@ -173,7 +188,7 @@ std::optional<Error> FlatChild::move_buffers(model::AssetBytes& bytes, NewPaths&
 }
 
 // URIs begin at the folder of the first asset. Images of an alias are embedded.
-std::optional<Error> FlatChild::move_uris(model::AssetBytes& bytes) {
+std::optional<Error> FlatChild::move_uris(model::AssetBytes& bytes, NewPaths& paths) {
   const container::Resolver& resolver = asset().resolver();
   std::map<json::NodeId, std::uint32_t> images;  // by the value of their URI
   const auto& objects = elements_.elements(RootArray::images);
@@ -200,6 +215,7 @@ std::optional<Error> FlatChild::move_uris(model::AssetBytes& bytes) {
     }
     const auto content = bytes.image(image->second);
     if (!content) return content.error();
+    if (auto excess = find_alias_excess(*content, paths)) return excess;
     const image::Sniffed sniffed = image::sniff(content->view());
     if (!sniffed.known) return Error{"the image of an alias has an unknown format"};
     texts_.push_back({value, json::string_value(container::data_uri(

@@ -2,6 +2,7 @@
 /// An asset that another one shows, as the parts that are copied into that one.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -34,6 +35,9 @@ using ListBases = std::vector<std::uint64_t>;
 struct NewPaths {
   std::set<std::string> taken;
   std::uint64_t next = 0;
+  std::set<const std::byte*> aliased = {};  ///< contents of aliases, each once
+  std::uint64_t aliased_bytes = 0;          ///< of these
+  std::uint64_t copied_bytes = 0;           ///< of all buffers and images with an alias
 };
 
 class FlatChild {
@@ -68,7 +72,7 @@ class FlatChild {
   std::optional<std::size_t> list_around(json::NodeId value) const;
   std::optional<Error> move_buffers(model::AssetBytes& bytes, NewPaths& paths,
                                     change::Change& change);
-  std::optional<Error> move_uris(model::AssetBytes& bytes);
+  std::optional<Error> move_uris(model::AssetBytes& bytes, NewPaths& paths);
 
   struct NewText {
     json::NodeId value;

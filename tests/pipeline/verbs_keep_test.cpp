@@ -262,14 +262,16 @@ TEST_F(WrittenTogether, FixWritesAnAssetAndItsExternalAsset) {
 
 TEST_F(WrittenTogether, ConvertWritesAnAssetAndItsExternalAsset) {
   write("a.gltf", asset_that_refers_to("b.gltf"));
-  write("b.gltf", R"({"asset":{"version":"2.1"},"materials":[{}]})");
+  const std::string kept =
+      R"({"asset":{"version":"2.1"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{}])";
+  write("b.gltf", kept + R"(,"materials":[{}]})");
   ConvertOptions options;
   options.prune = true;
   options.shared_folder = true;
   convert_files(inputs({"a.gltf", "b.gltf"}), options, 1, [](ConvertReport&& report) {
     EXPECT_TRUE(report.written) << report.path << report.error;
   });
-  EXPECT_EQ(content_of(output("b.gltf")), R"({"asset":{"version":"2.1"}})");
+  EXPECT_EQ(content_of(output("b.gltf")), kept + "}");
 }
 
 TEST_F(WrittenTogether, OtherExternalAssetsAreCopied) {

@@ -262,5 +262,30 @@ TEST(Flatten, LeavesOtherAssetsAlone) {
   EXPECT_EQ(content_of(folder.path() / "out.gltf"), text);
 }
 
+// Their bytes would be copied for each alias.
+TEST(Flatten, RefusesManyAliasesOfOneFile) {
+  const TempFolder folder;
+  constexpr std::size_t kSize = 2 << 20;
+  OrderedJson child = {{"asset", {{"version", "2.1"}}}};
+  OrderedJson aliases = OrderedJson::array();
+  for (int i = 0; i < 60; ++i) {
+    const std::string uri = fmt::format("x{}.bin", i);
+    child["buffers"].push_back({{"byteLength", kSize}, {"uri", uri}});
+    child["bufferViews"].push_back({{"buffer", i}, {"byteLength", kSize}});
+    aliases.push_back({{"alias", uri}, {"file", 1}});
+  }
+  OrderedJson main = OrderedJson::parse(shows({"a.gltf", "big.bin"}));
+  main["files"][0]["aliases"] = aliases;
+  main["files"][1]["mimeType"] = "application/gltf-buffer";
+  main["externalAssets"].erase(1);
+  main["nodes"].erase(1);
+  main["scenes"][0]["nodes"].erase(1);
+  folder.write("main.gltf", main.dump());
+  folder.write("a.gltf", child.dump());
+  folder.write("big.bin", std::string(kSize, '\0'));
+  EXPECT_THAT(flattened(folder).error,
+              HasSubstr("its aliases stand for more than 16 times the bytes of their files"));
+}
+
 }  // namespace
 }  // namespace gltfx
