@@ -11,7 +11,7 @@ Container open_memory(std::string bytes, const std::string& name, AssetFormat fo
   return open_bytes(std::move(kept), format == AssetFormat::glb ? Format::glb : Format::gltf);
 }
 
-Resolver resolver_of(const MemoryAsset& asset, const std::string& root) {
+Resolver resolver_of(MemoryAsset&& asset, const std::string& root) {
   Resolver resolver;
   if (asset.read) {
     const auto found = [read = asset.read](const std::string& uri) -> std::optional<Bytes> {
@@ -24,7 +24,7 @@ Resolver resolver_of(const MemoryAsset& asset, const std::string& root) {
   } else if (!root.empty()) {
     resolver = Resolver(root, root);
   }
-  for (const auto& [path, bytes] : asset.files) resolver.add(path, Bytes::from_string(bytes));
+  for (auto& [path, bytes] : asset.files) resolver.add(path, Bytes::from_string(std::move(bytes)));
   return resolver;
 }
 

@@ -15,7 +15,7 @@ namespace gltfx::container {
 Container open_memory(std::string bytes, const std::string& name, AssetFormat format);
 
 /// A resolver of the asset's resources. `root`: the folder of files that the asset does not
-/// include; empty: none.
-Resolver resolver_of(const MemoryAsset& asset, const std::string& root);
+/// include; empty: none. Moves `files` out of the asset, and nothing else.
+Resolver resolver_of(MemoryAsset&& asset, const std::string& root);
 
 }  // namespace gltfx::container

@@ -137,7 +137,9 @@ TinygltfReport to_tinygltf(const MemoryAsset& asset, tinygltf::Model& model,
                            const ToTinygltfOptions& options) {
   return guarded(asset.name, [&] {
     container::Container opened = container::open_memory(asset.bytes, asset.name, asset.format);
-    return Conversion({asset.name, std::move(opened), container::resolver_of(asset, options.root)},
+    MemoryAsset rest{{}, {}, asset.format, asset.read, asset.names, asset.files};
+    return Conversion({asset.name, std::move(opened),
+                       container::resolver_of(std::move(rest), options.root)},
                       options)
         .run(model);
   });

@@ -67,6 +67,14 @@ std::string text_of(const FileIdentity& identity) {
   return fmt::format("{}:{}:{}", identity.device, identity.inode, identity.path);
 }
 
+std::string text_of(const std::map<std::string, ReferredFile, std::less<>>& aliases) {
+  std::string text;
+  for (const auto& [alias, target] : aliases) {
+    text += fmt::format("{}:{}={};", alias.size(), alias, text_of(target.identity));
+  }
+  return text;
+}
+
 container::Format format_of(std::string_view media_type) {
   return media_type == "model/gltf-binary" ? container::Format::glb : container::Format::gltf;
 }
@@ -88,6 +96,8 @@ std::optional<std::uint32_t> AssetInTree::file_of(std::uint32_t external_asset) 
   if (!file || *file >= files_.size()) return std::nullopt;
   return static_cast<std::uint32_t>(*file);
 }
+
+std::string AssetInTree::aliases() const { return text_of(aliases_); }
 
 ExternalAssets::ExternalAssets(const OpenedAsset& asset) {
   FileIdentity identity = identity_of_first(asset);
@@ -206,11 +216,7 @@ Result<AssetInTree*> ExternalAssets::open_asset(AssetInTree& parent, std::uint32
   if (!contents) return contents.error();
   const json::NodeId object = parent.files_[file];
   AssetInTree::Aliases aliases = aliases_of(parent, object);
-  std::string key;
-  for (const auto& [alias, target] : aliases) {
-    key += fmt::format("{}:{}={};", alias.size(), alias, text_of(target.identity));
-  }
-  std::pair whole(contents->identity, std::move(key));
+  std::pair whole(contents->identity, text_of(aliases));
   const auto known = known_.find(whole);
   if (known != known_.end()) return known->second;
   if (auto excess = find_excess(*contents)) return *std::move(excess);

@@ -41,6 +41,8 @@ class AssetInTree {
   const std::vector<json::NodeId>& external_assets() const { return external_assets_; }
   /// The element of `files` that an element of `externalAssets` names; nothing: out of range.
   std::optional<std::uint32_t> file_of(std::uint32_t external_asset) const;
+  /// The aliases that it was opened with, and their files.
+  std::string aliases() const;
 
  private:
   friend class ExternalAssets;

@@ -18,7 +18,9 @@
 namespace gltfx {
 
 /// As validate_bytes(), of what was opened: fixes are proposed where the options ask for them.
-validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options);
+/// `shared`: as validate::validate() takes it, likewise below.
+validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options,
+                                        validate::SharedReports* shared = nullptr);
 
 /// A report, and the asset where it had to be opened.
 struct Validation {
@@ -27,7 +29,8 @@ struct Validation {
 };
 
 /// As validate_file(), which gives the report alone.
-Validation validate_path(const std::string& path, const ValidateOptions& options);
+Validation validate_path(const std::string& path, const ValidateOptions& options,
+                         validate::SharedReports* shared = nullptr);
 
 /// An upgrade that is not written.
 struct UpgradeDryRun {

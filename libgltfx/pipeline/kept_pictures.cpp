@@ -6,7 +6,7 @@
 #include "codec/client.hpp"
 #include "pipeline/byte_list.hpp"
 #include "pipeline/cached_picture.hpp"
-#include "pipeline/validation_key.hpp"
+#include "rules/validation_key.hpp"
 
 namespace gltfx {
 namespace {

@@ -64,10 +64,9 @@ Result<model::OpenedAsset> open_asset(const std::string& path, const AssetBounds
 
 Result<model::OpenedAsset> open_memory(MemoryAsset asset, const std::string& root) {
   if (!root.empty()) return Error{"an asset in memory has no folder: root is for files"};
-  container::Container opened =
-      container::open_memory(std::move(asset.bytes), asset.name, asset.format);
-  container::Resolver resolver = container::resolver_of(asset, {});
-  return model::OpenedAsset(std::move(asset.name), std::move(opened), std::move(resolver));
+  const std::string name = asset.name;
+  container::Container opened = container::open_memory(std::move(asset.bytes), name, asset.format);
+  return model::OpenedAsset(name, std::move(opened), container::resolver_of(std::move(asset), {}));
 }
 
 Result<model::OpenedAsset> open_document(const std::string& path, const AssetBounds& bounds) {

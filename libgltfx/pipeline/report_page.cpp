@@ -15,6 +15,7 @@
 #include "pipeline/in_order.hpp"
 #include "pipeline/kept_pictures.hpp"
 #include "pipeline/open_asset.hpp"
+#include "rules/shared_reports.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx {
@@ -86,7 +87,8 @@ void inspect_and_draw(model::OpenedAsset opened, const ValidateOptions& options,
 }
 
 // The library does not throw.
-PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnails, unsigned jobs) {
+PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnails, unsigned jobs,
+                    validate::SharedReports& shared) {
   const ValidateOptions& options = *input.options;
   PageAsset page;
   std::string why;
@@ -95,7 +97,7 @@ PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnai
     const BakeOptions bake = bake_options(options, thumbnails, jobs);
     KeptPictures kept(input.path, options, bake);
     if (draws) kept.look_up();
-    Validation validation = validate_path(input.path, options);
+    Validation validation = validate_path(input.path, options, &shared);
     page.report = std::move(validation.report);
     forget_embedded(page.report);
     if (!page.report.readable) return page;
@@ -126,8 +128,8 @@ PageAsset collected(const ValidateInput& input, const ThumbnailOptions& thumbnai
 }
 
 PageAsset collected_for_targets(const ValidateInput& input, const ThumbnailOptions& thumbnails,
-                                unsigned jobs) {
-  PageAsset page = collected(input, thumbnails, jobs);
+                                unsigned jobs, validate::SharedReports& shared) {
+  PageAsset page = collected(input, thumbnails, jobs, shared);
   for (const TargetChoice& choice : input.options->targets) page.targets.push_back(choice.label());
   return page;
 }
@@ -138,9 +140,11 @@ void report_files(std::span<const ValidateInput> inputs, const ThumbnailOptions&
                   unsigned jobs, const std::function<void(PageAsset&&)>& consume) {
   // Many files keep all threads busy by themselves.
   const unsigned each = inputs.size() == 1 ? jobs : 1;
+  validate::SharedReports shared;
   report_in_order<PageAsset>(
       inputs.size(), jobs,
-      [&](std::size_t i) { return collected_for_targets(inputs[i], thumbnails, each); }, consume);
+      [&](std::size_t i) { return collected_for_targets(inputs[i], thumbnails, each, shared); },
+      consume);
 }
 
 }  // namespace gltfx

@@ -2,7 +2,6 @@
 #include <gltfx/pipeline.hpp>
 #include <gltfx/result_cache.hpp>
 #include <gltfx/validate.hpp>
-#include <gltfx/version.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +11,6 @@
 #include <memory>
 #include <new>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +18,6 @@
 #include <fmt/format.h>
 
 #include "base/bit_cast.hpp"
-#include "base/build_id.hpp"
 #include "base/hash.hpp"
 #include "change/apply.hpp"
 #include "container/container.hpp"
@@ -31,14 +28,13 @@
 #include "pipeline/fixable.hpp"
 #include "pipeline/in_order.hpp"
 #include "pipeline/open_asset.hpp"
-#include "pipeline/validation_key.hpp"
 #include "prove/findings.hpp"
 #include "report/packed.hpp"
-#include "rules/own/own_rules.hpp"
+#include "rules/shared_reports.hpp"
 #include "rules/validated_asset.hpp"
+#include "rules/validation_key.hpp"
 #include "rules/validator.hpp"
 #include "schema/compile.hpp"
-#include "schema/set.hpp"
 #include "steps/upgrade/plan.hpp"
 
 namespace gltfx {
@@ -100,100 +96,6 @@ void propose_fix(validate::ValidatedAsset& validated, const ValidateOptions& opt
   validated.propose(*finding, proposed_fix(description_of(plan), asset, plan.change.edits));
 }
 
-template <class Names>
-void add_names(HashParts& parts, const Names& names) {
-  parts.add(std::uint64_t{names.size()});
-  for (const auto& name : names) parts.add(name);
-}
-
-void add(HashParts& parts, double number) { parts.add(bit_cast<std::uint64_t>(number)); }
-
-void add(HashParts& parts, const Limit& limit) {
-  const auto& [measure, on, op, number, flag, texts, severity, parameters, from, note] = limit;
-  parts.add(measure->code);
-  for (const auto choice : {static_cast<std::uint64_t>(on), static_cast<std::uint64_t>(op),
-                            std::uint64_t{flag}, static_cast<std::uint64_t>(severity)}) {
-    parts.add(choice);
-  }
-  add(parts, number);
-  add_names(parts, texts);
-  const auto& [weld, angle, at, slot, product] = parameters;
-  add(parts, weld);
-  add(parts, angle);
-  parts.add(std::uint64_t{at});
-  parts.add(slot);
-  for (const double size : product) add(parts, size);
-  parts.add(from);
-  parts.add(note);
-}
-
-void add(HashParts& parts, const std::vector<TargetRange>& ranges) {
-  parts.add(std::uint64_t{ranges.size()});
-  for (const TargetRange& range : ranges) {
-    parts.add(std::uint64_t{range.first});
-    parts.add(std::uint64_t{range.last});
-    parts.add(static_cast<std::uint64_t>(range.outcome));
-  }
-}
-
-// A user's own target says what its file says.
-void add(HashParts& parts, const TargetChoice& choice) {
-  parts.add(choice.label());
-  parts.add(std::uint64_t{choice.version});
-  for (const auto& [name, feature] : choice.target->features) {
-    parts.add(name);
-    add(parts, feature.used);
-    add(parts, feature.required);
-    add(parts, feature.required_with_fallback);
-  }
-}
-
-}  // namespace
-
-// Taken apart by name: a member that is added to the options has to be decided upon here.
-Hash128 validation_key(const ValidateOptions& options, const std::string& folder) {
-  const auto& [profile, pixels, limits, products, lfs, inline_suppressions, root, searched,
-               max_issues, changed_lines, changed_lines_of, propose_fixes, targets, jobs, select,
-               ignore, severity, schemas, own_rules, cache] = options;
-  // The same report comes of any number of threads, with and without cache; with lines that changed
-  // nothing is kept.
-  static_cast<void>(changed_lines);
-  static_cast<void>(changed_lines_of);
-  // Says whether the asset may be opened, not what is in it.
-  static_cast<void>(searched);
-  static_cast<void>(products);  // key_of_file() has that of the file
-  static_cast<void>(jobs);
-  static_cast<void>(cache);
-  HashParts parts;
-  parts.add(version());
-  parts.add(build_id());
-  parts.add(static_cast<std::uint64_t>(profile));
-  parts.add(static_cast<std::uint64_t>(pixel_level(options)));
-  parts.add(std::uint64_t{pixels == PixelLevel::headers});  // limits and own rules read no pixels
-  parts.add(std::uint64_t{limits.size()});
-  for (const Limit& limit : limits) add(parts, limit);
-  parts.add(static_cast<std::uint64_t>(lfs));
-  parts.add(std::uint64_t{inline_suppressions});
-  parts.add(root.empty() ? root
-                         : (std::filesystem::path(folder) / root).lexically_normal().native());
-  parts.add(max_issues);
-  parts.add(std::uint64_t{propose_fixes});
-  add_names(parts, select);
-  add_names(parts, ignore);
-  parts.add(std::uint64_t{severity.size()});
-  for (const auto& [code, level] : severity) {
-    parts.add(code);
-    parts.add(static_cast<std::uint64_t>(level));
-  }
-  parts.add(std::uint64_t{targets.size()});
-  for (const TargetChoice& choice : targets) add(parts, choice);
-  parts.add(schemas ? schemas->sources() : Hash128());
-  parts.add(own_rules ? own_rules->sources() : Hash128());
-  return parts.finish();
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 // The library does not throw: memory that cannot be had is one more reason why a file is
@@ -249,13 +151,14 @@ struct ValidateVerb {
   using Report = Validation;
   const std::string& path;
   const ValidateOptions& options;
+  validate::SharedReports* shared;
 
   Result<model::OpenedAsset> open() const { return open_asset(path, AssetBounds::of(options)); }
   Validation refuse(const std::string& why) const {
     return {validate::unreadable(path, why, options), std::nullopt};
   }
   Validation run(model::OpenedAsset asset) const {
-    return with_report(validate_asset(std::move(asset), options));
+    return with_report(validate_asset(std::move(asset), options, shared));
   }
   static std::optional<std::string> pack(const Validation& validation) {
     if (!validation.report.readable) return std::nullopt;
@@ -277,13 +180,16 @@ Hash128 key_of_file(const std::string& path, const ValidateOptions& options) {
   parts.add(validation_key(options, options.cache->folder()));
   if (options.own_rules) parts.add(path);
   if (options.products) {
-    for (const double size : options.products->find(path)) add(parts, size);
+    for (const double size : options.products->find(path)) {
+      parts.add(bit_cast<std::uint64_t>(size));
+    }
   }
   return parts.finish();
 }
 
-Validation validate_or_recall(const std::string& path, const ValidateOptions& options) {
-  const ValidateVerb verb{path, options};
+Validation validate_or_recall(const std::string& path, const ValidateOptions& options,
+                              validate::SharedReports* shared) {
+  const ValidateVerb verb{path, options, shared};
   if (options.cache && !options.changed_lines && !options.changed_lines_of) {
     return cached(path, AssetBounds::of(options), *options.cache, key_of_file(path, options), verb);
   }
@@ -293,8 +199,9 @@ Validation validate_or_recall(const std::string& path, const ValidateOptions& op
 
 }  // namespace
 
-validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options) {
-  validate::ValidatedAsset validated(std::move(asset), options);
+validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const ValidateOptions& options,
+                                        validate::SharedReports* shared) {
+  validate::ValidatedAsset validated(std::move(asset), options, shared);
   if (options.propose_fixes) propose_fix(validated, options);
   if (options.profile != Profile::khronos && !validated.sites().empty()) {
     mark_fixable(validated, options);
@@ -302,10 +209,11 @@ validate::ValidatedAsset validate_asset(model::OpenedAsset asset, const Validate
   return validated;
 }
 
-Validation validate_path(const std::string& path, const ValidateOptions& options) {
+Validation validate_path(const std::string& path, const ValidateOptions& options,
+                         validate::SharedReports* shared) {
   Validation validation;
   validation.report = guarded(path, options, [&] {
-    Validation made = validate_or_recall(path, options);
+    Validation made = validate_or_recall(path, options, shared);
     validation.asset = std::move(made.asset);
     return std::move(made.report);
   });
@@ -325,18 +233,21 @@ FileReport validate_bytes(MemoryAsset asset, const ValidateOptions& options) {
   return guarded(asset.name, options, [&] {
     container::Container opened =
         container::open_memory(std::move(asset.bytes), asset.name, asset.format);
-    return validate_asset(
-               {asset.name, std::move(opened), container::resolver_of(asset, options.root)},
-               options)
+    return validate_asset({asset.name, std::move(opened),
+                           container::resolver_of(std::move(asset), options.root)},
+                          options)
         .take_report();
   });
 }
 
 void validate_files(std::span<const ValidateInput> inputs, unsigned jobs,
                     const std::function<void(FileReport&&)>& consume) {
+  validate::SharedReports shared;
   report_in_order<FileReport>(
       inputs.size(), jobs,
-      [inputs](std::size_t i) { return validate_file(inputs[i].path, *inputs[i].options); },
+      [&](std::size_t i) {
+        return validate_path(inputs[i].path, *inputs[i].options, &shared).report;
+      },
       consume);
 }
 
@@ -344,13 +255,14 @@ void validate_files(const std::vector<std::string>& paths, const ValidateOptions
                     unsigned jobs, const std::function<void(FileReport&&)>& consume) {
   // Many files keep all threads busy by themselves.
   const unsigned each = paths.size() == 1 ? jobs : 1;
+  validate::SharedReports shared;
   report_in_order<FileReport>(
       paths.size(), jobs,
       [&](std::size_t i) {
         return guarded(paths[i], options, [&] {
           ValidateOptions own = options;
           own.jobs = each;
-          return validate_file(paths[i], own);
+          return validate_path(paths[i], own, &shared).report;
         });
       },
       consume);

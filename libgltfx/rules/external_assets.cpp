@@ -126,7 +126,7 @@ void ExternalTree::leave() {
   places_.erase(node.asset->identity());
   node.done = true;
   if (path_.empty()) return;
-  node.report = validate_(node.asset->asset(), node.links);
+  node.report = validate_(*node.asset, node.links);
   node.links = {};
   node.leads_to = {};
 }

@@ -41,7 +41,7 @@ struct ExternalLinks {
 /// Not recursive; ExternalAssets has limits.
 class ExternalTree {
  public:
-  using Validate = std::function<FileReport(const model::OpenedAsset&, const ExternalLinks&)>;
+  using Validate = std::function<FileReport(const model::AssetInTree&, const ExternalLinks&)>;
   ExternalTree(const model::OpenedAsset& named, Validate validate);
 
   /// Those of the named asset.

@@ -28,9 +28,10 @@ bool validates_by_default(const ValidateOptions& options) {
 
 }  // namespace
 
-ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, const ValidateOptions& options)
+ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, const ValidateOptions& options,
+                               SharedReports* shared)
     : asset_(std::move(asset)),
-      report_(validate(asset_, options, &sites_)),
+      report_(validate(asset_, options, &sites_, nullptr, shared)),
       by_default_(validates_by_default(options)) {}
 
 ValidatedAsset::ValidatedAsset(model::OpenedAsset asset, FileReport report,

@@ -14,11 +14,14 @@
 
 namespace gltfx::validate {
 
+class SharedReports;
+
 /// An asset with its validation report. It may have any errors: callers check the report.
 class ValidatedAsset {
  public:
-  /// Validates the asset.
-  ValidatedAsset(model::OpenedAsset asset, const ValidateOptions& options);
+  /// Validates the asset; `shared` as validate() takes it.
+  ValidatedAsset(model::OpenedAsset asset, const ValidateOptions& options,
+                 SharedReports* shared = nullptr);
   /// `report` is the report of an earlier validation of the same bytes with the same options.
   ValidatedAsset(model::OpenedAsset asset, FileReport report, const ValidateOptions& options);
 

@@ -19,6 +19,7 @@
 #include "rules/payload/phases.hpp"
 #include "rules/phases.hpp"
 #include "rules/rules_of_types.hpp"
+#include "rules/shared_reports.hpp"
 #include "schema/compile.hpp"
 
 namespace gltfx::validate {
@@ -168,6 +169,7 @@ struct Extras {
   Sites* sites = nullptr;
   std::vector<Shortfall>* shortfalls = nullptr;
   std::optional<model::Views>* views = nullptr;
+  SharedReports* shared = nullptr;
   const ExternalLinks* links = nullptr;  ///< of an external asset; null: they are not known yet
 };
 
@@ -186,9 +188,12 @@ void check_external_assets(const Context& context, const model::OpenedAsset& ope
   if (context.version <= schema::kVersion2) return;
   if (extras.links != nullptr) return report_external_assets(context, *extras.links, sink);
   if (!context.document.holds(context.document.root(), "externalAssets")) return;
-  ExternalTree tree(opened, [&](const model::OpenedAsset& asset, const ExternalLinks& links) {
-    return check_asset(asset, options_of_external(context.options, asset.name()),
-                       {.links = &links});
+  ExternalTree tree(opened, [&](const model::AssetInTree& asset, const ExternalLinks& links) {
+    const model::OpenedAsset& child = asset.asset();
+    const ValidateOptions options = options_of_external(context.options, child.name());
+    const auto check = [&] { return check_asset(child, options, {.links = &links}); };
+    return extras.shared == nullptr ? check()
+                                    : extras.shared->get(options, {opened, asset, links}, check);
   });
   report_external_assets(context, tree.links(), sink);
   report.external_assets = tree.take_reports();
@@ -269,10 +274,11 @@ FileReport check_asset(const model::OpenedAsset& opened, const ValidateOptions& 
 }  // namespace
 
 FileReport validate(model::OpenedAsset& opened, const ValidateOptions& options, Sites* sites,
-                    std::vector<Shortfall>* shortfalls) {
+                    std::vector<Shortfall>* shortfalls, SharedReports* shared) {
   std::optional<model::Views> views;
   FileReport report =
-      check_asset(opened, options, {.sites = sites, .shortfalls = shortfalls, .views = &views});
+      check_asset(opened, options,
+                  {.sites = sites, .shortfalls = shortfalls, .views = &views, .shared = shared});
   if (views) opened.keep_views(*std::move(views));
   return report;
 }

@@ -14,12 +14,16 @@
 
 namespace gltfx::validate {
 
+class SharedReports;
+
 /// Runs all phases; a phase with findings does not stop the next, unless the input of that does not
 /// exist. The asset's name appears in the report, and its file extension gives the expected
 /// container. The asset keeps the tables that are made of its document. `sites`, if it is not null,
-/// gets the places of findings with a fix, `shortfalls` what the targets of the options lack.
+/// gets the places of findings with a fix, `shortfalls` what the targets of the options lack;
+/// `shared`, likewise, has the reports on external assets that are made already.
 FileReport validate(model::OpenedAsset& asset, const ValidateOptions& options,
-                    Sites* sites = nullptr, std::vector<Shortfall>* shortfalls = nullptr);
+                    Sites* sites = nullptr, std::vector<Shortfall>* shortfalls = nullptr,
+                    SharedReports* shared = nullptr);
 
 /// The report on a file that could not be opened.
 FileReport unreadable(const std::string& name, const std::string& reason,

@@ -7,6 +7,8 @@
 #include <functional>
 #include <ostream>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -78,6 +80,43 @@ TEST(OpenedOnce, ByValidation) {
   EXPECT_EQ(work_of([&] { validate_file(kCurrent, options); }), (Work{1, 1, 1}));
   options.propose_fixes = true;  // judged by the text that they make
   EXPECT_EQ(work_of([&] { validate_file(kLegacyText, options); }), (Work{1, 2, 2}));
+}
+
+// Each input parses them to know what is below them.
+TEST(OpenedOnce, ExternalAssetsOfSeveralInputs) {
+  const container::test::TempFolder folder;
+  const auto text = [](const std::string& uri) {
+    return R"({"asset":{"version":"2.1"},"externalAssets":[{"file":0}],"files":[{"uri":")" + uri +
+           R"(","mimeType":"model/gltf+json"}]})";
+  };
+  folder.write("parts/leg.gltf", R"({"asset":{"version":"2.1"},"meshes":7})");
+  folder.write("parts/chair.gltf", text("leg.gltf"));
+  std::vector<std::string> inputs;
+  for (int i = 0; i < 6; ++i) {
+    const std::string name = std::to_string(i % 2) + "/" + std::to_string(i) + ".gltf";
+    folder.write(name, text("../parts/chair.gltf"));
+    inputs.push_back(folder.path() / name);
+  }
+  ValidateOptions options;
+  options.root = folder.path();
+  for (const unsigned jobs : {1U, 4U}) {
+    std::vector<FileReport> reports;
+    const auto validate = [&] {
+      validate_files(inputs, options, jobs,
+                     [&](FileReport&& report) { reports.push_back(std::move(report)); });
+    };
+    EXPECT_EQ(work_of(validate).validated, inputs.size() + 2) << jobs;
+    ASSERT_EQ(reports.size(), inputs.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      ASSERT_EQ(reports[i].external_assets.size(), 2U);
+      const std::string folder_of_input = inputs[i].substr(0, inputs[i].rfind('/') + 1);
+      EXPECT_EQ(reports[i].external_assets[0].path, folder_of_input + "../parts/chair.gltf");
+      EXPECT_EQ(reports[i].external_assets[0].diagnostics.size(),
+                reports[0].external_assets[0].diagnostics.size());
+      EXPECT_GT(reports[i].external_assets[1].counts.errors, 0U);
+      EXPECT_EQ(reports[i].counts.errors, 1U);
+    }
+  }
 }
 
 TEST(OpenedOnce, ByInspection) {

@@ -142,6 +142,36 @@ TEST_F(ExternalFiles, AreRecalledInAnotherFolder) {
   EXPECT_THAT(kept.out, AllOf(HasSubstr("y/b.gltf"), Not(HasSubstr("x/"))));
 }
 
+// The inputs share the report on the external asset; each of them notices its files.
+TEST_F(ExternalFiles, OfSeveralInputsAreFollowedByTheCache) {
+  std::vector<std::string> words{"--cache", "cache", "--root", ".", "--format", "json"};
+  for (const char* const name : {"a", "b", "x/d", "x/e"}) {
+    const std::string path = std::string(name) + ".gltf";
+    folder_.write(
+        path, parent_of(path.find('/') == std::string::npos ? "parts/c.gltf" : "../parts/c.gltf"));
+    words.push_back(path);
+  }
+  folder_.write("parts/c.gltf", R"({"asset":{"version":"2.1"},"buffers":[{"byteLength":4,
+    "uri":"c.bin"}],"bufferViews":[{"buffer":0,"byteLength":4}]})");
+  folder_.write("parts/c.bin", "1234");
+  TempFolder::wait_for_tick();
+  const Outcome first = validate(words);
+  EXPECT_EQ(first.code, 0) << first.out;
+  EXPECT_EQ(validate(words).out, first.out);
+  folder_.write("parts/c.bin", "12");
+  for (std::size_t input = words.size() - 4; input < words.size(); ++input) {
+    const Outcome changed = validate({"--cache", "cache", "--root", ".", words[input]});
+    EXPECT_EQ(changed.code, 1) << words[input];
+  }
+  std::vector<std::string> plain(words.begin() + 2, words.end());
+  const Outcome all = validate(words);
+  for (const char* const jobs : {"1", "4"}) {
+    plain.insert(plain.end(), {"--jobs", jobs});
+    EXPECT_EQ(validate(plain).out, all.out) << jobs;
+    plain.resize(plain.size() - 2);
+  }
+}
+
 class ExternalFilesInGit : public ExternalFiles {
  protected:
   void SetUp() override {

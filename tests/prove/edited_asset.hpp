@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -64,7 +65,7 @@ struct EditedAsset {
     if (folder.empty()) {
       MemoryAsset memory;
       memory.files = files;
-      resolver = container::resolver_of(memory, {});
+      resolver = container::resolver_of(std::move(memory), {});
     } else {
       for (const auto& [uri, bytes] : files) {
         resolver.add(uri, container::Bytes::from_string(std::string(bytes)));
