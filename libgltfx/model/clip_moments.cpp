@@ -73,6 +73,7 @@ std::uint64_t steps_between(const ClipChannel& channel, std::uint64_t keyframe) 
   }
   if (!channel.rotation) return kLinearSteps;
   const double angle = angle_between(channel.curve, keyframe);
+  if (!std::isfinite(angle)) return kLinearSteps;
   return std::clamp(static_cast<std::uint64_t>(std::ceil(angle / kStepAngle)), kLinearSteps,
                     kMostSteps);
 }
@@ -177,9 +178,11 @@ void ClipMoments::add_times(const ClipChannel& channel, std::uint64_t& steps) {
   constexpr std::size_t kMostCollected = std::size_t{1} << 20U;
   const std::uint64_t count = channel.curve.times.count();
   double begin = static_cast<double>(element_at(channel.curve.times, 0)[0]);
+  if (!std::isfinite(begin)) return;
   times_.push_back(begin);
   for (std::uint64_t i = 1; i < count && steps > 0; ++i) {
     const double end = static_cast<double>(element_at(channel.curve.times, i)[0]);
+    if (!std::isfinite(end)) return;
     const std::uint64_t parts = steps_between(channel, i - 1);
     const bool turns =
         channel.rotation && channel.curve.interpolation == Interpolation::cubic_spline;

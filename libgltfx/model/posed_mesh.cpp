@@ -40,6 +40,7 @@ PosedMesh::PosedMesh(RestNodes& nodes, NodeIndex upper, NodeIndex node)
   if (own.mesh && own.skin) {
     skin_ = &nodes.skin(*own.skin);
     sound_ = !skin_->inverse_bind.empty() && skin_->inverse_bind.size() == skin_->joints.size();
+    if (!sound_) return;
     std::unordered_set<NodeIndex> seen;
     for (const NodeIndex joint : skin_->joints) climb(joint, seen);
     climb(upper, seen);
@@ -80,7 +81,7 @@ bool PosedMesh::place(const PosedMoment& at, std::vector<Affine>& matrices) {
     world[each] =
         parent == kNoNodeIndex ? nodes_.local(each, at) : world[parent] * nodes_.local(each, at);
   }
-  const auto to_upper = inverse(world[upper_]);
+  const auto to_upper = upper_ == kNoNodeIndex ? std::optional(Affine()) : inverse(world[upper_]);
   if (!to_upper) return false;
   matrices.clear();
   for (std::size_t i = 0; i < skin_->joints.size(); ++i) {

@@ -51,7 +51,8 @@ class RestNodes {
 
 class PosedMesh {
  public:
-  /// Of the mesh of `node`, in the space of `upper`. Precondition: `upper` is `node` or above it.
+  /// Of the mesh of `node`, in the space of `upper`. Precondition: `upper` is `node` or above it,
+  /// or kNoNodeIndex for the scene.
   PosedMesh(RestNodes& nodes, NodeIndex upper, NodeIndex node);
 
   /// The nodes that are looked at for each pose.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "model/point_blocks.hpp"
@@ -14,12 +16,25 @@
 
 namespace gltfx::model {
 
+class MorePoints;
+class VolumeScopes;
+
+/// An external asset below a node, or below another one there, that has animations.
+struct MovingPart {
+  const GeometrySource* source = nullptr;  ///< lives as long as the MorePoints
+  Affine place;                            ///< of its scene in the space of the node, at rest
+  std::span<const std::uint8_t> drawn;     ///< by node: it is in the scene
+  MorePoints* more = nullptr;              ///< of its nodes
+  std::string name;                        ///< of the asset
+};
+
 /// A vertex against a volume.
 struct VolumeMiss {
   double distance = 0;  ///< to the volume, in the space of its node; negative: inside
-  NodeIndex node = 0;   ///< that draws the vertex
+  NodeIndex node = 0;   ///< that draws the vertex, or has the external asset that does
   PointBlocks::Origin vertex;
   std::optional<std::uint32_t> animation;  ///< absent: at rest
+  const MovingPart* external = nullptr;    ///< that has the animation; null: the asset itself
   double time = 0;                         ///< of the animation, seconds
   double reach = 0;                        ///< distance of the vertex from the origin of the node
 };
@@ -43,12 +58,14 @@ struct FittedVolume {
 };
 
 /// Meshes that are part of the asset in another way, as points in the space of a node: those of
-/// external assets.
+/// external assets, at rest.
 class MorePoints {
  public:
   virtual ~MorePoints() = default;
   /// Null: there are none. Sets `complete` to false if there are some that cannot be read.
   virtual const PointBlocks* of(NodeIndex node, bool& complete) = 0;
+  /// Those among them that animations of their own move. The list stays where it is.
+  virtual const std::vector<MovingPart>& moving(NodeIndex node) = 0;
 };
 
 class VolumeContents {
@@ -66,15 +83,13 @@ class VolumeContents {
   std::optional<FittedVolume> fit(NodeIndex node, bool poses);
 
  private:
-  struct Shared;
-  class Search;
-  Shared& shared();
+  VolumeScopes& scopes();
 
   const GeometrySource& source_;
   const schema::Set& schemas_;
   MorePoints* more_;
   std::vector<std::optional<BoundingVolume>> volumes_;  ///< by node
-  std::unique_ptr<Shared> shared_;
+  std::unique_ptr<VolumeScopes> scopes_;
 };
 
 }  // namespace gltfx::model

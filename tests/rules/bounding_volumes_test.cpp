@@ -254,6 +254,67 @@ TEST(BoundingVolume, EnclosesExternalAssets) {
   EXPECT_EQ(asset.amount(), 0);
 }
 
+/// An asset whose node 0 has the child as its external asset.
+struct BoundedParent : Bounded {
+  explicit BoundedParent(const std::vector<std::string>& children) {
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      add("files", {{"uri", "data:model/gltf+json;base64," + base64(children[i])},
+                    {"mimeType", "model/gltf+json"}});
+      add("externalAssets", {{"file", i}});
+    }
+  }
+  std::string said() const { return message(text(buffer_uri(bytes)), kPoses); }
+};
+
+TEST(BoundingVolume, EnclosesAnimationsOfExternalAssets) {
+  Bounded child;
+  child.node(R"("mesh": 0, "children": [1])");
+  child.node(R"("mesh": 0, "scale": [0.1, 0.1, 0.1])");
+  child.animate(1, "translation", {0, 1}, {0, 0, 0, 0, 2, 0});
+  child.json["animations"][0]["name"] = "lift";
+  BoundedParent asset({child.text(buffer_uri(child.bytes))});
+  asset.box(2, 2, 2);
+  asset.node(R"("children": [1], "boundingVolume": {"shape": 0}, "scale": [3, 3, 3])");
+  asset.node(R"("externalAsset": 0, "scale": [0.5, 0.5, 0.5])");
+  EXPECT_NEAR(asset.amount(), 0.05, 1e-6);
+  EXPECT_EQ(asset.found(), Lines{kPoses + " /nodes/0/boundingVolume"});
+  EXPECT_NE(asset.said().find("a vertex of the external asset of node 1"), std::string::npos);
+  EXPECT_NE(asset.said().find("at 1 s of animation 0 ('lift') of"), std::string::npos)
+      << asset.said();
+  asset.json["shapes"][0]["box"]["size"] = {2, 2.1, 2};
+  EXPECT_EQ(asset.found(), Lines{});
+}
+
+// Each animation plays alone: what is below the node that it moves follows.
+TEST(BoundingVolume, EnclosesWhatMovesBelowExternalAssets) {
+  Bounded inner;
+  inner.node(R"("mesh": 0)");
+  inner.animate(0, "scale", {0, 1}, {1, 1, 1, 1, 1, 3});
+  BoundedParent middle({inner.text(buffer_uri(inner.bytes))});
+  middle.node(R"("externalAsset": 0)");
+  middle.animate(0, "translation", {0, 1}, {0, 0, 0, 2, 0, 0});
+  BoundedParent asset({middle.text(buffer_uri(middle.bytes))});
+  asset.box(2, 2, 2);
+  asset.node(R"("externalAsset": 0, "boundingVolume": {"shape": 0})");
+  EXPECT_NEAR(asset.amount(), 2, 1e-5);
+  asset.json["shapes"][0]["box"]["size"] = {6, 2, 6};
+  EXPECT_EQ(asset.found(), Lines{});
+  asset.json["shapes"][0]["box"]["size"] = {6, 2, 2};
+  EXPECT_NEAR(asset.amount(), 2, 1e-5) << "of the inner one";
+}
+
+TEST(BoundingVolume, BrokenExternalAssetsAreLeftOut) {
+  Bounded child;
+  child.node(R"("mesh": 0, "children": [1], "skin": 0)");
+  child.node(R"("children": [0])");
+  child.add("skins", {{"joints", {0, 99}}});
+  child.animate(1, "translation", {0, 1}, {0, 0, 0, 0, 2, 0});
+  BoundedParent asset({child.text(buffer_uri(child.bytes))});
+  asset.box(2, 2, 2);
+  asset.node(R"("externalAsset": 0, "boundingVolume": {"shape": 0})");
+  EXPECT_EQ(asset.found(), Lines{});
+}
+
 TEST(BoundingVolume, ManyNestedVolumesAreJudged) {
   Bounded asset;
   asset.box(2, 2, 2);

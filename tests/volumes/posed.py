@@ -124,7 +124,7 @@ class Posed:
         described = nodes[node]
         if "mesh" not in described:
             return np.zeros((0, 3))
-        to_upper = np.linalg.inv(world[upper])
+        to_upper = np.eye(4) if upper is None else np.linalg.inv(world[upper])
         mesh = self.asset.json["meshes"][described["mesh"]]
         weights = described.get("weights", mesh.get("weights"))
         skinned = "skin" in described
@@ -179,3 +179,18 @@ class Posed:
             most = max(most, found[k])
             low, high = tried[max(k - 1, 0)], tried[min(k + 1, CLOSER)]
         return most
+
+
+class External(Posed):
+    """An external asset below nodes of another one, whose places it has: matrices from its scene, by node."""
+
+    def __init__(self, asset, places):
+        super().__init__(asset)
+        self.places = places
+        roots = asset.json["scenes"][asset.json["scene"]]["nodes"]
+        self.drawn = [node for root in roots for node in self.below(root)]
+
+    def all_points(self, upper, clip=None, time=0.0):
+        nodes, world = self.pose(clip, time)
+        points = np.vstack([self.points(i, nodes, world, None) for i in self.drawn])
+        return points @ self.places[upper][:3, :3].T + self.places[upper][:3, 3]

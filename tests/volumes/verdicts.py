@@ -7,7 +7,7 @@
 Nodes of assets get volumes that enclose all poses with 1 % to spare, for which there must be no finding, and
 volumes that miss 1 %: then there must be one, with the distance that the samples have, within 1 %. After
 `gltfx fix` no volume may miss a sample. Assets are made by moving_scenes.py, and copied from the given files if they
-have animations or skins. Prints what was wrong, and how much was looked at; the exit code says whether all is
+have animations or skins; those that are made are also external assets of others. Prints what was wrong, and how much was looked at; the exit code says whether all is
 well.
 """
 import argparse
@@ -145,10 +145,28 @@ class Run:
                 self.wrong.append("%s, node %d: the fix makes %g of %g" % (name, node, volume.size(), old.size()))
 
     def add(self, name, document, nodes, seed):
+        path = self.folder / "plain.gltf"
+        path.write_text(json.dumps(document))
+        return self.add_posed(name, document, nodes, seed, posed.Posed(assets.Asset(path)))
+
+    def add_external(self, name, document, seed):
+        """The asset below two nodes of another one, at which volumes are."""
+        path = self.folder / "child.gltf"
+        path.write_text(json.dumps(document))
+        builder = scenes.Builder(seed)
+        upper, lower = builder.place(), builder.place()
+        data = base64.b64encode(json.dumps(document).encode()).decode()
+        parent = {"asset": {"version": "2.1"}, "scene": 0, "scenes": [{"nodes": [0]}],
+                  "nodes": [{**upper, "children": [1]}, {**lower, "externalAsset": 0}],
+                  "externalAssets": [{"file": 0}],
+                  "files": [{"uri": "data:model/gltf+json;base64," + data, "mimeType": "model/gltf+json"}]}
+        asset = posed.External(assets.Asset(path), {0: assets.local_matrix(lower), 1: np.eye(4)})
+        return self.add_posed(name + " below another asset", parent, [0, 1], seed, asset)
+
+    def add_posed(self, name, document, nodes, seed, asset):
         random = np.random.default_rng(seed)
         path = self.folder / "plain.gltf"
         path.write_text(json.dumps(document))
-        asset = posed.Posed(assets.Asset(path))
         if next(self.findings([path]))[0]:
             return False
         moments = asset.moments()
@@ -215,6 +233,8 @@ def main():
             for seed in range(arguments.seeds):
                 if not run.add("%s %d" % (name, seed), *scenes.make(name, seed), seed):
                     run.wrong.append("%s %d has errors" % (name, seed))
+            if not run.add_external(name, scenes.make(name, 0)[0], 0):
+                run.wrong.append("%s as an external asset has errors" % name)
         for path in arguments.paths:
             files = sorted(path.rglob("*.gl[tb]*")) if path.is_dir() else [path]
             used += sum(copied(run, each) for each in files if each.suffix in (".gltf", ".glb"))

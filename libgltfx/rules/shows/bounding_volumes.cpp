@@ -35,10 +35,20 @@ std::string amount_of(const BoundingVolume& volume, const VolumeMiss& miss) {
                      100 * miss.distance / volume.size(), volume.is_box ? "diagonal" : "diameter");
 }
 
+std::string animation_of(const Context& context, const VolumeMiss& miss) {
+  if (miss.external == nullptr) {
+    return object_label(context, RootArray::animations, *miss.animation);
+  }
+  const model::Asset& asset = miss.external->source->asset;
+  const std::string name = asset.name(asset.elements(RootArray::animations)[*miss.animation]);
+  return fmt::format("animation {}{} of {}", *miss.animation,
+                     name.empty() ? name : fmt::format(" ({})", gltfx::quoted(name)),
+                     gltfx::quoted(miss.external->name));
+}
+
 std::string moment_of(const Context& context, const VolumeMiss& miss) {
   if (!miss.animation) return "at rest";
-  return fmt::format("at {:.4g} s of {}", miss.time,
-                     object_label(context, RootArray::animations, *miss.animation));
+  return fmt::format("at {:.4g} s of {}", miss.time, animation_of(context, miss));
 }
 
 // A node draws a mesh, or another asset.

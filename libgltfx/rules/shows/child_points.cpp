@@ -2,9 +2,11 @@
 #include "rules/shows/child_points.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "codec/client.hpp"
 #include "container/opened_files.hpp"
+#include "model/external_places.hpp"
 #include "model/fields.hpp"
 #include "model/instancing.hpp"
 #include "model/pose.hpp"
@@ -17,6 +19,8 @@ using model::NodeIndex;
 using model::RootArray;
 
 constexpr std::size_t kMostChildPoints = std::size_t{1} << 23U;  // of one node
+constexpr std::size_t kMostPoints = std::size_t{1} << 24U;       // of all nodes
+constexpr std::size_t kMostMoving = 4096;                        // of one node
 constexpr std::size_t kMostNested = 32;
 constexpr std::uint64_t kChildBytes = std::uint64_t{1} << 29U;  // of one mesh
 
@@ -35,7 +39,7 @@ class PointCollector final : public model::PointWatcher {
 
 // Adds what a node draws at rest. False: it cannot be read, or there is too much.
 bool add_mesh(const model::GeometrySource& source, NodeIndex index, const model::Pose& pose,
-              const Affine& place, model::Vectors<3>& points) {
+              const Affine& place, std::size_t most, model::Vectors<3>& points) {
   const model::Node& node = source.views.nodes[index];
   std::vector<Affine> joints;
   if (node.skin) {
@@ -54,7 +58,8 @@ bool add_mesh(const model::GeometrySource& source, NodeIndex index, const model:
   const bool morphs = std::any_of(weights.begin(), weights.end(), [](float w) { return w != 0; });
   const auto blocks = model::PointBlocks::read(source, source.views.meshes[*node.mesh],
                                                joints.size(), morphs, budget);
-  if (!blocks || blocks->size() * copies.size() > kMostChildPoints - points.size()) return false;
+  if (points.size() > most || !blocks) return false;
+  if (blocks->size() * copies.size() > most - points.size()) return false;
   for (Affine& each : joints) each = place * each;
   PointCollector collector(points);
   std::uint64_t work = UINT64_MAX;
@@ -69,24 +74,79 @@ bool add_mesh(const model::GeometrySource& source, NodeIndex index, const model:
 
 }  // namespace
 
-ChildPoints::ChildPoints(const model::OpenedAsset& asset) : assets_(asset) {
+/// The external assets of an external asset.
+class ChildPoints::Below final : public model::MorePoints {
+ public:
+  Below(ChildPoints& all, model::AssetInTree& asset) : all_(all), asset_(asset) {}
+  const model::PointBlocks* of(NodeIndex node, bool& complete) override {
+    Known* const known = all_.known_at(asset_, node, complete);
+    return known == nullptr ? nullptr : &known->blocks;
+  }
+  // The node above has those of all levels.
+  const std::vector<model::MovingPart>& moving(NodeIndex) override { return none_; }
+
+ private:
+  ChildPoints& all_;
+  model::AssetInTree& asset_;
+  std::vector<model::MovingPart> none_;
+};
+
+/// An external asset with the bytes of its buffers.
+struct ChildPoints::Loaded {
+  Loaded(ChildPoints& all, model::AssetInTree& asset)
+      : tables(asset.asset().document()), views(asset.asset().views()), below(all, asset) {
+    const model::OpenedAsset& opened = asset.asset();
+    container::OpenedFiles files(opened.resolver());
+    const std::vector<bool> no_images(tables.count(RootArray::images));
+    data = model::load_resources(opened.container(), files, tables, views, 1, &no_images).data;
+    draco.add_all(tables, views, data);
+    draco.decode(codec::Client::shared(), 1);
+    pose = model::compute_pose(tables, views, model::attached_roots(tables, views));
+  }
+
+  const model::Asset tables;
+  const model::Views& views;
+  model::ResourceData data;
+  model::DracoMeshes draco;
+  const model::GeometrySource source{tables, views, data, draco};
+  model::Pose pose;
+  Below below;
+};
+
+ChildPoints::ChildPoints(const model::OpenedAsset& asset)
+    : assets_(asset), points_left_(kMostPoints) {
   above_.push_back(assets_.root().identity());
 }
 
+ChildPoints::~ChildPoints() = default;
+
 const model::PointBlocks* ChildPoints::of(NodeIndex node, bool& complete) {
-  model::AssetInTree& root = assets_.root();
-  if (root.external_assets().empty()) return nullptr;
-  const json::NodeId object = root.asset().views().nodes[node].object;
-  model::AssetInTree* const child = asset_at(root, object, complete);
+  Known* const known = known_at(assets_.root(), node, complete);
+  return known == nullptr ? nullptr : &known->blocks;
+}
+
+const std::vector<model::MovingPart>& ChildPoints::moving(NodeIndex node) {
+  bool complete = true;
+  Known* const known = known_at(assets_.root(), node, complete);
+  return known == nullptr ? none_.moving : known->moving;
+}
+
+ChildPoints::Known* ChildPoints::known_at(model::AssetInTree& parent, NodeIndex node,
+                                          bool& complete) {
+  if (parent.external_assets().empty()) return nullptr;
+  const json::NodeId object = parent.asset().views().nodes[node].object;
+  model::AssetInTree* const child = asset_at(parent, object, complete);
   if (child == nullptr) return nullptr;
   const auto [known, is_new] = known_.try_emplace(child);
   if (is_new) {
-    Points points;
-    known->second.complete = add(*child, Affine(), points);
-    known->second.blocks = model::PointBlocks(std::move(points));
+    Collected collected;
+    known->second.complete = add(*child, Affine(), collected);
+    points_left_ -= collected.points.size();
+    known->second.blocks = model::PointBlocks(std::move(collected.points));
+    known->second.moving = std::move(collected.moving);
   }
   complete = complete && known->second.complete;
-  return &known->second.blocks;
+  return &known->second;
 }
 
 model::AssetInTree* ChildPoints::asset_at(model::AssetInTree& parent, json::NodeId node,
@@ -100,38 +160,41 @@ model::AssetInTree* ChildPoints::asset_at(model::AssetInTree& parent, json::Node
   return found ? **opened : nullptr;
 }
 
-bool ChildPoints::add(model::AssetInTree& asset, const Affine& place, Points& points) {
+bool ChildPoints::add(model::AssetInTree& asset, const Affine& place, Collected& to) {
   const bool is_cycle = std::find(above_.begin(), above_.end(), asset.identity()) != above_.end();
   if (is_cycle || above_.size() > kMostNested) return false;
+  const json::Document& document = asset.asset().document();
+  if (document.empty() || !document.is_object(document.root())) return false;
+  const auto kept = animated_.find(&asset);
+  std::unique_ptr<Loaded> fresh;
+  if (kept == animated_.end()) fresh = std::make_unique<Loaded>(*this, asset);
+  const Loaded& loaded = fresh ? *fresh : *kept->second;
+  const bool moves = !loaded.views.animations.empty();
+  if (fresh && moves) animated_.emplace(&asset, std::move(fresh));
   above_.push_back(asset.identity());
-  const bool complete = add_own(asset, place, points);
+  bool complete = add_nodes(asset, loaded, place, to);
   above_.pop_back();
+  if (!moves) return complete;
+  if (to.moving.size() >= kMostMoving) return false;
+  const std::string& first = assets_.root().asset().name();
+  to.moving.push_back({&loaded.source, place, loaded.pose.in_scene, &animated_.at(&asset)->below,
+                       asset.asset().name().substr(first.rfind('/') + 1)});
   return complete;
 }
 
-bool ChildPoints::add_own(model::AssetInTree& asset, const Affine& place, Points& points) {
-  const model::OpenedAsset& opened = asset.asset();
-  const json::Document& document = opened.document();
-  if (document.empty() || !document.is_object(document.root())) return false;
-  const model::Asset tables(document);
-  const model::Views& views = opened.views();
-  if (tables.count(RootArray::scenes) == 0) return true;  // nothing becomes part of the parent
-  container::OpenedFiles files(opened.resolver());
-  const std::vector<bool> no_images(tables.count(RootArray::images));
-  const auto loaded =
-      model::load_resources(opened.container(), files, tables, views, 1, &no_images);
-  model::DracoMeshes draco;
-  draco.add_all(tables, views, loaded.data);
-  draco.decode(codec::Client::shared(), 1);
-  const model::GeometrySource source{tables, views, loaded.data, draco};
-  const model::Pose pose = model::compute_pose(tables, views, model::choose_scene(tables, views));
+bool ChildPoints::add_nodes(model::AssetInTree& asset, const Loaded& loaded, const Affine& place,
+                            Collected& to) {
+  const auto& nodes = loaded.views.nodes;
   bool complete = true;
-  for (NodeIndex i = 0; i < views.nodes.size() && complete; ++i) {
-    if (pose.in_scene[i] == 0) continue;
-    if (views.nodes[i].mesh) complete = add_mesh(source, i, pose, place, points);
+  for (NodeIndex i = 0; i < nodes.size() && complete; ++i) {
+    if (loaded.pose.in_scene[i] == 0) continue;
+    if (nodes[i].mesh) {
+      const std::size_t most = std::min(kMostChildPoints, points_left_);
+      complete = add_mesh(loaded.source, i, loaded.pose, place, most, to.points);
+    }
     if (!complete || asset.external_assets().empty()) continue;
-    model::AssetInTree* const child = asset_at(asset, views.nodes[i].object, complete);
-    if (child != nullptr) complete = complete && add(*child, place * pose.world[i], points);
+    model::AssetInTree* const child = asset_at(asset, nodes[i].object, complete);
+    if (child != nullptr) complete = complete && add(*child, place * loaded.pose.world[i], to);
   }
   return complete;
 }
