@@ -21,6 +21,8 @@ using json::Writer;
 
 constexpr std::size_t kMostOfAKind = 12;   // listed meshes, images and so on of an asset
 constexpr std::size_t kMostUpgrades = 50;  // legacy objects
+// Several assets may have the same external asset.
+constexpr std::size_t kMostExternal = 100, kMostOfExternal = 50;
 
 void member_if(Writer& writer, std::string_view name, const std::string& text) {
   if (!text.empty()) writer.member(name, text);
@@ -87,10 +89,8 @@ void write_upgrade(Writer& writer, const InspectReport& inspection) {
   member_if(writer, "upgradeProblem", inspection.upgrade_problem);
 }
 
-void write_asset(Writer& writer, const PageAsset& asset, bool with_position) {
-  const FileReport& report = asset.report;
-  writer.begin_object();
-  if (with_position) writer.member("position", report.position);
+// What a report says, with the first findings.
+void write_report(Writer& writer, const FileReport& report, std::size_t most) {
   writer.member("path", report.path);
   writer.member("readable", report.readable);
   writer.key("counts");
@@ -103,8 +103,34 @@ void write_asset(Writer& writer, const PageAsset& asset, bool with_position) {
   writer.member("unverified", report.unverified);
   writer.key("findings");
   writer.begin_array();
-  for (const Diagnostic& finding : report.diagnostics) write_finding(writer, finding);
+  const std::size_t shown = std::min(report.diagnostics.size(), most);
+  for (std::size_t i = 0; i < shown; ++i) write_finding(writer, report.diagnostics[i]);
   writer.end_array();
+  if (shown < report.diagnostics.size()) {
+    writer.member("findingsOmitted", std::uint64_t{report.diagnostics.size() - shown});
+  }
+}
+
+void write_external_assets(Writer& writer, const std::vector<FileReport>& all) {
+  if (all.empty()) return;
+  const std::size_t shown = std::min(all.size(), kMostExternal);
+  writer.key("externalAssets");
+  writer.begin_array();
+  for (std::size_t i = 0; i < shown; ++i) {
+    writer.begin_object();
+    write_report(writer, all[i], kMostOfExternal);
+    writer.end_object();
+  }
+  writer.end_array();
+  if (all.size() > shown) writer.member("externalAssetsOmitted", std::uint64_t{all.size() - shown});
+}
+
+void write_asset(Writer& writer, const PageAsset& asset, bool with_position) {
+  const FileReport& report = asset.report;
+  writer.begin_object();
+  if (with_position) writer.member("position", report.position);
+  write_report(writer, report, report.diagnostics.size());
+  write_external_assets(writer, report.external_assets);
   if (!report.requirements.empty()) {
     writer.key("requirements");
     report::write_page_requirements(writer, report.requirements, asset.previous);
@@ -191,7 +217,14 @@ void PageWriter::begin(std::string& out) const {
 }
 
 void PageWriter::asset(const PageAsset& asset, std::string& out) {
-  for (const Diagnostic& finding : asset.report.diagnostics) codes_.insert(finding.code);
+  const FileReport& report = asset.report;
+  for (const Diagnostic& finding : report.diagnostics) codes_.insert(finding.code);
+  const std::size_t listed = std::min(report.external_assets.size(), kMostExternal);
+  for (std::size_t i = 0; i < listed; ++i) {
+    const auto& findings = report.external_assets[i].diagnostics;
+    const std::size_t shown = std::min(findings.size(), kMostOfExternal);
+    for (std::size_t k = 0; k < shown; ++k) codes_.insert(findings[k].code);
+  }
   targets_.insert(asset.targets.begin(), asset.targets.end());
   out += has_assets_ ? ",\n" : "\n";
   has_assets_ = true;

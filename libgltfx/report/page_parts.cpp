@@ -66,6 +66,13 @@ class Members {
   bool complete_ = true;
 };
 
+void add_codes(const json::Document& document, Members& report, std::vector<std::string>& codes) {
+  report.elements("findings", [&](NodeId finding) {
+    if (!document.is_object(finding)) return;
+    codes.push_back(Members(document, finding).text("code"));
+  });
+}
+
 // Text of a page is copied unchanged: nothing in it may end the block of data.
 bool is_harmless(std::string_view text, const json::Parsed& parsed) {
   return text.find('<') == std::string_view::npos && parsed.ok() &&
@@ -122,10 +129,14 @@ Result<PageLine> read_page_line(std::string_view line) {
   Members members(parsed.document, parsed.document.root());
   read.position = members.number("position");
   read.path = members.text("path");
-  members.elements("findings", [&](NodeId finding) {
-    if (!parsed.document.is_object(finding)) return;
-    read.codes.push_back(Members(parsed.document, finding).text("code"));
-  });
+  add_codes(parsed.document, members, read.codes);
+  if (parsed.document.holds(parsed.document.root(), "externalAssets")) {
+    members.elements("externalAssets", [&](NodeId external) {
+      if (!parsed.document.is_object(external)) return;
+      Members report(parsed.document, external);
+      add_codes(parsed.document, report, read.codes);
+    });
+  }
   if (!members.complete()) return foreign();
   read.json = "{" + std::string(line.substr(comma + 1));
   return read;

@@ -15,6 +15,7 @@ async function unfold(page) {
   for (let i = 0; i < Math.min(4, await rows(page)); ++i) {
     await page.locator("#list > li").nth(i).locator("summary").first().click();
   }
+  for (const external of await page.locator(".external > summary").all()) await external.click();
   const finding = page.locator(".finding details > summary").first();
   if (await finding.isVisible()) await finding.click();
 }
@@ -26,6 +27,23 @@ async function loadsNothing(browser, url) {
   const others = page.requests.filter((one) => one !== url && !one.startsWith("data:image/webp;base64,"));
   assert.deepEqual(others, []);
   assert.deepEqual(page.complaints, []);
+  await context.close();
+}
+
+async function listsExternalAssets(browser, url) {
+  const context = await browser.newContext();
+  const page = await open(context, url);
+  await page.fill("#path", "bad/external-invalid.gltf");
+  assert.equal(await rows(page), 1);
+  const state = await page.locator("#list .state").textContent();
+  await page.locator("#list > li summary").first().click();
+  const external = page.locator(".external");
+  assert.equal(await external.count(), 1);
+  assert.match(await external.locator("summary").first().textContent(), /\.gltf.* · 1 error/);
+  assert.equal(await external.locator(".finding").count(), 0);
+  await external.locator("summary").first().click();
+  assert.ok(await external.locator(".finding.error").count() > 0);
+  assert.match(state, /^1 error/);
   await context.close();
 }
 
@@ -241,6 +259,9 @@ export function browserChecks(browser, url, limitsUrl, axePath) {
     ["so is their matrix", () => isAccessible(browser, `${limitsUrl}#view=matrix`, axeSource, unfold)],
     ...requirementChecks(browser, limitsUrl, open),
     ["loads nothing and complains of nothing", () => loadsNothing(browser, url)],
+    ["external assets are accessible, too",
+      () => isAccessible(browser, `${url}#path=bad/external-`, axeSource)],
+    ["lists external assets", () => listsExternalAssets(browser, url)],
     ["text of assets stays text", () => textStaysText(browser, url)],
     ["filters", () => filters(browser, url)],
     ["shows what targets lose", () => showsTargets(browser, url)],

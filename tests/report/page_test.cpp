@@ -265,6 +265,27 @@ TEST(Page, ExplainsTheRulesThatFoundSomething) {
 }
 
 // Nothing is fetched, and nothing runs but the page's own script.
+TEST(Page, ListsExternalAssetsBesideTheCounts) {
+  PageAsset asset;
+  asset.report = testing::file("main.gltf", {});
+  std::vector<Diagnostic> many(60, testing::finding("OTHER_RULE", Severity::info, "told", "/a"));
+  asset.report.external_assets = {
+      testing::file("parts/a.gltf", {testing::finding("A_RULE", Severity::error, "bad", "/b")}),
+      testing::file("parts/b.gltf", std::move(many))};
+  const Json data = Json::parse(data_of(page_of({asset})));
+  const Json& listed = data["assets"][0]["externalAssets"];
+  ASSERT_EQ(listed.size(), 2U);
+  EXPECT_EQ(listed[0]["path"], "parts/a.gltf");
+  EXPECT_EQ(listed[0]["counts"]["errors"], 1);
+  EXPECT_EQ(listed[0]["findings"][0]["message"], "bad");
+  EXPECT_EQ(listed[1]["findings"].size(), 50U);
+  EXPECT_EQ(listed[1]["findingsOmitted"], 10);
+  EXPECT_EQ(data["assets"][0]["counts"]["errors"], 0);
+  EXPECT_EQ(data["summary"]["errors"], 0);
+  EXPECT_TRUE(data["rules"].contains("A_RULE"));
+  EXPECT_FALSE(Json::parse(data_of(page_of({hostile()})))["assets"][0].contains("externalAssets"));
+}
+
 TEST(Page, AllowsNothingFromOutside) {
   const std::string page = page_of({hostile()});
   EXPECT_THAT(page, HasSubstr("default-src 'none'; img-src data:; style-src 'sha256-"));

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -141,6 +142,10 @@ class ReportRun {
 
   void take(PageAsset& asset) {
     known_.apply(asset.report);
+    for (FileReport& external : asset.report.external_assets) {
+      external.path = std::filesystem::path(external.path).lexically_normal().native();
+      known_.apply(external);
+    }
     const auto previous = previous_.find(asset.report.path);
     if (previous != previous_.end()) asset.previous = previous->second;
     summary_.add(asset.report);

@@ -54,8 +54,8 @@ function findingItem(finding) {
       rule ? make("p", {}, rule.summary + ". " + rule.why) : null));
 }
 
-/** The findings that pass the filter, some at a time. */
-function findingsPart(asset, matches) {
+/** The findings that pass the filter, some at a time, and notes on others. */
+function findingsOf(asset, matches) {
   const shown = asset.findings.filter(matches)
     .sort((a, b) => SEVERITIES.indexOf(a.severity) - SEVERITIES.indexOf(b.severity));
   const list = make("ol.findings");
@@ -77,8 +77,30 @@ function findingsPart(asset, matches) {
   if (asset.unverified > 0) notes.push(counted(asset.unverified, "file") + " not verified (Git-LFS pointers).");
   if (asset.suppressed > 0) notes.push(counted(asset.suppressed, "finding") + " known to the baseline.");
   if (asset.leftOut > 0) notes.push(counted(asset.leftOut, "finding") + " left out, as the asset asks.");
-  return make("section", {}, make("h4", {}, "Findings"), list, more,
-    notes.map((note) => make("p.soft", {}, note)));
+  if (asset.findingsOmitted > 0) notes.push(counted(asset.findingsOmitted, "more finding") + ".");
+  return [list, more, notes.map((note) => make("p.soft", {}, note))];
+}
+
+function findingsPart(asset, matches) {
+  return make("section", {}, make("h4", {}, "Findings"), ...findingsOf(asset, matches));
+}
+
+/** Unfolded, its findings: those of all severities, which are not among the counts of the page. */
+function externalAsset(one) {
+  const folded = make("details.external", {}, make("summary", {}, make("span.mono", {}, isolated(one.path)), " · ",
+    stateText(one)));
+  folded.addEventListener("toggle", () => {
+    if (folded.open && folded.childElementCount === 1) folded.append(make("div", {}, ...findingsOf(one, () => true)));
+  });
+  return folded;
+}
+
+function externalPart(asset) {
+  const all = asset.externalAssets || [];
+  if (all.length === 0) return null;
+  return make("section", {}, make("h4", {}, "External assets"), all.map(externalAsset),
+    asset.externalAssetsOmitted > 0 ? make("p.soft", {}, counted(asset.externalAssetsOmitted, "more external asset") + ".")
+      : null);
 }
 
 function upgradePart(asset) {
@@ -219,7 +241,8 @@ function pathLine(asset) {
 function details(asset, matches) {
   const facts = asset.facts;
   return make("div.body", {},
-    make("div.main-side", {}, pathLine(asset), findingsPart(asset, matches), requirementsPart(asset), upgradePart(asset),
+    make("div.main-side", {}, pathLine(asset), findingsPart(asset, matches), externalPart(asset),
+      requirementsPart(asset), upgradePart(asset),
       facts ? listParts(facts) : null, facts ? materialsPart(facts) : null),
     make("div.fact-side", {}, picturesPart(asset), facts ? bytesPart(facts) : null,
       facts ? generalPart(facts) : make("p.soft", {}, "No facts: ", isolated(asset.error || "it could not be read")),

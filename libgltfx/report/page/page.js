@@ -50,6 +50,7 @@ function verdictOf(asset) {
 function words(asset) {
   if (asset.words === undefined) {
     const found = [];
+    for (const one of asset.externalAssets || []) found.push(one.path);
     for (const one of asset.findings) found.push(one.code, one.message, one.pointer || "", one.object || "");
     for (const one of asset.facts ? asset.facts.extensions : []) found.push(one.name);
     for (const kind of asset.facts ? ["meshes", "materials", "images", "animations"] : []) {
