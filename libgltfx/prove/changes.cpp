@@ -30,6 +30,7 @@ constexpr SpecialKind kSpecialKinds[] = {
     {"asset.value", "a value of the asset as a whole is another one", false},
     {"extension.list", "an extension is no longer declared, or is declared now", false},
     {"extension.unknown", "a value of an extension without a schema is another one", false},
+    {"external.asset", "an external asset, or one below it, differs", true},
     {"extras", "a value of extras is another one", false},
     {"generator", "the asset names another generator; counts on request only", false},
     {"geometry.attribute", "an attribute of vertices was added or removed", true},
@@ -135,8 +136,10 @@ double share_of(const Change& change) {
 
 // What is told once.
 std::string key_of(const Change& change) {
-  return fmt::format("{}\n{}\n{}", change.kind, change.old_pointer.value_or("-"),
-                     change.new_pointer.value_or("-"));
+  std::string key = fmt::format("{}\n{}\n{}", change.kind, change.old_pointer.value_or("-"),
+                                change.new_pointer.value_or("-"));
+  if (change.kind == "external.asset") key += "\n" + change.what;  // several are below one
+  return key;
 }
 
 auto order_of(const Change& change) {

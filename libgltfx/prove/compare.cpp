@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "prove/compare_drawn.hpp"
+#include "prove/compare_external.hpp"
 #include "prove/compare_motion.hpp"
 #include "prove/compare_nodes.hpp"
 #include "prove/compare_poses.hpp"
@@ -41,16 +42,20 @@ bool same_resources(const model::OpenedAsset& ours, const model::OpenedAsset& th
   return same;
 }
 
-}  // namespace
+void add_external(const ExternalChanges& external, ChangeLog& log) {
+  for (const Change& change : external.changes) log.add(change);
+  for (const std::string& each : external.storage) log.note_storage(each);
+  for (const std::string& each : external.unproven) log.leave_out(each);
+}
 
-std::vector<ChangedBoxes> compare_assets(const model::OpenedAsset& ours,
-                                         const model::OpenedAsset& theirs,
-                                         const schema::Set& schemas, const CompareOptions& options,
-                                         CompareReport& report) {
+std::vector<ChangedBoxes> compare_plain(const model::OpenedAsset& ours,
+                                        const model::OpenedAsset& theirs,
+                                        const schema::Set& schemas, const CompareOptions& options,
+                                        const ExternalChanges& external, CompareReport& report) {
   // A draft with another text has the bytes of its asset.
   const bool same_bytes = ours.document().text() == theirs.document().text() &&
                           container::same_bytes(ours.container().bytes, theirs.container().bytes);
-  if (same_bytes && same_resources(ours, theirs, options.jobs)) {
+  if (same_bytes && external.empty() && same_resources(ours, theirs, options.jobs)) {
     report.level = CompareLevel::identical;
     return {};
   }
@@ -77,12 +82,30 @@ std::vector<ChangedBoxes> compare_assets(const model::OpenedAsset& ours,
   compare_image_texels(all);
   compare_stored_objects(all);
   merge_shared_causes(all);
+  add_external(external, log);
   if (match.is_renumbered()) log.note_storage("objects have other numbers");
   report.sizes = compare_sizes(all, ours, theirs);
   log.take(report);
   locate_changes(all, ours.container().json_offset, theirs.container().json_offset, report);
   if (options.picture_size == 0) return {};
   return find_changed_boxes(all, report);
+}
+
+}  // namespace
+
+std::vector<ChangedBoxes> compare_assets(const model::OpenedAsset& ours,
+                                         const model::OpenedAsset& theirs,
+                                         const schema::Set& schemas, const CompareOptions& options,
+                                         CompareReport& report) {
+  CompareOptions without_pictures = options;
+  without_pictures.picture_size = 0;
+  const auto compare = [&](const model::OpenedAsset& before, const model::OpenedAsset& after) {
+    CompareReport one;
+    compare_plain(before, after, schemas, without_pictures, {}, one);
+    return one;
+  };
+  const ExternalChanges external = compare_external_assets(ours, theirs, compare);
+  return compare_plain(ours, theirs, schemas, options, external, report);
 }
 
 }  // namespace gltfx::prove

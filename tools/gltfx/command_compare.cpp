@@ -141,7 +141,11 @@ class CompareRun {
     }
     json::Writer writer(text_, true);
     if (request_.format == CompareFormat::json) begin(writer);
-    for (const ComparePair& pair : *pairs) take(compare(pair), writer);
+    for (const ComparePair& pair : *pairs) {
+      CompareReport report = compare(pair);
+      report.external_asset_of = pair.external_asset_of;
+      take(std::move(report), writer);
+    }
     finish(writer);
     name_unread_files();
     say();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -27,6 +28,8 @@ constexpr std::size_t kLongestPath = 200;
 /// Names of an asset on both sides; an empty one: it is missing there.
 struct NamePair {
   RepositoryName before, after;
+  std::vector<RepositoryName> parents = {};  ///< that have it as an external asset
+  bool is_parent = false;  ///< it did not change, but an external asset below it did
   const RepositoryName& key() const { return after.empty() ? before : after; }
 };
 
@@ -55,18 +58,39 @@ class GitPairSearch {
   std::optional<Error> run(const GitRange& range) {
     const auto changes = read_git_changes(before_.index().folder(), range);
     if (!changes) return changes.error();
-    std::set<RepositoryName> others;
+    std::set<RepositoryName> names, others;
     for (const GitChange& change : *changes) {
       add(change);
       for (const RepositoryName& name : {change.before, change.after}) {
         if (!name.empty() && !is_asset_name(name)) others.insert(name);
       }
+      if (change.file_before && is_asset_name(change.before)) names.insert(change.before);
+      if (change.file_after && is_asset_name(change.after)) names.insert(change.after);
     }
-    return add_owners(std::move(others));
+    return add_owners(std::move(names), std::move(others));
   }
 
   /// Sorted by name.
   const std::map<RepositoryName, NamePair>& found() const { return found_; }
+  /// Whether one of the assets below another one changed and is wanted.
+  bool is_told_below(const RepositoryName& parent,
+                     const std::function<bool(const NamePair&)>& wanted) const {
+    std::set<RepositoryName> seen{parent};
+    std::vector<RepositoryName> left{parent};
+    while (!left.empty()) {
+      const auto references = references_.find(left.back());
+      left.pop_back();
+      if (references == references_.end()) continue;
+      for (const RepositoryName& name : references->second) {
+        if (!seen.insert(name).second) continue;
+        const auto child = found_.find(name);
+        if (child == found_.end()) continue;
+        if (!child->second.is_parent && wanted(child->second)) return true;
+        left.push_back(name);
+      }
+    }
+    return false;
+  }
 
  private:
   void add(const GitChange& change) {
@@ -79,14 +103,29 @@ class GitPairSearch {
   }
 
   // An asset that did not change refers to the same files on both sides.
-  std::optional<Error> add_owners(std::set<RepositoryName> others) {
-    if (others.empty()) return std::nullopt;
+  std::optional<Error> add_owners(std::set<RepositoryName> names, std::set<RepositoryName> others) {
+    if (names.empty() && others.empty()) return std::nullopt;
     others.merge(places_behind_links(before_, others));
+    names.insert(others.begin(), others.end());
     StagedAssets assets(before_.index());
-    if (auto trouble = assets.find(others)) return trouble;
+    if (auto trouble = assets.find(names)) return trouble;
+    const auto is_changed_file = [&](const auto& name) { return others.count(name) > 0; };
     for (const RepositoryName& name : assets.found()) {
+      const auto references = assets.references().find(name);
       const bool known = before_.index().entries().count(name) > 0;
-      if (known && changed_.count(name) == 0) found_.emplace(name, NamePair{name, name});
+      if (references == assets.references().end()) continue;
+      references_.emplace(name, references->second);
+      if (!known || changed_.count(name) > 0) continue;
+      const bool owns =
+          std::any_of(references->second.begin(), references->second.end(), is_changed_file);
+      found_.emplace(name, NamePair{name, name, {}, !owns});
+    }
+    for (const auto& [asset, references] : references_) {
+      for (const RepositoryName& name : references) {
+        const auto child = found_.find(name);
+        if (child == found_.end() || asset == name) continue;
+        if (!child->second.is_parent) child->second.parents.push_back(asset);
+      }
     }
     return std::nullopt;
   }
@@ -94,6 +133,7 @@ class GitPairSearch {
   GitTree& before_;
   std::set<RepositoryName> changed_;  ///< assets by their old names
   std::map<RepositoryName, NamePair> found_;
+  References references_;  ///< of found assets
 };
 
 /// Files and folders of the user.
@@ -156,9 +196,17 @@ Result<GitPairs> find_git_pairs(const std::string& range, const std::vector<std:
   if (!restriction) return restriction.error();
   GitPairSearch search(before);
   if (auto trouble = search.run(*sides)) return *std::move(trouble);
+  const auto wanted = [&](const NamePair& names) {
+    return restriction->has(names.before) || restriction->has(names.after);
+  };
   for (const auto& [key, names] : search.found()) {
-    if (!restriction->has(names.before) && !restriction->has(names.after)) continue;
+    if (!wanted(names)) continue;
+    // What changed is told once, at the external asset.
+    if (names.is_parent && search.is_told_below(names.before, wanted)) continue;
     ComparePair pair;
+    for (const RepositoryName& parent : names.parents) {
+      pair.external_asset_of.push_back(before.index().path_of(parent));
+    }
     if (!names.before.empty()) {
       pair.before = before.index().path_of(names.before);
       pair.open_before = open_in_commit(before, names.before, pair.before);

@@ -17,6 +17,7 @@ struct ComparePair {
   std::string before, after;  ///< names for reports; an empty one: the asset is missing there
   /// Null: the name is the path of a file.
   OpenCompared open_before = nullptr, open_after = nullptr;
+  std::vector<std::string> external_asset_of = {};  ///< as CompareReport has it
 };
 
 /// The assets that git says have changed, and those that refer to changed files. Renames are pairs.

@@ -79,6 +79,17 @@ std::string picture_row(const ComparePicture& picture) {
       picture.changed() ? "changes" : "differs", picture.distance, picture.limit);
 }
 
+// "external asset of hall.gltf, lobby.gltf and 3 more"
+std::string parents_of(const CompareReport& report) {
+  constexpr std::size_t kMost = 8;
+  const auto& all = report.external_asset_of;
+  std::string text = "external asset of ";
+  for (std::size_t i = 0; i < std::min(all.size(), kMost); ++i) {
+    text += (i == 0 ? "" : ", ") + report::safe_cut(all[i], 200);
+  }
+  return all.size() <= kMost ? text : fmt::format("{} and {} more", text, all.size() - kMost);
+}
+
 std::string measure_of(const Change& change) {
   if (!change.measure) return {};
   const CompareMeasure& measure = *change.measure;
@@ -159,6 +170,7 @@ std::string compare_headline(const CompareReport& report) {
 std::string compare_text(const CompareReport& report, std::size_t most, const Style& style) {
   std::string text =
       fmt::format("{}: {}\n", style.bold(pair_name(report)), compare_headline(report));
+  if (!report.external_asset_of.empty()) text += wrapped(parents_of(report), 2);
   const std::size_t shown =
       most == 0 ? report.changes.size() : std::min(most, report.changes.size());
   for (std::size_t i = 0; i < shown; ++i) {
@@ -295,6 +307,9 @@ void write_compare_pair(json::Writer& writer, const CompareReport& report,
   writer.begin_object();
   path("old", report.old_path);
   path("new", report.new_path);
+  if (!report.external_asset_of.empty()) {
+    report::write_long_values(writer, "externalAssetOf", report.external_asset_of);
+  }
   if (!report.error.empty()) writer.member("error", report::long_value(report.error));
   writer.member("level", compare_level_name(report.level));
   writer.key("changes");

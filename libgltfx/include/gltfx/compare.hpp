@@ -140,8 +140,10 @@ struct ComparePicture {
 
 /// Result for a pair of assets. Owns its text.
 struct CompareReport {
-  std::string old_path;                          ///< empty: the asset was added
-  std::string new_path;                          ///< empty: the asset was removed
+  std::string old_path;  ///< empty: the asset was added
+  std::string new_path;  ///< empty: the asset was removed
+  /// Assets that have this one as an external asset; compare_files() leaves it empty.
+  std::vector<std::string> external_asset_of;
   CompareLevel level = CompareLevel::identical;  ///< of all that counts
   std::vector<Change> changes;        ///< in the order of the old asset, then of the new one
   std::vector<std::string> storage;   ///< what is stored differently, half sentences
