@@ -13,6 +13,7 @@
 #include "base/text.hpp"
 #include "codec/client.hpp"
 #include "model/asset.hpp"
+#include "model/external_places.hpp"
 #include "model/variants.hpp"
 #include "pipeline/bake_clip.hpp"
 #include "pipeline/bake_names.hpp"
@@ -80,17 +81,32 @@ std::uint32_t side_of_whole(const BakeOptions& options) {
   return side;
 }
 
-std::optional<Error> choose_animation(const model::Asset& asset, const model::Views& views,
-                                      const BakeOptions& options, BakeNotes& notes,
-                                      SceneOptions& wanted) {
+// Whether an asset below this one has an animation of that name.
+bool is_animation_below(const model::OpenedAsset& opened, const std::string& name) {
+  bool found = false;
+  model::for_each_external_asset(opened, [&](const model::OpenedAsset& asset) {
+    const auto names = names_in(model::Asset(asset.document()), model::RootArray::animations);
+    found = found || std::find(names.begin(), names.end(), name) != names.end();
+  });
+  return found;
+}
+
+std::optional<Error> choose_animation(const model::OpenedAsset& opened, const BakeOptions& options,
+                                      BakeNotes& notes, SceneOptions& wanted) {
+  const model::Asset asset(opened.document());
   const auto names = names_in(asset, model::RootArray::animations);
   const bool named = std::find(names.begin(), names.end(), options.animation) != names.end();
+  if (!named && !options.animation.empty() && is_animation_below(opened, options.animation)) {
+    wanted.external.pose = false;
+    wanted.external.animation = options.animation;
+    return std::nullopt;
+  }
   if (options.animation == "none" && !named) return std::nullopt;
   const auto found = find_part("animation", options.animation, names, {options.if_present, notes});
   if (!found) return found.error();
   wanted.external.pose = !*found;
   if (*found) wanted.external.animation = names[**found];
-  wanted.animation = *found ? *found : find_pose(asset, views);
+  wanted.animation = *found ? *found : find_pose(asset, opened.views());
   return std::nullopt;
 }
 
@@ -128,7 +144,7 @@ Result<SceneOptions> scene_options(const model::OpenedAsset& opened, const BakeO
   const auto scene = find_part("scene", options.scene, names_in(asset, model::RootArray::scenes),
                                {options.if_present, notes});
   if (!scene) return scene.error();
-  auto problem = choose_animation(asset, opened.views(), options, notes, wanted);
+  auto problem = choose_animation(opened, options, notes, wanted);
   if (!problem) problem = choose_variant(opened, options, notes, wanted);
   if (problem) return *std::move(problem);
   const auto frame = find_node(options.frame, names_in(asset, model::RootArray::nodes));
