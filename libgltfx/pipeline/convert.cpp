@@ -330,7 +330,9 @@ std::optional<Draft> convert(EditedAsset opened, ConvertOptions options, const S
   }
   options.to = form_of(opened.asset, options);
   options.later.glb_version = glb_version_of(opened.asset, options);
-  report.external_assets = external_assets_where(opened.asset, [](const auto&) { return true; });
+  if (!options.later.flatten) {
+    report.external_assets = external_assets_where(opened.asset, [](const auto&) { return true; });
+  }
   const SchemaSet schemas = options.schemas ? options.schemas : schema::builtin_set();
   const ConvertTargets targets(opened.asset, schemas, options);
   if (!options.verify) {

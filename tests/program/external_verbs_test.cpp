@@ -150,6 +150,24 @@ TEST_F(ExternalAssetsOfVerbs, AnotherFolderGetsThemWithTheirFiles) {
   EXPECT_EQ(facts("out/main.glb")["counts"]["drawnTriangles"], 1);
 }
 
+TEST_F(ExternalAssetsOfVerbs, FlatteningCopiesThem) {
+  folder_.write("main.gltf", parent_of(file_of("parts/child.gltf"), R"({"file": 0})",
+                                       R"({"externalAsset": 0})"));
+  EXPECT_THAT(here({"convert", "--to", "glb", "main.gltf"}).out,
+              HasSubstr("external assets stay as they are: parts/child.gltf"));
+  EXPECT_THAT(here({"convert", "--flatten", "main.gltf"}).out,
+              AllOf(HasSubstr("1 asset at 1 node"), Not(HasSubstr("stay as they are"))));
+}
+
+TEST_F(ExternalAssetsOfVerbs, AnAssetIsMeantWhereOneIsMissing) {
+  folder_.write("main.gltf", parent_of(file_of("parts/points.gltf"), R"({"file": 0})",
+                                       R"({"externalAsset": 0})"));
+  const auto help = [&] { return here({"validate", "--isolated", "main.gltf"}).out; };
+  EXPECT_THAT(help(), AllOf(HasSubstr("IO_ERROR"), Not(HasSubstr("points.bin"))));
+  folder_.write("parts/points.glb", "");
+  EXPECT_THAT(help(), HasSubstr("write 'parts/points.glb' if that file is meant"));
+}
+
 TEST_F(ExternalAssetsOfVerbs, ACachedPictureIsThatOfTheirFiles) {
   folder_.write("main.gltf", parent_of(file_of("parts/child.gltf"), R"({"file": 0})",
                                        R"({"externalAsset": 0})"));

@@ -25,11 +25,18 @@ using container::NearFile;
 using container::Nearness;
 using container::ResolveError;
 
+bool names_asset(std::string_view path) {
+  const std::string ending = ending_of(path);
+  return ending == ".gltf" || ending == ".glb";
+}
+
 std::string near_help(const container::Resolver& resolver, std::string_view path) {
   constexpr std::size_t kMostNames = 3;
   std::vector<NearFile> near = container::find_near_files(resolver, path);
-  // A link is listed under its own name, wherever it leads.
-  std::erase_if(near, [&](const NearFile& file) { return file.path == path; });
+  // A link is listed under its own name, wherever it leads. An asset is no other file.
+  std::erase_if(near, [&](const NearFile& file) {
+    return file.path == path || names_asset(file.path) != names_asset(path);
+  });
   std::vector<std::string> names;
   for (const NearFile& file : near) {
     if (file.nearness == near.front().nearness && names.size() < kMostNames) {
