@@ -42,8 +42,24 @@ class StoredValues {
   explicit StoredValues(const Content& content)
       : content_(content), side_(content.side()), document_(side_.document()) {}
 
-  /// Sorted by hash.
-  std::vector<StoredValue> read() {
+  /// Accessors that nothing refers to, as far as schemas tell.
+  std::vector<std::uint32_t> find_unused_accessors() const {
+    const auto& accessors = side_.asset().elements(RootArray::accessors);
+    std::vector<bool> used(accessors.size());
+    const json::NodeId list = document_.find(document_.root(), "accessors");
+    for (const graph::IndexUse& use : side_.graph().indices()) {
+      if (use.list == list && use.index < used.size()) used[use.index] = true;
+    }
+    std::vector<std::uint32_t> unused;
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+      if (!used[i] && accessors[i] != json::kNoNode) unused.push_back(i);
+    }
+    return unused;
+  }
+
+  /// Sorted by hash. `with_unused`: also the elements of unused accessors.
+  std::vector<StoredValue> read(bool with_unused) {
+    if (with_unused) read_elements(find_unused_accessors());
     read_list(RootArray::accessors, kOfAccessors);
     read_list(RootArray::buffer_views, kOfViews);
     read_list(RootArray::buffers, kOfBuffers);
@@ -114,6 +130,14 @@ class StoredValues {
                        sampler.input ? content_.elements(*sampler.input, readable) : Hash128{},
                        sampler.output ? content_.elements(*sampler.output, readable) : Hash128{}),
            sampler.object, used[i]});
+    }
+  }
+
+  void read_elements(const std::vector<std::uint32_t>& accessors) {
+    for (const std::uint32_t accessor : accessors) {
+      bool readable = false;
+      add(hash_of_all('e', content_.elements(accessor, readable)),
+          side_.asset().elements(RootArray::accessors)[accessor]);
     }
   }
 
@@ -271,8 +295,13 @@ std::string noun(const Side& side, json::NodeId value) {
 }  // namespace
 
 void compare_stored_objects(const Comparison& all) {
-  const std::vector<StoredValue> here = StoredValues(all.ours).read();
-  const std::vector<StoredValue> there = StoredValues(all.theirs).read();
+  StoredValues ours(all.ours);
+  StoredValues theirs(all.theirs);
+  // That there are fewer or more of them is storage.
+  const bool with_unused =
+      ours.find_unused_accessors().size() == theirs.find_unused_accessors().size();
+  const std::vector<StoredValue> here = ours.read(with_unused);
+  const std::vector<StoredValue> there = theirs.read(with_unused);
   std::vector<json::NodeId> gone = stored_only_in(here, there);
   std::vector<json::NodeId> come = stored_only_in(there, here);
   const std::size_t most = gone.size() + come.size();

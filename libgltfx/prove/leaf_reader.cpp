@@ -279,15 +279,18 @@ void LeafReader::read_contradictions(json::NodeId object, const Hash128& path) {
   }
 }
 
-// Of a transform: what is not that many numbers.
+// Of a transform: what is not that many numbers, and parts beside a matrix.
 void LeafReader::read_broken_places(json::NodeId node, const Hash128& path) {
   constexpr std::pair<std::string_view, std::size_t> kTransformParts[] = {
       {"matrix", 16}, {"translation", 3}, {"rotation", 4}, {"scale", 3}};
+  const bool has_matrix = document_.find(node, "matrix") != json::kNoNode;
   for (const auto& [name, count] : kTransformParts) {
     const json::NodeId value = document_.find(node, name);
     if (value == json::kNoNode) continue;
     const bool numbers = document_.kind(value) == json::Kind::number_array;
-    if (numbers && document_.array_size(value) == count) continue;
+    if (numbers && document_.array_size(value) == count && (name == "matrix" || !has_matrix)) {
+      continue;
+    }
     add(value, below(path, name), hash_json(document_, value), LeafKind::value);
   }
 }

@@ -255,6 +255,29 @@ TEST(CompareCauses, TellsABufferThatIsStatedTooShort) {
   EXPECT_EQ(change.new_pointer, "/buffers/0/byteLength");
 }
 
+// An extension without a schema may use them.
+TEST(CompareCauses, TellsElementsThatNothingKnownUses) {
+  EditedAsset before = shared_asset();
+  before.json["accessors"].push_back(
+      {{"bufferView", 0}, {"componentType", 5126}, {"count", 2}, {"type", "SCALAR"}});
+  before.json["accessors"].push_back(
+      {{"bufferView", 0}, {"componentType", 5126}, {"count", 3}, {"type", "SCALAR"}});
+  EditedAsset after = before;
+  after.json["accessors"][6]["byteOffset"] = 12;
+  EXPECT_EQ(only_change(before, after).new_pointer, "/accessors/6");
+  std::swap(after.json["accessors"][6], after.json["accessors"][7]);
+  after.json["accessors"][7].erase("byteOffset");
+  EXPECT_EQ(report_of(before, after).level, CompareLevel::storage);
+}
+
+TEST(CompareCauses, TellsPartsBesideAMatrix) {
+  EditedAsset before = shared_asset();
+  before.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1};
+  EditedAsset after = before;
+  after.json["nodes"][0]["scale"] = {2, 2, 2};
+  EXPECT_EQ(only_change(before, after).new_pointer, "/nodes/0/scale");
+}
+
 TEST(CompareCauses, NamesWhatOnlyDescribesData) {
   const EditedAsset before = shared_asset();
   EditedAsset after = before;
