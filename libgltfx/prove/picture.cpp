@@ -274,7 +274,7 @@ preview::Picture difference(const preview::Picture& a, const preview::Picture& b
 }
 
 preview::Picture marked_difference(const preview::Picture& a, const preview::Picture& b) {
-  constexpr float kUnseen = 1;  // steps: rounding
+  constexpr float kUnseen = 2;  // steps: rounding, and what is lit a little otherwise
   constexpr float kFull = 32;   // steps that are as orange as any
   constexpr float kPaleness = 0.6F;
   constexpr std::array<float, 3> kMark{226, 74, 0};

@@ -19,9 +19,10 @@ using testing::SizeIs;
 
 const std::filesystem::path kCopied = std::filesystem::path(GLTFX_SOURCE_DIR) / "fixtures" / "good";
 
-CompareReport report_on(const EditedAsset& before, const EditedAsset& after) {
+CompareReport report_on(const EditedAsset& before, const EditedAsset& after,
+                        const CompareOptions& options = {}) {
   CompareReport report;
-  compare_assets(before.open(), after.open(), *schema::builtin_set(), {}, report);
+  compare_assets(before.open(), after.open(), *schema::builtin_set(), options, report);
   return report;
 }
 
@@ -94,6 +95,48 @@ TEST_F(CompareCopies, AreToldByHowFarTheyMoved) {
 TEST_F(CompareCopies, BelongToTheSizeOfTheScene) {
   change_floats(after_.element(0, 0), 1, 1, 2e-4F);
   EXPECT_EQ(report_on(before_, after_).level, CompareLevel::bounds);
+}
+
+// As optimizers do.
+TEST_F(CompareCopies, MayBeDrawnByAnotherNode) {
+  Json& nodes = after_.json["nodes"];
+  nodes.push_back(nodes[0]);
+  nodes[1].erase("name");
+  nodes[0] = {{"name", "Posts"}};
+  after_.json["scenes"][0]["nodes"] = {0, 1};
+  CompareOptions drawn;
+  drawn.drawn = true;
+  EXPECT_EQ(report_on(before_, after_, drawn).level, CompareLevel::storage);
+  EXPECT_EQ(report_on(before_, after_).level, CompareLevel::differs);
+}
+
+// Two primitives of one mesh with materials that are equal.
+TEST_F(CompareCopies, PrimitivesOfEqualMaterialsMayBeJoined) {
+  Json& primitives = before_.json["meshes"][0]["primitives"];
+  before_.json["accessors"][2]["count"] = 18;
+  before_.json["accessors"].push_back(before_.json["accessors"][2]);
+  before_.json["accessors"].back()["byteOffset"] = 36;
+  primitives.push_back(primitives[0]);
+  primitives[1]["indices"] = before_.json["accessors"].size() - 1;
+  primitives[1]["material"] = 1;
+  before_.json["materials"].push_back(before_.json["materials"][0]);
+  before_.json["materials"][1]["name"] = "Oak";
+  CompareOptions drawn;
+  drawn.drawn = true;
+  EXPECT_EQ(report_on(before_, after_, drawn).level, CompareLevel::storage);
+  EXPECT_EQ(report_on(after_, before_, drawn).level, CompareLevel::storage);
+}
+
+// Nothing lights it.
+TEST_F(CompareCopies, NormalsOfAnUnlitMaterialAreNotDrawn) {
+  before_.json["materials"][0]["extensions"]["KHR_materials_unlit"] = Json::object();
+  before_.json["extensionsUsed"].push_back("KHR_materials_unlit");
+  after_ = before_;
+  after_.json["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
+  CompareOptions drawn;
+  drawn.drawn = true;
+  EXPECT_EQ(report_on(before_, after_, drawn).level, CompareLevel::storage);
+  EXPECT_EQ(report_on(before_, after_).level, CompareLevel::differs);
 }
 
 // Such an accessor has no bytes: its elements are zeros, as they are beside plain vertices.

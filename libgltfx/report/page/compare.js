@@ -32,13 +32,19 @@ function kindCounts(pair) {
   return [...counts.entries()].sort((a, b) => b[1] - a[1] || (a[0] < b[0] ? -1 : 1));
 }
 
+function sentence(change) {
+  return (change.name ? "\u2018" + visible(change.name) + "\u2019 " : "") + visible(change.what);
+}
+
+/** The first changes in words; of many the kinds. */
 function headline(pair) {
   if (pair.error) return visible(pair.error);
   const kinds = kindCounts(pair);
-  const parts = kinds.slice(0, 4).map(([kind, count]) => count + " " + kind);
-  if (kinds.length > 4) parts.push(counted(kinds.length - 4, "more kind"));
+  const few = pair.changes.length <= 2;
+  const parts = few ? pair.changes.map(sentence) : kinds.slice(0, 4).map(([kind, count]) => count + " " + kind);
+  if (!few && kinds.length > 4) parts.push(counted(kinds.length - 4, "more kind"));
   if (pair.unproven.length > 0) parts.push(counted(pair.unproven.length, "part") + " not proven");
-  return parts.join(", ");
+  return parts.join(few ? "; " : ", ");
 }
 
 function filesOf(pair) {
@@ -174,8 +180,10 @@ function check(group, value) {
 
 function verdictOf(picture) {
   if (picture.old === null || picture.new === null) return "";
-  const steps = picture.distance.toFixed(1) + " of 255 steps at most; noise explains " + picture.limit.toFixed(1);
-  return picture.changed ? "The picture changes: " + steps + "." : "The picture does not change: " + steps + ".";
+  const noise = picture.limit > 1 ? "; noise explains " + picture.limit.toFixed(1) : "";
+  const steps = picture.distance.toFixed(1) + " of 255 steps" + noise + ".";
+  if (picture.changed) return "The picture changes by up to " + steps;
+  return picture.limit > 1 ? "No visible change: it differs by " + steps : "No visible change.";
 }
 
 let pictures = 0;  // groups of buttons on the page
@@ -238,8 +246,7 @@ function changeMatches(change) {
 }
 
 function changeRow(change, index, pick) {
-  const what = (change.name ? "'" + visible(change.name) + "' " : "") + visible(change.what);
-  const button = make("button.pick", { type: "button" }, make("bdi", {}, what));
+  const button = make("button.pick", { type: "button" }, make("bdi", {}, sentence(change)));
   const row = make("tr", {},
     make("td", {}, make("span.label.is-" + change.level, {}, change.level)),
     make("td", {}, button, make("span.kind", {}, change.kind)),
