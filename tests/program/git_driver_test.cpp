@@ -46,7 +46,8 @@ TEST_F(GitDriver, SetupWritesWhatIsMissingOnce) {
   EXPECT_EQ(shell("git config diff.gltfx.command").out, "gltfx compare --git-driver\n");
   EXPECT_EQ(shell("git config diff.gltfx.textconv").out, "gltfx inspect --format outline\n");
   EXPECT_EQ(shell("git config diff.gltfx.cachetextconv").out, "true\n");
-  EXPECT_THAT(shell("git config difftool.gltfx.cmd").out, HasSubstr("\"$LOCAL\" \"$REMOTE\""));
+  EXPECT_THAT(shell("git config difftool.gltfx.cmd").out,
+              HasSubstr("\"$MERGED\" \"$LOCAL\" \"$REMOTE\""));
   const Outcome second = setup();
   EXPECT_EQ(second.code, 0);
   EXPECT_EQ(second.out, "nothing to do: git is set up\n");
@@ -134,6 +135,28 @@ TEST_F(GitDriver, FilesBesideAnAssetAreThoseOfItsCommit) {
   commit();
   const Outcome older = shell("git diff HEAD~2 HEAD~1 -- deep");
   EXPECT_THAT(older.out, AllOf(HasSubstr("image.texels"), Not(HasSubstr("note:"))));
+}
+
+// In a browser, with the files beside both versions.
+TEST_F(GitDriver, TheDifftoolOpensAPage) {
+  setup();
+  shell("git config web.browser copy && git config browser.copy.cmd 'cp -t \"$HOME\"'");
+  folder_.write("deep/leaf.gltf", asset_with("../maps/leaf.png"));
+  folder_.write("maps/leaf.png", picture());
+  commit();
+  folder_.write("deep/leaf.gltf", asset_with("../maps/leaf.png") + "\n");
+  const std::string run = "TMPDIR=\"$HOME\" git difftool -y -t gltfx";
+  const Outcome outcome = shell(run);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("/compare.html\n"));
+  EXPECT_THAT(content("compare.html"),
+              AllOf(HasSubstr("leaf.gltf"), HasSubstr("\"storage\""),
+                    Not(HasSubstr("cannot be read")), Not(HasSubstr("\"error\""))));
+  shell("rm compare.html && git rm -qf deep/leaf.gltf");
+  EXPECT_EQ(shell(run + " HEAD").code, 0);
+  EXPECT_THAT(content("compare.html"), HasSubstr("leaf.gltf"));
+  folder_.write("maps/leaf.png", other_picture());
+  EXPECT_THAT(shell(run).err, HasSubstr("maps/leaf.png is no asset"));
 }
 
 TEST_F(GitDriver, TheLogShowsOutlines) {

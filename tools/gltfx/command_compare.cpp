@@ -293,10 +293,7 @@ ExitCode run(const CompareRequest& request) {
   }
   if (schemas) options.schemas = *std::move(schemas);
   options.jobs = request.common.jobs;
-  if (request.git_driver) {
-    print_for_git(request, options);
-    return ExitCode::ok;
-  }
+  if (request.git_driver) return print_for_git(request, options);
   return CompareRun(request, std::move(options)).execute();
 }
 

@@ -72,11 +72,16 @@ std::vector<std::string> storage_rows(const CompareReport& report) {
   return rows;
 }
 
-// "the picture changes by 12.3 of 255 steps; noise explains at most 1.4"
+// "usual view: changed by up to 12.3 of 255 steps; noise explains 1.4"
 std::string picture_row(const ComparePicture& picture) {
-  return fmt::format(
-      "{} view: the picture {} by {:.1f} of 255 steps; noise explains at most {:.1f}", picture.view,
-      picture.changed() ? "changes" : "differs", picture.distance, picture.limit);
+  std::string row = picture.changed() ? fmt::format("{} view: changed by up to {:.1f} of 255 steps",
+                                                    picture.view, picture.distance)
+                                      : fmt::format("{} view: no change", picture.view);
+  if (picture.limit > 1 && !picture.changed()) {
+    row += fmt::format("; it differs by {:.1f} of 255 steps", picture.distance);
+  }
+  if (picture.limit > 1) row += fmt::format("; noise explains {:.1f}", picture.limit);
+  return row;
 }
 
 // "external asset of hall.gltf, lobby.gltf and 3 more"

@@ -2,21 +2,27 @@
 #include "git_driver.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "compare_page.hpp"
 #include "compare_print.hpp"
 #include "container/container.hpp"
+#include "folder_walk.hpp"
 #include "git_tree.hpp"
+#include "output.hpp"
 #include "pipeline/compare_opened.hpp"
 #include "pipeline/open_asset.hpp"
 #include "report/safe_text.hpp"
@@ -112,15 +118,14 @@ class FilesOfCommit {
 /// Compares one file.
 class GitDriver {
  public:
-  GitDriver(const std::vector<std::string>& words, const CompareOptions& options)
+  GitDriver(DriverSide before, DriverSide after, const CompareOptions& options)
       : options_(options),
-        before_{words[0], words[1], words[2], words[3]},
-        after_{words.size() > 7 ? words[7] : words[0], words[4], words[5], words[6]},
+        before_(std::move(before)),
+        after_(std::move(after)),
         old_files_(before_.name, before_.object),
         new_files_(after_.name, after_.object) {}
 
-  std::string text(bool all, const Style& style) {
-    constexpr std::size_t kMostLines = 40;
+  CompareReport report() {
     CompareReport report;
     if (!before_.is_missing()) report.old_path = "a/" + before_.name;
     if (!after_.is_missing()) report.new_path = "b/" + after_.name;
@@ -133,6 +138,23 @@ class GitDriver {
           report.old_path, report.new_path, options_, [this] { return open(before_, old_files_); },
           [this] { return open(after_, new_files_); });
     }
+    return report;
+  }
+
+  /// Of a file that was added or removed the only one, with its pictures.
+  CompareReport report_with_pictures() {
+    if (!before_.is_missing() && !after_.is_missing()) return report();
+    const bool removed = after_.is_missing();
+    const auto none = OpenCompared();
+    return compare_opened(
+        removed ? "a/" + before_.name : std::string(), removed ? std::string() : "b/" + after_.name,
+        options_, removed ? OpenCompared([this] { return open(before_, old_files_); }) : none,
+        removed ? none : OpenCompared([this] { return open(after_, new_files_); }));
+  }
+
+  std::string text(bool all, const Style& style) {
+    constexpr std::size_t kMostLines = 40;
+    const CompareReport report = this->report();
     std::string text = compare_text(report, all ? 0 : kMostLines, style);
     if (!report.error.empty()) text += wrapped("not compared: " + report::safe(report.error), 2);
     const bool mode = !before_.is_missing() && !after_.is_missing() && before_.mode != after_.mode;
@@ -140,10 +162,17 @@ class GitDriver {
       text +=
           fmt::format("  mode {} -> {}\n", report::safe(before_.mode), report::safe(after_.mode));
     }
-    for (const FilesOfCommit* files : {&old_files_, &new_files_}) {
-      for (const std::string& note : files->notes()) text += wrapped("note: " + note, 2);
-    }
+    for (const std::string& note : notes()) text += wrapped("note: " + note, 2);
     return text;
+  }
+
+  /// Sentences for the user; after the report.
+  std::vector<std::string> notes() const {
+    std::vector<std::string> all;
+    for (const FilesOfCommit* files : {&old_files_, &new_files_}) {
+      for (std::string& note : files->notes()) all.push_back(std::move(note));
+    }
+    return all;
   }
 
  private:
@@ -171,15 +200,85 @@ class GitDriver {
   FilesOfCommit old_files_, new_files_;
 };
 
+// The side of a difftool, for which git tells no object: that of the same bytes.
+DriverSide side_of_difftool(const std::string& name, const std::string& file) {
+  DriverSide side{name, file, {}, {}};
+  if (side.is_missing() || side.is_in_place()) return side;
+  const auto hash = Git(".").run({"hash-object", "--path=" + name, "--", file});
+  if (hash && hash->code == 0) side.object = hash->out.substr(0, hash->out.find('\n'));
+  return side;
+}
+
+// In a new folder for temporary files, where it stays for the browser.
+Result<std::string> write_page_of(CompareReport& report) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  std::string place = (folder / "gltfx-XXXXXX").native();
+  if (error || mkdtemp(place.data()) == nullptr) {
+    return Error{"there is no folder for temporary files"};
+  }
+  place += "/compare.html";
+  std::string text;
+  ComparePageWriter::begin(report.new_path.empty() ? report.old_path : report.new_path, text);
+  ComparePageWriter().pair(report, text);
+  CompareSummary summary;
+  summary.add(report, CompareLevel::differs);
+  ComparePageWriter::end(summary, text);
+  Output output(place, true);
+  output.write(text);
+  output.finish();
+  if (!output.problem().empty()) return Error{output.problem()};
+  return place;
+}
+
+ExitCode show_for_difftool(const CompareRequest& request, CompareOptions options) {
+  const std::string& name = request.paths[0];
+  if (!is_asset_name(name)) {
+    complain(fmt::format("{} is no asset", printable(name)));
+    return ExitCode::unreadable;
+  }
+  if (options.picture_size == 0) options.picture_size = 256;
+  GitDriver driver(side_of_difftool(name, request.paths[1]),
+                   side_of_difftool(name, request.paths[2]), options);
+  CompareReport report = driver.report_with_pictures();
+  for (const std::string& note : driver.notes()) complain(note);
+  const auto page = write_page_of(report);
+  if (!page) {
+    complain(page.error().message);
+    return ExitCode::internal;
+  }
+  print(*page + "\n");
+  return ExitCode::ok;
+}
+
+// `git difftool` asks for its helper, in whose place git runs the driver of the attributes. The
+// helper runs the tool that the user has chosen. Returns if it cannot be run.
+void hand_over_to_difftool(std::vector<std::string> words) {
+  constexpr const char* kHelper = "git-difftool--helper";
+  const char* wanted = std::getenv("GIT_EXTERNAL_DIFF");
+  if (wanted == nullptr || std::string_view(wanted) != kHelper) return;
+  words.insert(words.begin(), kHelper);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execvp(kHelper, arguments.data());
+}
+
 }  // namespace
 
-void print_for_git(const CompareRequest& request, const CompareOptions& options) {
+ExitCode print_for_git(const CompareRequest& request, const CompareOptions& options) {
+  const std::vector<std::string>& words = request.paths;
+  if (words.size() == 3) return show_for_difftool(request, options);
+  hand_over_to_difftool(words);
   const Style style(colors_on_stdout(request.common.color));
-  if (request.paths.size() == 1) {
-    print(fmt::format("{}: unmerged\n", style.bold(report::safe(request.paths[0]))));
-    return;
+  if (words.size() == 1) {
+    print(fmt::format("{}: unmerged\n", style.bold(report::safe(words[0]))));
+    return ExitCode::ok;
   }
-  print(GitDriver(request.paths, options).text(request.all, style));
+  GitDriver driver({words[0], words[1], words[2], words[3]},
+                   {words.size() > 7 ? words[7] : words[0], words[4], words[5], words[6]}, options);
+  print(driver.text(request.all, style));
+  return ExitCode::ok;
 }
 
 }  // namespace gltfx::tool

@@ -32,7 +32,9 @@ constexpr std::array<GitSetting, 4> kSettings{{
     {"diff.gltfx.command", "gltfx compare --git-driver"},
     {"diff.gltfx.textconv", "gltfx inspect --format outline"},
     {"diff.gltfx.cachetextconv", "true"},
-    {"difftool.gltfx.cmd", "gltfx compare --allow differs \"$LOCAL\" \"$REMOTE\""},
+    {"difftool.gltfx.cmd",
+     "page=$(gltfx compare --git-driver \"$MERGED\" \"$LOCAL\" \"$REMOTE\") && "
+     "echo \"$page\" && git web--browse \"$page\""},
 }};
 constexpr std::array<std::string_view, 3> kEndings{".glb", ".gltf", ".vrm"};
 

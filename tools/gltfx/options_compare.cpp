@@ -57,8 +57,11 @@ Values kind_values() {
   return values;
 }
 
-// Git gives seven arguments, nine for a rename, and one for a file of an unfinished merge.
-bool is_driver_call(std::size_t words) { return words == 7 || words == 9 || words == 1; }
+// Git gives seven arguments, nine for a rename, and one for a file of an unfinished merge; its
+// difftool gives three.
+bool is_driver_call(std::size_t words) {
+  return words == 7 || words == 9 || words == 1 || words == 3;
+}
 
 }  // namespace
 
@@ -117,7 +120,8 @@ void read_compare(Reading& reading, CompareRequest& request) {
   reading.require(!(git || driver) || !options.given("--root"),
                   "--root goes with files; the assets of a repository are inside of it.");
   if (driver) {
-    reading.require(is_driver_call(words), "--git-driver: git gives 7 or 9 arguments.");
+    reading.require(is_driver_call(words),
+                    "--git-driver: git gives 7 or 9 arguments, or 3 for a difftool.");
   } else if (setup) {
     reading.require(words == 0, "--setup-git takes no paths.");
   } else if (!git) {
