@@ -89,7 +89,7 @@ void Walker::gather(Frame& frame) {
     if (entry == nullptr) {
       if (symbol > Set::WalkTables::kExtras) other_name(frame, key, value);
     } else if (!entry->alias) {
-      if (is_known(plan.properties[entry->property])) {
+      if (is_known(plan.properties[entry->property], value)) {
         slots[entry->property] = value;
       } else {
         unexpected(frame, key, value);
@@ -106,10 +106,25 @@ bool Walker::is_in_force(const PropertyPlan& plan) const {
   return plan.since == Version() ? !plan.draft : plan.since <= version_;
 }
 
-// Of a draft, also earlier versions have a property that says so.
-bool Walker::is_known(const PropertyPlan& plan) const {
-  if (plan.draft) return !deviations().draft_names_are_unexpected;
-  return plan.since <= version_;
+// Of a draft, also earlier versions have a property that says so. To a version before the one that
+// has the property, it is a name like any other if the value is none that the draft allows.
+bool Walker::is_known(const PropertyPlan& plan, json::NodeId value) const {
+  if (!plan.draft) return plan.since <= version_;
+  if (deviations().draft_names_are_unexpected) return false;
+  return is_in_force(plan) || plan.since == Version() || is_allowed(plan.shape, value);
+}
+
+// Whether a value has the type of a shape, and refers to an element of the root where it is an
+// index.
+bool Walker::is_allowed(ShapeId id, json::NodeId value) const {
+  if (id == kNone) return true;
+  const Shape& shape = set_.shape(id);
+  if (!values_.has_type({value}, shape.types)) return false;
+  if (!shape.ref || shape.ref->base != Target::Base::root_array) return true;
+  const json::NodeId list = document_.find(document_.root(), shape.ref->steps.back());
+  const auto index = document_.unsigned_integer(value);
+  if (!index || list == json::kNoNode || document_.kind(list) != json::Kind::array) return false;
+  return *index < document_.array_size(list);
 }
 
 bool Walker::properties(Frame& frame) {

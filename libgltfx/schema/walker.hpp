@@ -82,7 +82,8 @@ class Walker {
   bool pending_shapes(Frame& frame);
   bool property(Frame& frame, std::uint32_t index, json::NodeId value);
   void behind(Frame& frame);
-  bool is_known(const PropertyPlan& plan) const;
+  bool is_known(const PropertyPlan& plan, json::NodeId value) const;
+  bool is_allowed(ShapeId id, json::NodeId value) const;
   bool is_in_force(const PropertyPlan& plan) const;
   void advise(const Frame& frame, std::uint32_t index, json::NodeId value);
   bool follows_earlier_draft(const Frame& frame) const;

@@ -80,6 +80,20 @@ TEST(Since, AMemberOfADraftIsInForceFromItsVersionOn) {
   EXPECT_THAT(verdict(R"({"asset": {"version": "2.1", )" + members), IsEmpty());
 }
 
+TEST(Since, AMemberOfADraftIsAnyNameToAnEarlierVersionThatMeansSomethingElse) {
+  for (const std::string value : {"1", "-1", "null", R"("a.png")", R"({"uri": "a.png"})"}) {
+    const std::string members = R"("thumbnail": )" + value + R"(}, "images": [{"uri": "a.png"}]})";
+    EXPECT_THAT(verdict(R"({"asset": {"version": "2.0", )" + members),
+                ElementsAre("UNEXPECTED_PROPERTY /asset/thumbnail"))
+        << value;
+    EXPECT_THAT(verdict(R"({"asset": {"version": "2.1", )" + members),
+                ElementsAre(testing::Not(testing::HasSubstr("UNEXPECTED_PROPERTY"))))
+        << value;
+  }
+  EXPECT_THAT(verdict(R"({"asset": {"version": "2.0", "thumbnail": 0}})"),
+              ElementsAre("UNEXPECTED_PROPERTY /asset/thumbnail"));
+}
+
 TEST(Explained, NamesAreInformation) {
   const Found found = only(of_version("2.1", R"("nodes": [{"uid": "a"}])"));
   EXPECT_EQ(found.code, "UNEXPECTED_PROPERTY");
