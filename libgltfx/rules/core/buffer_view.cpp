@@ -74,11 +74,21 @@ void check_extents(const Context& context) {
 }
 
 // A file in a view takes all of it (glTF 2.1).
-void check_file_views(const Context& context) {
+void check_file_view(const Context& context, json::NodeId file, std::uint32_t view,
+                     const Path& path) {
+  const json::NodeId place = context.document.find(file, "bufferView");
+  report_file_use(context, view, place, path);
+  if (!context.views.buffer_views[view].byte_stride) return;
+  report_link(context, path, place, Code::BUFFER_VIEW_INVALID_BYTE_STRIDE,
+              fmt::format("Buffer view {} contains a file, but has a byteStride.", view));
+}
+
+// By index of views: whether a file takes all of it. Checks these views.
+std::vector<bool> check_file_views(const Context& context) {
   const json::Document& document = context.document;
-  if (context.version <= schema::kVersion2) return;
+  std::vector<bool> taken(context.views.buffer_views.size());
   const json::NodeId files = document.find(document.root(), "files");
-  if (files == json::kNoNode || document.kind(files) != json::Kind::array) return;
+  if (files == json::kNoNode || document.kind(files) != json::Kind::array) return taken;
   const Path root;
   const Path array(root, "files");
   std::uint64_t index = 0;
@@ -86,12 +96,27 @@ void check_file_views(const Context& context) {
     const Path object(array, index++);
     const auto view = context.asset.index(file, "bufferView", model::RootArray::buffer_views);
     if (!view) continue;
-    const Path path(object, "bufferView");
-    const json::NodeId place = document.find(file, "bufferView");
-    report_file_use(context, *view, place, path);
-    if (!context.views.buffer_views[*view].byte_stride) continue;
-    report_link(context, path, place, Code::BUFFER_VIEW_INVALID_BYTE_STRIDE,
-                fmt::format("Buffer view {} contains a file, but has a byteStride.", *view));
+    taken[*view] = true;
+    check_file_view(context, file, *view, Path(object, "bufferView"));
+  }
+  return taken;
+}
+
+// What is used as a whole is not used in part, even by accessors that nothing uses (glTF 2.1).
+void check_whole_views(const Context& context) {
+  if (context.version <= schema::kVersion2) return;
+  const std::vector<bool> of_file = check_file_views(context);
+  const model::Usage& usage = context.views.usage;
+  const Path root;
+  const Path array(root, "accessors");
+  for (std::uint32_t i = 0; i < context.views.accessors.size(); ++i) {
+    const auto view = context.views.accessors[i].buffer_view;
+    if (!view || usage.accessor(i).used()) continue;
+    const bool of_image = usage.view(*view).has(model::ViewUse::image);
+    if (!of_image && !of_file[*view]) continue;
+    const Path accessor(array, std::uint64_t{i});
+    report_part_of_whole(context, i, *view, of_image ? "an image" : "a file",
+                         Path(accessor, "bufferView"));
   }
 }
 
@@ -109,7 +134,7 @@ constexpr FixEntry kStrideFixes[] = {{Code::BUFFER_VIEW_INVALID_BYTE_STRIDE, dro
 
 const RuleGroup& buffer_view_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {{"bufferView", check_stride, "target"}};
-  static constexpr LinkRule kLinkRules[] = {check_extents, check_file_views};
+  static constexpr LinkRule kLinkRules[] = {check_extents, check_whole_views};
   static constexpr RuleGroup group{
       .object_rules = kObjectRules, .link_rules = kLinkRules, .fixes = kStrideFixes};
   return group;

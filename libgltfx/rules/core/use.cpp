@@ -52,6 +52,15 @@ void report_file_use(const Context& context, std::uint32_t view, json::NodeId pl
                           model::use_text(first.kind)));
 }
 
+void report_part_of_whole(const Context& context, std::uint32_t accessor, std::uint32_t view,
+                          std::string_view whole, const Path& path) {
+  const json::NodeId object = context.views.accessors[accessor].node;
+  report_link(context, path, context.document.find(object, "bufferView"),
+              Code::BUFFER_VIEW_TARGET_OVERRIDE,
+              fmt::format("Buffer view {} contains {}, and accessor {} refers to a part of it.",
+                          view, whole, accessor));
+}
+
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
                 json::NodeId place, const Path& path) {
   const auto& first = context.views.usage.accessor(accessor);

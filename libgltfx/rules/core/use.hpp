@@ -26,6 +26,11 @@ void report_view_use(const Context& context, std::uint32_t view, model::ViewUse 
 void report_file_use(const Context& context, std::uint32_t view, json::NodeId place,
                      const Path& path);
 
+/// Accessor `accessor`, which no core member uses, in buffer view `view`, all of which an image or
+/// a file takes (glTF 2.1). Reports BUFFER_VIEW_TARGET_OVERRIDE.
+void report_part_of_whole(const Context& context, std::uint32_t accessor, std::uint32_t view,
+                          std::string_view whole, const Path& path);
+
 /// One use of accessor `accessor`, and thereby of its view. Reports ACCESSOR_USAGE_OVERRIDE and
 /// what report_view_use() does.
 void report_use(const Context& context, std::uint32_t accessor, model::AccessorUse kind,
