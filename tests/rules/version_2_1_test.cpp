@@ -74,6 +74,28 @@ TEST(Draft21, NamesOfAttributesAreFree) {
   EXPECT_EQ(errors_of_mesh("2.1", R"({"attributes": {"POSITION": 0, "TEXCOORD_01": 0}})"), 1U);
 }
 
+TEST(Draft21, NamesWithoutAnUnderscoreAreNotIndexed) {
+  for (const std::string name : {"TEXCOORD", "COLOR", "JOINTSET"}) {
+    const std::string primitive = R"({"attributes": {"POSITION": 0, ")" + name + R"(": 0}})";
+    EXPECT_EQ(errors_of_mesh("2.0", primitive), 1U) << name;
+    EXPECT_EQ(errors_of_mesh("2.1", primitive), 0U) << name;
+    EXPECT_EQ(of_mesh("2.1", primitive).size(), 1U) << name;
+  }
+}
+
+TEST(Draft21, AttributesOfExtensionsAreThoseOfListedOnes) {
+  const std::string primitive =
+      R"({"attributes": {"POSITION": 0, "ACME_heat:T": 0}, "targets": [{"ACME_heat:T": 0}]})";
+  EXPECT_EQ(of_mesh("2.0", primitive), Lines{});
+  EXPECT_EQ(of_mesh("2.1", primitive),
+            (Lines{"MESH_PRIMITIVE_INVALID_ATTRIBUTE /meshes/0/primitives/0/attributes/ACME_heat:T",
+                   "MESH_PRIMITIVE_INVALID_ATTRIBUTE "
+                   "/meshes/0/primitives/0/targets/0/ACME_heat:T"}));
+  EXPECT_EQ(errors_of_mesh("2.1", primitive), 0U);
+  EXPECT_EQ(of_mesh(R"(2.1"}, "extensionsUsed": ["ACME_heat"], "extras": {"a": ")", primitive),
+            Lines{});
+}
+
 TEST(Draft21, IntegersOf32BitsAreAdvisedAgainst) {
   const std::string integers = R"({"attributes": {"POSITION": 0, "_ID": 1}})";
   EXPECT_EQ(of_mesh("2.0", integers), of_mesh("2.1", integers));

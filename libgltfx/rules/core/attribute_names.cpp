@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 
 #include <fmt/format.h>
@@ -66,8 +67,8 @@ bool is_extension_attribute(const Context& context, std::string_view name, bool 
 // After version 2.0, other names are advised against, but indices must be right.
 bool may_have_name(const Context& context, std::string_view name) {
   if (context.version <= schema::kVersion2) return false;
-  static constexpr std::array<std::string_view, 4> kIndexed{"TEXCOORD", "COLOR", "JOINTS",
-                                                            "WEIGHTS"};
+  static constexpr std::array<std::string_view, 4> kIndexed{"TEXCOORD_", "COLOR_", "JOINTS_",
+                                                            "WEIGHTS_"};
   return std::none_of(kIndexed.begin(), kIndexed.end(),
                       [&](std::string_view stem) { return name.starts_with(stem); });
 }
@@ -183,13 +184,54 @@ void check_primitive(const Context& context, json::NodeId object, const Path& pa
   }
 }
 
+void check_listed(const Context& context, const std::set<std::string_view>& listed,
+                  const std::vector<Attribute>& attributes, const Path& path) {
+  for (const Attribute& attribute : attributes) {
+    if (attribute.semantic.kind != SemanticKind::extension) continue;
+    const std::string_view extension = model::semantic_extension(attribute.name);
+    if (listed.contains(extension)) continue;
+    Finding finding = finding_on(
+        context, attribute.value, Code::MESH_PRIMITIVE_INVALID_ATTRIBUTE,
+        fmt::format("{} is an attribute of the extension {}, which extensionsUsed does not list.",
+                    quoted(attribute.name), quoted(extension)),
+        "add the extension to extensionsUsed, or start the name with an underscore");
+    finding.severity = Severity::warning;
+    context.link_sink.report(Path(path, attribute.name), std::move(finding));
+  }
+}
+
+// After version 2.0, an extension brings attributes only if the asset lists it.
+void check_listed_extensions(const Context& context) {
+  if (context.version <= schema::kVersion2) return;
+  const auto& used = context.checked.extensions_used;
+  const std::set<std::string_view> listed(used.begin(), used.end());
+  const Path root;
+  const Path meshes(root, "meshes");
+  for (std::size_t i = 0; i < context.views.meshes.size(); ++i) {
+    const Path mesh(meshes, static_cast<std::uint64_t>(i));
+    const Path primitives(mesh, "primitives");
+    const auto& list = context.views.meshes[i].primitives;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const Path primitive(primitives, static_cast<std::uint64_t>(k));
+      check_listed(context, listed, list[k].attributes, Path(primitive, "attributes"));
+      const Path targets(primitive, "targets");
+      for (std::size_t t = 0; t < list[k].targets.size(); ++t) {
+        check_listed(context, listed, model::read_attributes(context.asset, list[k].targets[t]),
+                     Path(targets, static_cast<std::uint64_t>(t)));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 const RuleGroup& attribute_names_rules() {
   static constexpr ObjectRuleEntry kObjectRules[] = {
       {"mesh.primitive", check_primitive, "attributes"}};
   static constexpr MapRule kMapRules[] = {check_entry};
-  static constexpr RuleGroup group{.object_rules = kObjectRules, .map_rules = kMapRules};
+  static constexpr LinkRule kLinkRules[] = {check_listed_extensions};
+  static constexpr RuleGroup group{
+      .object_rules = kObjectRules, .link_rules = kLinkRules, .map_rules = kMapRules};
   return group;
 }
 
