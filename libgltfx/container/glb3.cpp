@@ -48,7 +48,7 @@ class Glb3Reader : ChunkReader {
     if (!copy(8, 8, length)) return false;
     declared_ = number_at(*length, 0, 8);
     // A 32-bit length, and the length of the JSON chunk.
-    if (declared_ > UINT32_MAX && number_at(*length, 0, 4) == source_.size()) {
+    if (declared_ > UINT32_MAX && number_at(*length, 0, 4) == source_.size() && has_text_at_20()) {
       early(glb_error::layout_of_version_2());
       return false;
     }
@@ -57,9 +57,17 @@ class Glb3Reader : ChunkReader {
     return true;
   }
 
+  // In version 2, the text of the JSON chunk begins where version 3 has its encoding, which is 0.
+  bool has_text_at_20() {
+    SharedText text;
+    return fits(20, 4, source_.size()) && copy(20, 4, text) && number_at(*text, 0, 4) != 0;
+  }
+
   void compare_lengths() {
     if (declared_ > source_.size()) {
-      late(glb_error::length_mismatch(declared_, source_.size()));
+      ContainerError error = glb_error::length_mismatch(declared_, source_.size());
+      error.offset = 8;
+      late(std::move(error));
     } else if (declared_ < source_.size()) {
       early(glb_error::extra_data(declared_, source_.size()));
     }
@@ -93,14 +101,14 @@ class Glb3Reader : ChunkReader {
     return skip_gap(chunk.offset + chunk.length);
   }
 
-  // Chunks of other types and their encodings concern those who know them.
+  // Chunks of other types and their encodings concern those who know them, as those of chunks that
+  // nothing refers to.
   void check_use(const Chunk& chunk) {
-    if (chunk.type != kChunkJson && chunk.type != kChunkBin) return;
-    if (chunk.encoding != 0) early(glb_error::unknown_encoding(chunk));
-    if (chunk.type == kChunkJson) {
-      if (chunk.length == 0 && !seen_json_) early(glb_error::empty_json(chunk));
-      return;
+    if (chunk.type == kChunkJson && !seen_json_) {
+      if (chunk.encoding != 0) early(glb_error::unknown_encoding(chunk));
+      if (chunk.length == 0) early(glb_error::empty_json(chunk));
     }
+    if (chunk.type != kChunkBin) return;
     if (!seen_json_ && !first_bin_) first_bin_ = chunk;
     if (chunk.length > 0) return;
     ContainerError error = glb_error::empty_bin(chunk);

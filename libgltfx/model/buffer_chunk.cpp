@@ -10,6 +10,14 @@ json::NodeId chunk_member(const json::Document& document, json::NodeId buffer,
   return version > schema::kVersion2 ? document.find(buffer, "chunk") : json::kNoNode;
 }
 
+std::optional<std::uint64_t> chunk_number(const json::Document& document, json::NodeId buffer,
+                                          std::uint64_t index, const schema::Version& version) {
+  if (document.holds(buffer, "uri")) return std::nullopt;
+  const json::NodeId member = chunk_member(document, buffer, version);
+  if (member != json::kNoNode) return document.unsigned_integer(member);
+  return index == 0 ? std::optional<std::uint64_t>(1) : std::nullopt;
+}
+
 std::optional<container::Chunk> chunk_of(const container::Container& container,
                                          const json::Document& document, json::NodeId buffer,
                                          std::uint64_t index, const schema::Version& version) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/codes.hpp"
 #include "base/media_type.hpp"
 #include "container/content.hpp"
+#include "container/glb_errors.hpp"
+#include "model/buffer_chunk.hpp"
 #include "rules/context.hpp"
 #include "rules/fix.hpp"
 #include "rules/phases.hpp"
@@ -58,15 +62,16 @@ bool check_promised_glb(const container::Container& container, Collector& collec
 // --- Padding of the JSON chunk ---
 
 /// The padding of the JSON chunk up to the alignment of chunks, as a span of its text. Further
-/// characters are white space of the text itself, as is all in a file without chunks.
+/// characters are white space of the text itself, as is all in a file without chunks, and in
+/// version 3, where a chunk has any length.
 Span json_padding(const container::Container& container) {
   if (container.format != container::Format::glb || container.chunks.empty()) return {};
+  if (container.glb_version == 3U) return {};
   const std::string_view json = *container.json;
   const std::size_t end = json.find_last_not_of(" \t\r\n") + 1;
-  const bool wide = container.glb_version == 3U;
-  const std::uint64_t alignment = wide ? 8 : 4;
-  const std::uint64_t length = wide ? json.size() : container.chunks.front().length;
-  if (length % alignment != 0 || end == 0 || json.size() - end >= alignment) return {};
+  constexpr std::size_t kAlignment = 4;
+  const std::uint64_t length = container.chunks.front().length;
+  if (length % kAlignment != 0 || end == 0 || json.size() - end >= kAlignment) return {};
   return {static_cast<std::uint32_t>(end), static_cast<std::uint32_t>(json.size())};
 }
 
@@ -137,6 +142,24 @@ constexpr FixEntry kContainerFixes[] = {
 const RuleGroup& container_rules() {
   static constexpr RuleGroup group{.fixes = kContainerFixes};
   return group;
+}
+
+void check_encodings(const Context& context, Collector& collector) {
+  const container::Container& glb = context.container;
+  const auto& buffers = context.asset.elements(model::RootArray::buffers);
+  std::set<std::uint64_t> encoded;
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (buffers[i] == json::kNoNode) continue;
+    const auto index = model::chunk_number(context.document, buffers[i], i, context.version);
+    if (!index || *index >= glb.chunks.size()) continue;
+    const container::Chunk& chunk = glb.chunks[*index];
+    if (chunk.type == container::kChunkBin && chunk.encoding != 0) encoded.insert(*index);
+  }
+  std::vector<container::ContainerError> errors;
+  for (const std::uint64_t index : encoded) {
+    errors.push_back(container::glb_error::unknown_encoding(glb.chunks[index]));
+  }
+  report_errors(errors, Phase::container, collector);
 }
 
 bool check_container(const container::Container& container, const std::string& name,

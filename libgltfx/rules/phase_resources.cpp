@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Buffers: the source of their bytes, and whether there are enough of them.
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -78,6 +79,31 @@ void check_chunk(const Resource& resource) {
 
 std::uint64_t padded(std::uint64_t length) { return length + (4 - length % 4) % 4; }
 
+// By index of buffers: whether each byte of its chunk after its length is one of no buffer.
+std::vector<bool> ends_last(const Context& context) {
+  const auto& buffers = context.asset.elements(model::RootArray::buffers);
+  const auto length_of = [&](std::size_t i) {
+    return model::unsigned_member(context.document, buffers[i], "byteLength").value_or(0);
+  };
+  const auto chunk = [&](std::size_t i) {
+    if (buffers[i] == json::kNoNode) return std::optional<std::uint64_t>();
+    return model::chunk_number(context.document, buffers[i], i, context.version);
+  };
+  std::map<std::uint64_t, std::uint64_t> longest;  // by number of the chunk
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    if (const auto number = chunk(i)) {
+      std::uint64_t& length = longest[*number];
+      length = std::max(length, length_of(i));
+    }
+  }
+  std::vector<bool> last(buffers.size());
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    const auto number = chunk(i);
+    last[i] = number && length_of(i) == longest[*number];
+  }
+  return last;
+}
+
 // Padding of the chunk follows the bytes of the buffer.
 void check_bin_padding(const Resource& resource, std::string_view chunk, std::uint64_t declared) {
   if (chunk.size() <= declared || chunk.size() > padded(declared)) return;
@@ -89,14 +115,15 @@ void check_bin_padding(const Resource& resource, std::string_view chunk, std::ui
 }
 
 // A buffer of a GLB without a uri is the BIN chunk that it names, or the one of buffer 0.
-std::optional<Bytes> glb_bytes(const Resource& resource, std::size_t index,
+std::optional<Bytes> glb_bytes(const Resource& resource, std::size_t index, bool ends_last,
                                std::uint64_t declared) {
   const container::Container& glb = resource.context.container;
   resource.info.storage = "glb";
   const auto bin = model::chunk_of(glb, resource.context.document, resource.object, index,
                                    resource.context.version);
   if (!bin) {
-    if (!glb.cut_short && !names_chunk(resource)) {
+    const bool encoded = glb.chunks.size() > 1 && glb.chunks[1].encoding != 0;  // reported there
+    if (!glb.cut_short && !encoded && !names_chunk(resource)) {
       resource.find(Code::BUFFER_MISSING_GLB_DATA, "",
                     "The buffer has no uri and the GLB has no BIN chunk.");
     }
@@ -109,7 +136,7 @@ std::optional<Bytes> glb_bytes(const Resource& resource, std::size_t index,
   }
   Bytes chunk =
       glb.bytes.part(static_cast<std::size_t>(bin->offset), static_cast<std::size_t>(bin->length));
-  check_bin_padding(resource, chunk.text(), declared);
+  if (ends_last) check_bin_padding(resource, chunk.text(), declared);
   return chunk;
 }
 
@@ -136,6 +163,12 @@ void report_missing_data(const Resource& resource, std::size_t index) {
   const json::Document& document = resource.context.document;
   if (model::object_member(document, resource.object, "extensions") != json::kNoNode) return;
   const bool text = resource.context.container.format != container::Format::glb;
+  if (!text && resource.context.version > schema::kVersion2) {
+    return resource.find(Code::BUFFER_WITHOUT_DATA, "",
+                         "The buffer has neither a uri nor a chunk; only the first buffer of a GLB "
+                         "can be a BIN chunk without naming it.",
+                         "add the index of its BIN chunk as chunk, or the name of a file as uri");
+  }
   resource.find(Code::BUFFER_WITHOUT_DATA, "",
                 text && index == 0
                     ? "The buffer has no uri; a .gltf file has no BIN chunk that could be its data."
@@ -176,7 +209,16 @@ std::optional<Bytes> undeclared_bytes(const Resource& resource) {
       {resource.context, resource.sink, resource.report, resource.path, resource.object, unlisted});
 }
 
-std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index, bool elsewhere) {
+/// What buffers say about each other.
+struct BufferFacts {
+  explicit BufferFacts(const Context& context)
+      : elsewhere(stored_elsewhere(context)), last(ends_last(context)) {}
+  std::vector<bool> elsewhere;
+  std::vector<bool> last;
+};
+
+std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index,
+                                 const BufferFacts& facts) {
   const json::Document& document = resource.context.document;
   resource.info.mime_type = "application/gltf-buffer";
   const bool has_uri = document.holds(resource.object, "uri");
@@ -184,13 +226,15 @@ std::optional<Bytes> load_buffer(const Resource& resource, std::size_t index, bo
   const bool named = names_chunk(resource);
   const bool glb = !has_uri && (index == 0 || named) && container.format == container::Format::glb;
   if (named) check_chunk(resource);
-  if (!has_uri && !glb && !named && !elsewhere) report_missing_data(resource, index);
+  if (!has_uri && !glb && !named && !facts.elsewhere[index]) {
+    report_missing_data(resource, index);
+  }
   const auto declared = model::unsigned_member(document, resource.object, "byteLength");
   if (!declared || *declared == 0) return undeclared_bytes(resource);
   if (glb && !named && !container.bin && is_fallback(resource.context, resource.object)) {
     return std::nullopt;
   }
-  auto bytes = glb ? glb_bytes(resource, index, *declared) : fetch_uri(resource);
+  auto bytes = glb ? glb_bytes(resource, index, facts.last[index], *declared) : fetch_uri(resource);
   if (!bytes) return std::nullopt;
   return long_enough(resource, *std::move(bytes), *declared, glb && container.cut_short);
 }
@@ -200,14 +244,14 @@ void load_buffers(const Context& context, Sink& sink, FileReport& report, Resour
   const Path array(root, "buffers");
   const auto& objects = context.asset.elements(model::RootArray::buffers);
   resources.data.buffers.resize(objects.size());
-  const std::vector<bool> elsewhere = stored_elsewhere(context);
+  const BufferFacts facts(context);
   for (std::size_t i = 0; i < objects.size(); ++i) {
     if (objects[i] == json::kNoNode) continue;
     const Path path(array, static_cast<std::uint64_t>(i));
     ResourceInfo info;
     info.pointer = path.pointer();
     resources.data.buffers[i] =
-        load_buffer({context, sink, report, path, objects[i], info}, i, elsewhere[i]);
+        load_buffer({context, sink, report, path, objects[i], info}, i, facts);
     resources.listed.push_back(std::move(info));
   }
 }

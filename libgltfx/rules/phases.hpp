@@ -28,6 +28,10 @@ struct ExternalLinks;
 bool check_container(const container::Container& container, const std::string& name,
                      FileReport& report, Collector& collector);
 
+/// The encodings of the chunks that buffers refer to, which nothing can read; call it with the
+/// asset.
+void check_encodings(const Context& context, Collector& collector);
+
 /// Phase 2: errors of the JSON text. True if there is a document to check. A text with errors that
 /// leave no doubt of its meaning has one, unless Deviations::syntax_errors_end_the_report.
 bool check_text(const SharedText& text, const json::Parsed& parsed, const ValidateOptions& options,

@@ -161,6 +161,7 @@ bool check_document(Context& context, json::Document& own, Collector& collector,
   check_what_is_shown(context, collector, bytes);
   check_requirements(context, collector.sink(Phase::resources), report, bytes);
   check_truncated(context, bytes.resources.data, collector.sink(Phase::resources));
+  check_encodings(context, collector);
   return true;
 }
 

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "container/glb3_builder.hpp"
 #include "container/glb_builder.hpp"
 #include "rules/selected.hpp"
 
@@ -40,6 +41,12 @@ TEST(JsonPadding, EndsWhereTheTextHasItsOwnWhiteSpace) {
   EXPECT_EQ(behind_json("\n\n\n    "), Lines{});
   EXPECT_EQ(about_padding(kText + "\n\n\n"), Lines{}) << "a text without chunks";
   EXPECT_EQ(behind_json("\n"), Lines{}) << "the length of the chunk is what is wrong";
+}
+
+TEST(JsonPadding, IsNotNeededInVersion3) {
+  const std::string text = kText + std::string(7 - kText.size() % 8, ' ') + "\n";
+  ASSERT_EQ(text.size() % 8, 0U);
+  EXPECT_EQ(about_padding(container::test::glb3({{container::kChunkJson, text}})), Lines{});
 }
 
 Lines behind_buffer(std::size_t length, const std::string& bin,

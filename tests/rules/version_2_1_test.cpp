@@ -197,6 +197,30 @@ TEST(ChunkOfBuffer, MayBeLongerThanTheBuffer) {
             Lines{});
 }
 
+TEST(ChunkOfBuffer, EndsWhereItsLongestBufferEnds) {
+  const Chunk3 bin{kChunkBin, "abcdefgh"};
+  const std::string six = R"({"byteLength": 6, "chunk": 1})";
+  EXPECT_EQ(of_chunks(six, {bin}), Lines{"GLB_BIN_PADDING /buffers/0"});
+  EXPECT_EQ(of_chunks(six + R"(, {"byteLength": 8, "chunk": 1})", {bin}), Lines{});
+  EXPECT_EQ(of_chunks(R"({"byteLength": 8}, )" + six, {bin}), Lines{});
+}
+
+TEST(ChunkOfBuffer, IsNotEncoded) {
+  const Chunk3 encoded{kChunkBin, "abcd", 7};
+  const std::string text = of_2_1(R"("buffers": [{"byteLength": 4, "chunk": 1}])");
+  const Lines error{"GLB_CHUNK_ENCODING_UNKNOWN @" +
+                    std::to_string(16 + (16 + text.size() + 7) / 8 * 8 + 4)};
+  EXPECT_EQ(of_chunks(R"({"byteLength": 4, "chunk": 1})", {encoded}), error);
+  const Lines implicit = of_chunks(R"({"byteLength": 4})", {encoded});
+  ASSERT_EQ(implicit.size(), 1U);
+  EXPECT_TRUE(implicit[0].starts_with("GLB_CHUNK_ENCODING_UNKNOWN @"));
+  EXPECT_EQ(of_chunks(R"({"byteLength": 4, "chunk": 2})", {encoded, {kChunkBin, "abcd"}}), Lines{})
+      << "of no buffer";
+  EXPECT_EQ(
+      of_chunks(R"({"byteLength": 4, "chunk": 1})", {{kChunkBin, "abcd"}, {kChunkJson, "?", 7}}),
+      Lines{});
+}
+
 TEST(ChunkOfBuffer, IsOfAGlb) {
   EXPECT_EQ(judged(of_2_1(R"("buffers": [{"byteLength": 4, "chunk": 1}])")),
             (Lines{"UNUSED_OBJECT /buffers/0", "BUFFER_CHUNK_INVALID /buffers/0/chunk"}));
