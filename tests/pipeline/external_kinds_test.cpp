@@ -27,7 +27,7 @@ const Json kUpper{{"translation", {0.6, 0.1, 0.2}},
 const Json kLower{{"translation", {-0.7, -0.1, 0}}, {"rotation", {0, 0, 0.3826834, 0.9238795}}};
 
 /// Adds objects to an asset. The roots of what it shows.
-using Fill = std::function<Json(AssetText&)>;
+using FillChild = std::function<Json(AssetText&)>;
 
 class KindsOfExternalAssets : public Baking {
  protected:
@@ -40,7 +40,7 @@ class KindsOfExternalAssets : public Baking {
   static Json file(const std::string& uri, const std::string& type = "model/gltf+json") {
     return {{"uri", uri}, {"mimeType", type}};
   }
-  static std::string child_of(const Fill& fill) {
+  static std::string child_of(const FillChild& fill) {
     AssetText asset;
     const Json roots = fill(asset);
     asset.json()["scenes"][0]["nodes"] = roots;
@@ -63,7 +63,7 @@ class KindsOfExternalAssets : public Baking {
     return report;
   }
   /// The picture of what would be the child, in one asset.
-  std::vector<std::uint8_t> flattened(const Fill& fill, const std::vector<Json>& places) {
+  std::vector<std::uint8_t> flattened(const FillChild& fill, const std::vector<Json>& places) {
     AssetText asset;
     Json nodes = fill(asset);
     for (auto place = places.rbegin(); place != places.rend(); ++place) {
@@ -75,7 +75,7 @@ class KindsOfExternalAssets : public Baking {
     folder.write("flat.gltf", asset.text());
     return bake_at("flat.gltf").pixels.bytes;
   }
-  void expect_flattened(const std::string& path, const Fill& fill,
+  void expect_flattened(const std::string& path, const FillChild& fill,
                         const std::vector<Json>& places = {kUpper}) {
     const BakeReport report = bake_at(path);
     EXPECT_THAT(report.notes, IsEmpty()) << first_error(report);
@@ -132,7 +132,7 @@ Json moving_cube(AssetText& asset) {
 }
 
 // With a texture in the file of that name.
-Fill textured_ball(const std::string& uri) {
+FillChild textured_ball(const std::string& uri) {
   return [uri](AssetText& asset) {
     const render::Mesh shape = render::sphere(0.4F, 6);
     asset.add("images", {{"uri", uri}});
