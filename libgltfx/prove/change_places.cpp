@@ -167,8 +167,7 @@ std::vector<model::Affine> posed_worlds(const Side& side, const std::optional<st
 
 // How much of the bound a change takes; without a measure, as much as any.
 double weight_of(const Change& change) {
-  if (!change.measure || !(change.measure->bound > 0)) return 1;
-  return change.measure->value / change.measure->bound;
+  return change.measure && change.measure->bound > 0 ? share_of_bound(change) : 1;
 }
 
 /// Lines and columns of one text.

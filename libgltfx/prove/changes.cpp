@@ -128,12 +128,6 @@ bool counts_on_request(std::string_view kind) { return kind == "generator" || ki
 // "geometry" of "geometry.normal".
 std::string_view family_of(std::string_view kind) { return kind.substr(0, kind.find('.')); }
 
-// How much of the bound a change takes.
-double share_of(const Change& change) {
-  return change.measure && change.measure->bound > 0 ? change.measure->value / change.measure->bound
-                                                     : 0;
-}
-
 // What is told once.
 std::string key_of(const Change& change) {
   std::string key = fmt::format("{}\n{}\n{}", change.kind, change.old_pointer.value_or("-"),
@@ -150,6 +144,11 @@ auto order_of(const Change& change) {
 }
 
 }  // namespace
+
+double share_of_bound(const Change& change) {
+  return change.measure && change.measure->bound > 0 ? change.measure->value / change.measure->bound
+                                                     : 0;
+}
 
 bool is_drawn(std::string_view kind) {
   for (const SpecialKind& special : kSpecialKinds) {
@@ -215,7 +214,7 @@ void ChangeLog::merge(const std::function<std::string(Change&)>& cause_of) {
       if (first.also.size() < kMostAlso) first.also.push_back(std::move(place));
     }
     first.level = std::max(first.level, change.level);
-    if (share_of(change) <= share_of(first)) continue;
+    if (share_of_bound(change) <= share_of_bound(first)) continue;
     first.what = std::move(change.what);
     first.measure = change.measure;
     first.time = change.time;
@@ -235,7 +234,8 @@ void ChangeLog::merge_within_bounds() {
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     if (changes_[i].level != CompareLevel::bounds) continue;
     const auto [at, is_new] = worst.try_emplace(family_of(changes_[i].kind), i);
-    if (!is_new && share_of(changes_[i]) > share_of(changes_[at->second])) at->second = i;
+    if (!is_new && share_of_bound(changes_[i]) > share_of_bound(changes_[at->second]))
+      at->second = i;
   }
   std::map<std::string_view, std::size_t> others;
   std::vector<Change> kept;

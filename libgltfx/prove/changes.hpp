@@ -54,6 +54,9 @@ bool is_drawn(std::string_view kind);
 
 /// "material" for "/materials"; "object" for a list of an extension.
 std::string_view subject_of(std::string_view list);
+/// The part of its bound that a change takes; 0: it has none.
+double share_of_bound(const Change& change);
+
 /// The name of the kind: kind_of("/materials", "added"). Static storage.
 std::string_view kind_of(std::string_view list, std::string_view what);
 

@@ -16,13 +16,9 @@ namespace {
 
 using Transforms = std::vector<model::Affine>;
 
-constexpr std::uint64_t kPairCopyBytes = std::uint64_t{1} << 28U;
-
 std::optional<Transforms> transforms_of(const Side& side, const model::Node& node) {
-  model::MemoryBudget budget(kPairCopyBytes);
-  auto copies = model::read_instancing(side.asset(), side.views(), side.resources(), node, budget);
-  if (!copies || !copies->readable) return std::nullopt;
-  return std::move(copies->transforms);
+  model::MemoryBudget budget(kCopyBytes);
+  return read_copies(side, node, budget);
 }
 
 // How far the corners of a box are apart under two transforms.

@@ -116,15 +116,12 @@ class StaticSurfaces {
     for (const std::uint32_t node : nodes_.order()) {
       const model::Node& described = side.views().nodes[node];
       if (!described.mesh || !meshes_[*described.mesh]) continue;
-      const auto copies =
-          model::read_instancing(side.asset(), side.views(), side.resources(), described, budget);
+      const auto copies = read_copies(side, described, budget);
       const model::Affine& world = nodes_.world(node);
-      if (!copies || !copies->readable) {
+      if (!copies) {
         add_pieces_of(*described.mesh, world);
       } else {
-        for (const model::Affine& copy : copies->transforms) {
-          add_pieces_of(*described.mesh, world * copy);
-        }
+        for (const model::Affine& copy : *copies) add_pieces_of(*described.mesh, world * copy);
       }
       if (!fits()) return;
     }

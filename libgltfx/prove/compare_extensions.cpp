@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "graph/unknown_indices.hpp"
 #include "prove/compare_values.hpp"
 
 namespace gltfx::prove {
@@ -57,23 +58,12 @@ void compare_lists_of_extensions(const Comparison& all) {
   }
 }
 
-bool has_integers(const json::Document& document, json::NodeId value) {
-  for (json::NodeId at = value; at < document.next(value); ++at) {
-    if (document.kind(at) == json::Kind::number && document.number(at).is_integer()) return true;
-    if (document.kind(at) != json::Kind::number_array) continue;
-    for (json::NumberCursor number(document, at); number.valid(); number.advance()) {
-      if (number.number().is_integer()) return true;
-    }
-  }
-  return false;
-}
-
 // Integers of unknown extensions may be indices: where objects have other numbers, nobody knows.
 void find_unknown_indices(const Comparison& all) {
   if (!all.match.is_renumbered() || all.options.drawn) return;
   const Side& side = all.ours.side();
   for (const json::NodeId object : side.graph().unknown_extensions()) {
-    if (!has_integers(side.document(), object)) continue;
+    if (!graph::may_hold_index(side.document(), object)) continue;
     all.log.leave_out(fmt::format(
         "{} has integers, which may be indices, and objects have other numbers; give its schema "
         "with --schema.",

@@ -40,26 +40,16 @@ struct StoredValue {
 class StoredValues {
  public:
   explicit StoredValues(const Content& content)
-      : content_(content), side_(content.side()), document_(side_.document()) {}
+      : content_(content), side_(content.side()), document_(side_.document()) {
+    find_unused_accessors();
+  }
 
   /// Accessors that nothing refers to, as far as schemas tell.
-  std::vector<std::uint32_t> find_unused_accessors() const {
-    const auto& accessors = side_.asset().elements(RootArray::accessors);
-    std::vector<bool> used(accessors.size());
-    const json::NodeId list = document_.find(document_.root(), "accessors");
-    for (const graph::IndexUse& use : side_.graph().indices()) {
-      if (use.list == list && use.index < used.size()) used[use.index] = true;
-    }
-    std::vector<std::uint32_t> unused;
-    for (std::uint32_t i = 0; i < used.size(); ++i) {
-      if (!used[i] && accessors[i] != json::kNoNode) unused.push_back(i);
-    }
-    return unused;
-  }
+  const std::vector<std::uint32_t>& unused_accessors() const { return unused_; }
 
   /// Sorted by hash. `with_unused`: also the elements of unused accessors.
   std::vector<StoredValue> read(bool with_unused) {
-    if (with_unused) read_elements(find_unused_accessors());
+    if (with_unused) read_unused_accessors();
     read_list(RootArray::accessors, kOfAccessors);
     read_list(RootArray::buffer_views, kOfViews);
     read_list(RootArray::buffers, kOfBuffers);
@@ -133,8 +123,20 @@ class StoredValues {
     }
   }
 
-  void read_elements(const std::vector<std::uint32_t>& accessors) {
-    for (const std::uint32_t accessor : accessors) {
+  void find_unused_accessors() {
+    const auto& accessors = side_.asset().elements(RootArray::accessors);
+    std::vector<bool> used(accessors.size());
+    const json::NodeId list = document_.find(document_.root(), "accessors");
+    for (const graph::IndexUse& use : side_.graph().indices()) {
+      if (use.list == list && use.index < used.size()) used[use.index] = true;
+    }
+    for (std::uint32_t i = 0; i < used.size(); ++i) {
+      if (!used[i] && accessors[i] != json::kNoNode) unused_.push_back(i);
+    }
+  }
+
+  void read_unused_accessors() {
+    for (const std::uint32_t accessor : unused_) {
       bool readable = false;
       add(hash_of_all('e', content_.elements(accessor, readable)),
           side_.asset().elements(RootArray::accessors)[accessor]);
@@ -180,6 +182,7 @@ class StoredValues {
   const Content& content_;
   const Side& side_;
   const json::Document& document_;
+  std::vector<std::uint32_t> unused_;
   std::vector<StoredValue> values_;
 };
 
@@ -298,8 +301,7 @@ void compare_stored_objects(const Comparison& all) {
   StoredValues ours(all.ours);
   StoredValues theirs(all.theirs);
   // That there are fewer or more of them is storage.
-  const bool with_unused =
-      ours.find_unused_accessors().size() == theirs.find_unused_accessors().size();
+  const bool with_unused = ours.unused_accessors().size() == theirs.unused_accessors().size();
   const std::vector<StoredValue> here = ours.read(with_unused);
   const std::vector<StoredValue> there = theirs.read(with_unused);
   std::vector<json::NodeId> gone = stored_only_in(here, there);

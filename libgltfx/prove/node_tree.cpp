@@ -97,17 +97,21 @@ double greatest_scale_of(const model::Affine& place) {
   return std::sqrt(most);
 }
 
-namespace {
+std::optional<std::vector<model::Affine>> read_copies(const Side& side, const model::Node& node,
+                                                      model::MemoryBudget& budget) {
+  auto copies = model::read_instancing(side.asset(), side.views(), side.resources(), node, budget);
+  if (!copies || !copies->readable) return std::nullopt;
+  return std::move(copies->transforms);
+}
 
-constexpr std::uint64_t kTreeCopyBytes = std::uint64_t{1} << 28U;
+namespace {
 
 // A mesh where its node draws it: once, or as copies.
 void add_mesh(const Side& side, const model::Node& node, const Content::Box& mesh,
               model::MemoryBudget& budget, Content::Box& box) {
-  const auto copies =
-      model::read_instancing(side.asset(), side.views(), side.resources(), node, budget);
-  if (!copies || !copies->readable || mesh.empty()) return box.add(mesh);
-  for (const model::Affine& each : copies->transforms) {
+  const auto copies = read_copies(side, node, budget);
+  if (!copies || mesh.empty()) return box.add(mesh);
+  for (const model::Affine& each : *copies) {
     for (unsigned i = 0; i < 8; ++i) box.add(each.point(mesh.corner(i)));
   }
 }
@@ -174,7 +178,7 @@ void NodeTree::find_order(const Content& content) {
 
 void NodeTree::find_boxes(const Content& content) {
   const Side& side = content.side();
-  model::MemoryBudget budget(kTreeCopyBytes);
+  model::MemoryBudget budget(kCopyBytes);
   boxes_.assign(locals_.size(), Content::Box::nothing());
   for (auto at = order_.rbegin(); at != order_.rend(); ++at) {
     const model::Node& node = side.views().nodes[*at];

@@ -4,8 +4,10 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "model/memory_budget.hpp"
 #include "model/scene_graph.hpp"
 #include "prove/content.hpp"
 
@@ -25,6 +27,14 @@ struct LocalPlace {
 /// Whether two nodes are placed alike: by equal numbers, or by a matrix and its parts as single
 /// precision gives them.
 bool same_place(const LocalPlace& a, const LocalPlace& b);
+
+/// For read_copies(): of all nodes of a tree, or of one pair of nodes.
+constexpr std::uint64_t kCopyBytes = std::uint64_t{1} << 28U;
+
+/// The transforms of the copies of its mesh that a node draws (EXT_mesh_gpu_instancing), in its
+/// space; nothing: it draws one, or they cannot be read.
+std::optional<std::vector<model::Affine>> read_copies(const Side& side, const model::Node& node,
+                                                      model::MemoryBudget& budget);
 
 /// Iterative; linear.
 class NodeTree {

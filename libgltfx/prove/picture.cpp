@@ -187,7 +187,7 @@ SquareDifference greatest_beyond(SquareGrid differences, const F& limit) {
 }  // namespace
 
 double square_difference(const preview::Picture& a, const preview::Picture& b) {
-  return greatest_beyond(differences_of(a, b), [](auto, auto) { return kStep; }).distance;
+  return greatest_difference(a, b).distance;
 }
 
 SquareDifference greatest_difference(const preview::Picture& before,

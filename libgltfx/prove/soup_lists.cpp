@@ -220,10 +220,6 @@ class SoupLists {
     change.new_pointer = place(*group_.theirs);
   }
 
-  static double share_of(const Change& change) {
-    return change.measure->bound > 0 ? change.measure->value / change.measure->bound : 0;
-  }
-
   // The vertices are the same, so that all streams differ because of the indices.
   void tell_connected(const std::vector<StreamDistance>& distances, unsigned arity) {
     std::optional<Change> worst;
@@ -233,7 +229,7 @@ class SoupLists {
       Change change = describe_stream(all_, distance, arity, group_.pair.scale);
       elements = std::max(elements, distance.elements);
       level = std::max(level, change.level);
-      if (!worst || share_of(change) > share_of(*worst)) worst = std::move(change);
+      if (!worst || share_of_bound(change) > share_of_bound(*worst)) worst = std::move(change);
     }
     Change& change =
         add_at_primitives("geometry.elements",
@@ -255,8 +251,8 @@ class SoupLists {
     for (std::size_t i = 0; i < a.streams.size(); ++i) {
       const StreamDistance distance{&a.streams[i], near.greatest[i], found.left.size(), 0, false};
       Change change = describe_stream(all_, distance, a.arity, group_.pair.scale);
-      if (share_of(change) <= most) continue;
-      most = share_of(change);
+      if (share_of_bound(change) <= most) continue;
+      most = share_of_bound(change);
       worst = std::move(change);
     }
     Change& change = add_at_primitives(

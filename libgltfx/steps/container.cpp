@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // The storage of the text, the buffers and the images of an asset (glTF 2.0 sections 3.6.1, 4).
-#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -33,9 +32,7 @@ Result<StepOutcome> store(const StepInput& input) {
   json::Editor editor(document);
   restate_version(document, editor);
   auto& edits = outcome->change.edits;
-  for (json::Edit& edit : editor.take()) edits.push_back(std::move(edit));
-  std::sort(edits.begin(), edits.end(),
-            [](const json::Edit& a, const json::Edit& b) { return a.span.begin < b.span.begin; });
+  edits = json::merge_edits(std::move(edits), editor.take());
   outcome->freedom.version = true;
   return outcome;
 }
