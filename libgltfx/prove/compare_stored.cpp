@@ -8,6 +8,7 @@
 
 #include "base/checked.hpp"
 #include "base/text.hpp"
+#include "model/buffer_chunk.hpp"
 #include "model/fields.hpp"
 #include "model/mesh.hpp"
 #include "prove/compare_values.hpp"
@@ -52,7 +53,7 @@ class StoredValues {
     if (with_unused) read_unused_accessors();
     read_list(RootArray::accessors, kOfAccessors);
     read_list(RootArray::buffer_views, kOfViews);
-    read_list(RootArray::buffers, kOfBuffers);
+    read_buffers();
     read_short_buffers();
     for (const model::Animation& animation : side_.views().animations) read_animation(animation);
     read_unused_samplers();
@@ -69,12 +70,22 @@ class StoredValues {
     for (const json::NodeId object : side_.asset().elements(list)) read_object(object, known);
   }
 
+  // Which chunk has the bytes is a matter of the container, like a URI.
+  void read_buffers() {
+    const schema::Version version = schema::stated_version(document_);
+    for (const json::NodeId buffer : side_.asset().elements(RootArray::buffers)) {
+      if (buffer == json::kNoNode) continue;
+      read_object(buffer, kOfBuffers, model::chunk_member(document_, buffer, version));
+    }
+  }
+
   // All but the members that other comparisons cover.
-  void read_object(json::NodeId object, MemberNames known) {
+  void read_object(json::NodeId object, MemberNames known, json::NodeId chunk = json::kNoNode) {
     if (object == json::kNoNode || !document_.is_object(object)) return;
     for (const auto member : document_.members(object)) {
       const std::string_view name = document_.key(member.key_id);
-      if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+      const bool is_known = std::find(known.begin(), known.end(), name) != known.end();
+      if (is_known || member.value == chunk) continue;
       if (name == "extensions" && document_.is_object(member.value)) {
         for (const auto each : document_.members(member.value)) read_extension(each);
       } else {

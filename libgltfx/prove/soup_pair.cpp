@@ -29,7 +29,10 @@ class SoupComparison {
       : a_(ours), b_(theirs), scale_(scale) {}
 
   SoupDifference run() {
-    if (find_order() == Order::told) return std::move(result_);
+    const Order order = find_order();
+    if (order == Order::told) return std::move(result_);
+    pair_near();
+    if (order == Order::of_lists && !(left_.empty() && their_left_.empty())) return of_lists();
     pair_by_other_streams();
     const std::size_t placed = pairs_.size();
     pair_by_place();
@@ -37,14 +40,17 @@ class SoupComparison {
     result_.more = their_left_.size();
     result_.distances = measure(pairs_);
     set_apart(placed);
+    result_.left = std::move(left_);
+    result_.their_left = std::move(their_left_);
     result_.near = measure(pairs_);
     return std::move(result_);
   }
 
  private:
-  enum class Order : std::uint8_t { told, other };
+  enum class Order : std::uint8_t { told, of_lists, other };
 
-  // What is told without pairing elements of other places in the lists.
+  // What is told without pairing elements of other places in the lists. `of_lists`: elements that
+  // have the same place in both lists are in pairs, but not all are within limits.
   Order find_order() {
     const std::vector<Hash128> here = hash_elements(a_);
     const std::vector<Hash128> there = hash_elements(b_);
@@ -59,8 +65,17 @@ class SoupComparison {
       return Order::told;
     }
     if (a_.elements() != b_.elements() || !pairs_in_order(here, there)) return Order::other;
-    result_.distances = measure(pairs_);
+    if (!std::all_of(in_order_.begin(), in_order_.end(),
+                     [&](const ElementPair& pair) { return is_within(pair); })) {
+      return Order::of_lists;
+    }
+    result_.distances = measure(in_order_);
     return Order::told;
+  }
+
+  SoupDifference of_lists() {
+    result_.distances = measure(in_order_);
+    return std::move(result_);
   }
 
   // Sorted by their hashes, then by their places.
@@ -114,9 +129,7 @@ class SoupComparison {
     if (pairs.size() > left + left / 4) return false;
     // Noise leaves no element equal: then the order is right if all are near.
     if (pairs.size() == here.size() && !order_is_plausible(pairs)) return false;
-    pairs_ = std::move(pairs);
-    left_.clear();
-    their_left_.clear();
+    in_order_ = std::move(pairs);
     return true;
   }
 
@@ -179,6 +192,13 @@ class SoupComparison {
       }
     }
     return best;
+  }
+
+  // Elements in about the same place with all of their attributes are the same ones. Those that
+  // only have equal normals may be anywhere.
+  void pair_near() {
+    pair_by_place();
+    set_apart(0);
   }
 
   // An edit of one attribute leaves the others as they are.
@@ -303,10 +323,10 @@ class SoupComparison {
     return found;
   }
 
-  bool is_mirrored(const SoupStream& stream) const {
+  bool is_mirrored(const SoupStream& stream, const std::vector<ElementPair>& pairs) const {
     if (stream.kind != SemanticKind::texcoord || stream.width != 2) return false;
     constexpr double kNear = 1e-5;
-    return std::all_of(pairs_.begin(), pairs_.end(), [&](const ElementPair& pair) {
+    return std::all_of(pairs.begin(), pairs.end(), [&](const ElementPair& pair) {
       for (std::size_t k = 0; k < a_.arity; ++k) {
         const double* p = corner(a_, pair.ours, k) + stream.offset;
         const double* q = corner(b_, pair.theirs, k + pair.turn) + stream.offset;
@@ -316,22 +336,18 @@ class SoupComparison {
     });
   }
 
-  // Pairs by place, from `first` on, that are not within limits are no pairs.
+  // Pairs from `first` on that are not within limits are no pairs.
   void set_apart(std::size_t first) {
-    std::vector<ElementPair> kept;
-    for (std::size_t i = 0; i < pairs_.size(); ++i) {
-      if (i < first || is_within(pairs_[i])) {
-        kept.push_back(pairs_[i]);
-        continue;
-      }
-      left_.push_back(pairs_[i].ours);
-      their_left_.push_back(pairs_[i].theirs);
+    const auto from = pairs_.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto end = std::stable_partition(
+        from, pairs_.end(), [&](const ElementPair& pair) { return is_within(pair); });
+    for (auto at = end; at != pairs_.end(); ++at) {
+      left_.push_back(at->ours);
+      their_left_.push_back(at->theirs);
     }
-    pairs_ = std::move(kept);
+    pairs_.erase(end, pairs_.end());
     std::sort(left_.begin(), left_.end());
     std::sort(their_left_.begin(), their_left_.end());
-    result_.left = std::move(left_);
-    result_.their_left = std::move(their_left_);
   }
 
   bool is_within(const ElementPair& pair) const {
@@ -353,7 +369,7 @@ class SoupComparison {
         distance.greatest = std::max(distance.greatest, apart);
       }
       if (distance.elements == 0) continue;
-      distance.mirrored = is_mirrored(stream);
+      distance.mirrored = is_mirrored(stream, pairs);
       distances.push_back(distance);
     }
     return distances;
@@ -364,6 +380,7 @@ class SoupComparison {
   const SoupScale scale_;
   std::vector<std::uint32_t> left_, their_left_;
   std::vector<ElementPair> pairs_;
+  std::vector<ElementPair> in_order_;  ///< by their places in both lists
   SoupDifference result_;
 };
 
