@@ -170,12 +170,13 @@ std::string_view kind_of(std::string_view list, std::string_view what) {
   return kind == nullptr ? std::string_view("asset.value") : kind->name;
 }
 
-void ChangeLog::add(Change change) {
+void ChangeLog::add(Change change, bool shows) {
   if (counts_on_request(change.kind) && !options_.count.contains(change.kind)) {
     const auto& place = change.old_pointer ? change.old_pointer : change.new_pointer;
     return note_storage(fmt::format("{} is another one", *place));
   }
-  if (options_.drawn && !is_drawn(change.kind) && !options_.count.contains(change.kind)) return;
+  const bool counts = shows || is_drawn(change.kind) || options_.count.contains(change.kind);
+  if (options_.drawn && !counts) return;
   if (options_.ignore.contains(change.kind)) return;
   if (!told_.insert(key_of(change)).second) return;
   changes_.push_back(std::move(change));

@@ -15,13 +15,16 @@
 
 namespace gltfx::prove {
 
+class DrawnItems;
+
 /// The changes of one comparison: each once, and only those that count.
 class ChangeLog {
  public:
   explicit ChangeLog(const CompareOptions& options) : options_(options) {}
 
-  /// Precondition: the kind is one of change_kinds().
-  void add(Change change);
+  /// Precondition: the kind is one of change_kinds(). `shows`: it is drawn even if other changes of
+  /// the kind are not.
+  void add(Change change, bool shows = false);
   /// What is stored differently, half a sentence; once each.
   void note_storage(std::string what);
   /// A reference leads to another object than before, with equal contents.
@@ -71,6 +74,9 @@ struct Comparison {
   ChangeLog& log;
   const std::vector<TextureUse>& texture_uses;  ///< of the old asset
   double diagonal = 0;                          ///< the smaller one of both scenes
+  /// With CompareOptions::drawn only.
+  const DrawnItems* our_drawn = nullptr;
+  const DrawnItems* their_drawn = nullptr;  ///< likewise
 
   std::string our_name(ItemId item) const { return name(ours, item); }
   std::string their_name(ItemId item) const { return name(theirs, item); }

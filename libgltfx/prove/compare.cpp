@@ -11,6 +11,8 @@
 #include "prove/compare_sizes.hpp"
 #include "prove/compare_texels.hpp"
 #include "prove/compare_values.hpp"
+#include "prove/drawn_items.hpp"
+#include "prove/forget_undrawn.hpp"
 #include "prove/shared_causes.hpp"
 
 namespace gltfx::prove {
@@ -71,16 +73,33 @@ std::vector<ChangedBoxes> compare_plain(const model::OpenedAsset& ours,
   const double one = our_nodes.diagonal();
   const double other = their_nodes.diagonal();
   const double diagonal = one > 0 && other > 0 ? std::min(one, other) : std::max(one, other);
-  const Comparison all{before, after, our_nodes, their_nodes, match, options, log, uses, diagonal};
+  std::optional<DrawnItems> our_drawn, their_drawn;
+  if (options.drawn) {
+    our_drawn.emplace(before, our_nodes);
+    their_drawn.emplace(after, their_nodes);
+  }
+  const Comparison all{before,
+                       after,
+                       our_nodes,
+                       their_nodes,
+                       match,
+                       options,
+                       log,
+                       uses,
+                       diagonal,
+                       our_drawn ? &*our_drawn : nullptr,
+                       their_drawn ? &*their_drawn : nullptr};
   const Helpers helpers = find_helpers(all);
   compare_values(all, helpers);
   compare_presence(all, helpers);
   compare_nodes(all, helpers);
-  if (options.drawn && log.differs()) forget_static_surfaces(all);
   compare_motion(all);
+  if (options.drawn) forget_undrawn(all);
+  if (options.drawn && log.differs()) compare_drawn(all);
   compare_poses(all);
   compare_image_texels(all);
   compare_stored_objects(all);
+  if (options.drawn) forget_undrawn(all);
   merge_shared_causes(all);
   add_external(external, log);
   if (match.is_renumbered()) log.note_storage("objects have other numbers");

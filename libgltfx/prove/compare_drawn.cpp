@@ -2,165 +2,186 @@
 #include "prove/compare_drawn.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
+#include <iterator>
 #include <optional>
-#include <string_view>
 #include <vector>
 
-#include "model/instancing.hpp"
-#include "model/skin.hpp"
-#include "prove/compare_surfaces.hpp"
+#include "model/keyframes.hpp"
+#include "prove/column.hpp"
+#include "prove/rigid_surfaces.hpp"
 
 namespace gltfx::prove {
 namespace {
 
-constexpr std::uint64_t kMostElements = std::uint64_t{1} << 21U;
+constexpr std::size_t kMostScenes = 16;
+constexpr std::size_t kMostMoments = 64;  // of an animation
 
-/// The nodes and meshes of an asset whose surfaces never move.
-class StaticSurfaces {
- public:
-  StaticSurfaces(const Content& content, const NodeTree& nodes)
-      : content_(content), nodes_(nodes), list_(content.list("/nodes")) {
-    find_moving();
-    find_static();
+/// A scene of each asset; nothing: the asset has none.
+using ScenePair = std::pair<std::optional<std::uint32_t>, std::optional<std::uint32_t>>;
+
+/// Values of both assets at one time of an animation.
+struct Moment {
+  model::AnimatedValues ours, theirs;
+};
+
+// Scenes that are partners; those that are shown first also if they are none.
+std::vector<ScenePair> pair_scenes(const Comparison& all) {
+  const auto shown = [](const Content& content) {
+    return model::choose_scene(content.side().asset(), content.side().views()).scene;
+  };
+  std::vector<ScenePair> pairs;
+  all.for_each_pair(
+      "/scenes", [&](ItemId ours, ItemId theirs) { pairs.emplace_back(ours.index, theirs.index); });
+  const ScenePair first(shown(all.ours), shown(all.theirs));
+  if (std::find(pairs.begin(), pairs.end(), first) == pairs.end()) pairs.push_back(first);
+  return pairs;
+}
+
+// Times of keyframes, and times between them.
+std::vector<double> times_of(const Comparison& all, ItemId ours, ItemId theirs) {
+  std::vector<double> keys;
+  const auto add = [&](const Side& side, std::uint32_t animation) {
+    for (const model::AnimationSampler& sampler : side.views().animations[animation].samplers) {
+      const auto column = sampler.input ? Column::open(side, *sampler.input) : std::nullopt;
+      if (!column) continue;
+      const std::uint64_t step = 1 + column->count() / (4 * kMostMoments);
+      for (std::uint64_t i = 0; i < column->count(); i += step) keys.push_back(column->at(i)[0]);
+    }
+  };
+  add(all.ours.side(), ours.index);
+  add(all.theirs.side(), theirs.index);
+  std::erase_if(keys, [](double time) { return !std::isfinite(time); });
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  std::vector<double> times;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (i > 0) times.push_back((keys[i - 1] + keys[i]) / 2);
+    times.push_back(keys[i]);
   }
+  // An odd step takes keyframes and what is between them in turn.
+  const std::size_t step = times.size() / kMostMoments | 1U;
+  std::vector<double> chosen;
+  for (std::size_t i = 0; i < times.size(); i += step) chosen.push_back(times[i]);
+  return chosen;
+}
 
-  const std::vector<SurfacePiece>& pieces() const { return pieces_; }
-  /// Whether all surfaces fit into the memory of a comparison.
-  bool fits() const { return elements_ <= kMostElements; }
+class DrawnComparison {
+ public:
+  explicit DrawnComparison(const Comparison& all) : all_(all), scenes_(pair_scenes(all)) {}
 
-  /// Whether a pointer leads into a node or a mesh of static surfaces only.
-  bool covers(const std::optional<std::string>& pointer) const {
-    if (!pointer) return true;
-    const auto index = [&](std::string_view list) -> std::optional<std::size_t> {
-      if (!pointer->starts_with(list)) return std::nullopt;
-      std::size_t number = 0;
-      const char* const begin = pointer->data() + list.size();
-      const auto read = std::from_chars(begin, pointer->data() + pointer->size(), number);
-      return read.ec == std::errc() ? std::optional(number) : std::nullopt;
-    };
-    if (const auto node = index("/nodes/")) return *node < still_.size() && still_[*node];
-    if (const auto mesh = index("/meshes/")) return *mesh < meshes_.size() && meshes_[*mesh];
-    return index("/scenes/").has_value();
+  void run() {
+    if (scenes_.size() > kMostScenes) return;
+    const bool animated = all_.ours.side().asset().count(model::RootArray::animations) +
+                              all_.theirs.side().asset().count(model::RootArray::animations) >
+                          0;
+    if (animated && compare(Motions::all)) return;
+    compare(Motions::none);
   }
 
  private:
-  // Targets of animations, of pointers, and joints.
-  void find_moving() {
-    const Side& side = content_.side();
-    moving_.assign(nodes_.size(), false);
-    for (const model::Animation& animation : side.views().animations) {
-      for (const model::AnimationChannel& channel : animation.channels) {
-        if (channel.node) moving_[*channel.node] = true;
-      }
-    }
-    for (const graph::PointerText& pointer : side.graph().pointers()) {
-      for (const json::NodeId value : pointer.way) {
-        const ItemId item = content_.find(value);
-        if (item && item.list == list_) moving_[item.index] = true;
-      }
-    }
-    for (const json::NodeId skin : side.asset().elements(model::RootArray::skins)) {
-      if (skin == json::kNoNode) continue;
-      for (const model::NodeIndex joint : model::read_skin(side.asset(), skin).joint_nodes) {
-        moving_[joint] = true;
-      }
-    }
+  static RigidSurfaces surfaces(const Content& content, const NodeTree& nodes,
+                                std::optional<std::uint32_t> scene, Motions motions) {
+    const Side& side = content.side();
+    return {content, nodes, model::choose_scene(side.asset(), side.views(), scene), motions};
   }
 
-  void find_static() {
-    const Side& side = content_.side();
-    const auto& views = side.views();
-    meshes_.assign(views.meshes.size(), true);
-    still_.assign(nodes_.size(), true);
-    std::vector<bool> below_moving(nodes_.size());
-    for (const std::uint32_t node : nodes_.order()) {
-      const model::NodeIndex above = nodes_.parent(node);
-      below_moving[node] = moving_[node] || (above != model::kNoNodeIndex && below_moving[above]);
-      const model::Node& described = views.nodes[node];
-      const bool special = described.camera ||
-                           (described.extensions != json::kNoNode && !has_copies_only(described));
-      if (described.mesh && (below_moving[node] || special || !is_rigid(described))) {
-        meshes_[*described.mesh] = false;
-      }
-      still_[node] = !below_moving[node] && !special && is_rigid(described);
+  // Whether all are the same, or within bounds.
+  bool compare(Motions motions) {
+    changes_.clear();
+    for (const auto& [one, other] : scenes_) {
+      ours_.emplace(surfaces(all_.ours, all_.our_nodes, one, motions));
+      theirs_.emplace(surfaces(all_.theirs, all_.their_nodes, other, motions));
+      if (!ours_->fits() || !theirs_->fits()) return false;
+      if (!compare_at({})) return false;
+      if (motions == Motions::all && !compare_moments()) return false;
     }
-    for (auto at = nodes_.order().rbegin(); at != nodes_.order().rend(); ++at) {
-      const model::NodeIndex above = nodes_.parent(*at);
-      if (!still_[*at] && above != model::kNoNodeIndex) still_[above] = false;
-    }
-    add_pieces();
-  }
-
-  // Whether its extensions only say where its mesh is drawn.
-  bool has_copies_only(const model::Node& node) const {
-    const Side& side = content_.side();
-    if (model::instance_attributes(side.asset(), node) == json::kNoNode) return false;
-    std::size_t members = 0;
-    for ([[maybe_unused]] const auto each : side.document().members(node.extensions)) ++members;
-    return members == 1;
-  }
-
-  bool is_rigid(const model::Node& node) const {
-    if (!node.mesh) return true;
-    if (node.skin) return false;
-    const auto& primitives = content_.side().views().meshes[*node.mesh].primitives;
-    return std::all_of(primitives.begin(), primitives.end(), [](const model::Primitive& each) {
-      return each.targets.empty() && !each.targets_are_broken;
+    const bool differ = std::any_of(changes_.begin(), changes_.end(), [](const Change& change) {
+      return change.level == CompareLevel::differs;
     });
+    if (differ && (motions == Motions::all || !explains())) return false;
+    all_.log.forget([&](const Change& change) { return covers(change); });
+    std::stable_sort(changes_.begin(), changes_.end(), [](const Change& a, const Change& b) {
+      return share_of_bound(a) > share_of_bound(b);
+    });
+    for (Change& change : changes_) all_.log.add(std::move(change));
+    return true;
   }
 
-  void add_pieces() {
-    const Side& side = content_.side();
-    model::MemoryBudget budget(kMostElements * sizeof(model::Affine));
-    for (const std::uint32_t node : nodes_.order()) {
-      const model::Node& described = side.views().nodes[node];
-      if (!described.mesh || !meshes_[*described.mesh]) continue;
-      const auto copies = read_copies(side, described, budget);
-      const model::Affine& world = nodes_.world(node);
-      if (!copies) {
-        add_pieces_of(*described.mesh, world);
-      } else {
-        for (const model::Affine& copy : *copies) add_pieces_of(*described.mesh, world * copy);
+  bool compare_moments() {
+    bool fits = true;
+    all_.for_each_pair("/animations", [&](ItemId ours, ItemId theirs) {
+      const std::vector<double> times = times_of(all_, ours, theirs);
+      const std::uint64_t work = (ours_->elements() + theirs_->elements()) * times.size();
+      fits = fits && work <= 2 * RigidSurfaces::kMostElements;
+      for (std::size_t i = 0; fits && i < times.size(); ++i) {
+        const auto sample = [&](const Side& side, ItemId animation) {
+          return model::sample_animation(side.asset(), side.views(), side.resources(),
+                                         side.graph().set(), animation.index, times[i])
+              .values;
+        };
+        const Moment moment{sample(all_.ours.side(), ours), sample(all_.theirs.side(), theirs)};
+        const std::size_t told = changes_.size();
+        fits = compare_at(moment);
+        for (std::size_t k = told; k < changes_.size(); ++k) {
+          fits = fits && changes_[k].level != CompareLevel::differs;
+          changes_[k].time = times[i];
+        }
       }
-      if (!fits()) return;
-    }
+    });
+    return fits;
   }
 
-  void add_pieces_of(std::uint32_t mesh, const model::Affine& place) {
-    for (const Surface& surface : content_.surfaces(mesh)) {
-      if (surface.primitive == json::kNoNode || !fits()) continue;
-      elements_ += surface.elements + 1;
-      pieces_.push_back({&content_, surface.primitive, surface.material, place, nullptr, &surface});
-    }
+  // Whether all could be compared.
+  bool compare_at(const Moment& moment) {
+    SurfacePair pair;
+    pair.ours = ours_->pieces(moment.ours);
+    pair.theirs = theirs_->pieces(moment.theirs);
+    pair.our_place = pair.their_place = "/meshes";
+    SurfaceChanges found = compare_surfaces(all_, pair);
+    std::move(found.changes.begin(), found.changes.end(), std::back_inserter(changes_));
+    return !found.unread;
   }
 
-  const Content& content_;
-  const NodeTree& nodes_;
-  const std::uint32_t list_;
-  std::vector<bool> moving_, still_, meshes_;
-  std::vector<SurfacePiece> pieces_;
-  std::uint64_t elements_ = 0;
+  bool covers(const Change& change) const {
+    const bool shape = change.kind.starts_with("geometry.") || change.kind.starts_with("node.") ||
+                       change.kind == "mesh.value" || change.kind == "scene.nodes" ||
+                       change.kind == "animation.channel" || change.kind == "animation.curve" ||
+                       change.kind == "animation.interpolation";
+    return shape && ours_->covers(change.old_pointer) && theirs_->covers(change.new_pointer);
+  }
+
+  // Whether what differs in the scene says more than changes of nodes and meshes that make up for
+  // each other: nodes were replaced by others, or moved while their meshes moved back.
+  bool explains() const {
+    bool lost = false, found = false;
+    std::size_t count = 0;
+    double told = 0, drawn = 0;
+    const auto is_place = [](const Change& change) {
+      return change.measure && change.measure->quantity == "position";
+    };
+    for (const Change& change : all_.log.changes()) {
+      if (change.level != CompareLevel::differs || !covers(change)) continue;
+      ++count;
+      lost |= !change.new_pointer;
+      found |= !change.old_pointer;
+      if (is_place(change)) told = std::max(told, share_of_bound(change));
+    }
+    for (const Change& change : changes_) {
+      if (is_place(change)) drawn = std::max(drawn, share_of_bound(change));
+    }
+    if (lost && found && count > changes_.size()) return true;
+    return told > 0 && 2 * drawn < told;
+  }
+
+  const Comparison& all_;
+  const std::vector<ScenePair> scenes_;
+  std::optional<RigidSurfaces> ours_, theirs_;
+  std::vector<Change> changes_;
 };
 
 }  // namespace
 
-void forget_static_surfaces(const Comparison& all) {
-  const StaticSurfaces ours(all.ours, all.our_nodes);
-  const StaticSurfaces theirs(all.theirs, all.their_nodes);
-  if (!ours.fits() || !theirs.fits()) return;
-  SurfacePair pair;
-  pair.ours = ours.pieces();
-  pair.theirs = theirs.pieces();
-  pair.our_place = pair.their_place = "/meshes";
-  SurfaceChanges changes = compare_surfaces(all, pair);
-  if (changes.unread || changes.level() == CompareLevel::differs) return;
-  all.log.forget([&](const Change& change) {
-    const bool shape = change.kind.starts_with("geometry.") || change.kind.starts_with("node.") ||
-                       change.kind == "mesh.value" || change.kind == "scene.nodes";
-    return shape && ours.covers(change.old_pointer) && theirs.covers(change.new_pointer);
-  });
-  for (Change& change : changes.changes) all.log.add(std::move(change));
-}
+void compare_drawn(const Comparison& comparison) { DrawnComparison(comparison).run(); }
 
 }  // namespace gltfx::prove

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "prove/column.hpp"
 #include "prove/curves.hpp"
+#include "prove/drawn_items.hpp"
 #include "prove/hash_sum.hpp"
 #include "prove/leaf_reader.hpp"
 
@@ -41,6 +42,8 @@ class MotionComparison {
     std::vector<KeyedChannel> all;
     for (const model::AnimationChannel& channel :
          side.views().animations[animation.index].channels) {
+      const DrawnItems* drawn = ours ? all_.our_drawn : all_.their_drawn;
+      if (drawn != nullptr && channel.node && !drawn->shows(*channel.node)) continue;
       KeyedChannel keyed;
       keyed.channel = channel.object;
       std::vector<Leaf> leaves;
@@ -65,6 +68,13 @@ class MotionComparison {
   bool is_lost(const KeyedChannel& channel, bool ours) const {
     if (!channel.target) return false;
     return ours ? !all_.match.theirs(channel.target) : !all_.match.ours(channel.target);
+  }
+
+  // Whether it is not drawn because it moves nothing.
+  bool is_still(const KeyedChannel& channel, bool ours) const {
+    const DrawnItems* drawn = ours ? all_.our_drawn : all_.their_drawn;
+    const auto found = find_sampled((ours ? all_.ours : all_.theirs).side(), channel.channel);
+    return drawn != nullptr && found && !drawn->is_moved_by(*found->channel);
   }
 
   void compare(ItemId ours, ItemId theirs) {
@@ -92,6 +102,8 @@ class MotionComparison {
     }
     std::erase_if(left, [&](const KeyedChannel* each) { return is_lost(*each, true); });
     std::erase_if(right, [&](const KeyedChannel* each) { return is_lost(*each, false); });
+    std::erase_if(left, [&](const KeyedChannel* each) { return is_still(*each, true); });
+    std::erase_if(right, [&](const KeyedChannel* each) { return is_still(*each, false); });
     for (std::size_t i = 0; i < std::max(left.size(), right.size()); ++i) {
       tell_channel(i < left.size() ? left[i] : nullptr, i < right.size() ? right[i] : nullptr);
     }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "prove/compare_shapes.hpp"
+#include "prove/drawn_items.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -210,6 +211,9 @@ class NodeComparison {
   // With `drawn` the hierarchy does not count, but the place in the scene does.
   void tell_drawn_elsewhere(std::uint32_t node, std::uint32_t other) {
     if (!all_.options.drawn) return;
+    if (all_.our_drawn->in_scene(node) != all_.their_drawn->in_scene(other)) {
+      return tell_shown(node, other);
+    }
     const Content::Box& box = all_.our_nodes.box(node);
     double square = 0;
     for (unsigned i = 0; i < 8; ++i) {
@@ -229,6 +233,19 @@ class NodeComparison {
     change.what = "is elsewhere in the scene, below another node";
     change.measure = CompareMeasure{"position", part, "%", 100 * all_.options.bounds.position};
     change.level = part <= change.measure->bound ? CompareLevel::bounds : CompareLevel::differs;
+    all_.log.add(std::move(change));
+  }
+
+  // Only one of both is in a scene.
+  void tell_shown(std::uint32_t node, std::uint32_t other) {
+    const bool lost = all_.our_drawn->in_scene(node);
+    if (lost ? !all_.our_drawn->shows(node) : !all_.their_drawn->shows(other)) return;
+    Change change;
+    change.kind = "scene.nodes";
+    change.old_pointer = all_.our_pointer(ours(node));
+    change.new_pointer = all_.their_pointer(theirs(other));
+    change.name = all_.our_name(ours(node));
+    change.what = lost ? "is in no scene any more" : "is in a scene now";
     all_.log.add(std::move(change));
   }
 
@@ -263,11 +280,14 @@ class NodeComparison {
         const ItemId partner = all_.match.ours(theirs(node));
         if (partner && keeps_root(partner.index, node)) there.insert(partner.index);
       }
+      const bool drawn = all_.options.drawn;
       for (const std::uint32_t node : here) {
-        if (!there.contains(node)) tell_root(scene, other, node, true);
+        const bool counts = !drawn || all_.our_drawn->shows(node);
+        if (counts && !there.contains(node)) tell_root(scene, other, node, true);
       }
       for (const std::uint32_t node : there) {
-        if (!here.contains(node)) tell_root(scene, other, node, false);
+        const bool counts = !drawn || all_.their_drawn->shows(all_.match.theirs(ours(node)).index);
+        if (counts && !here.contains(node)) tell_root(scene, other, node, false);
       }
     }
   }

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "prove/compare_values.hpp"
+#include "prove/drawn_items.hpp"
 #include "prove/hash_sum.hpp"
 
 namespace gltfx::prove {
@@ -100,6 +101,48 @@ bool is_lost_with_extension(const Comparison& all, const Half& half, std::string
   return other.document().find(extensions, list.substr(0, list.find('/'))) == json::kNoNode;
 }
 
+// Whether a node draws anything together with those below it that are gone with it.
+bool shows_lost_node(const Comparison& all, const Half& half, std::uint32_t list,
+                     std::uint32_t node) {
+  const DrawnItems& drawn = *(half.ours ? all.our_drawn : all.their_drawn);
+  std::vector<std::uint32_t> open{node};
+  while (!open.empty()) {
+    const std::uint32_t at = open.back();
+    open.pop_back();
+    if (drawn.shows_itself(at)) return true;
+    for (const std::uint32_t child : half.nodes.children(at)) {
+      if (!partner(all, half, {list, child})) open.push_back(child);
+    }
+  }
+  return false;
+}
+
+// Whether what is gone was drawn. Of other objects, those that use them tell it.
+bool shows_lost(const Comparison& all, const Half& half, ItemId id) {
+  if (!all.options.drawn) return false;
+  const std::string& list = half.content.lists()[id.list].pointer;
+  const DrawnItems& drawn = *(half.ours ? all.our_drawn : all.their_drawn);
+  if (list == "/nodes") return shows_lost_node(all, half, id.list, id.index);
+  if (list == "/scenes") {
+    const auto& roots = half.nodes.roots();
+    return std::any_of(roots.begin(), roots.end(),
+                       [&](std::uint32_t node) { return drawn.shows(node); });
+  }
+  if (list != "/animations") return false;
+  const auto& channels = half.content.side().views().animations[id.index].channels;
+  return std::any_of(channels.begin(), channels.end(),
+                     [&](const auto& channel) { return drawn.is_moved_by(channel); });
+}
+
+// Whether any of a list that is gone was drawn.
+bool shows_lost_list(const Comparison& all, const Half& half, std::uint32_t list) {
+  const auto count = static_cast<std::uint32_t>(half.content.lists()[list].items.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (shows_lost(all, half, {list, i})) return true;
+  }
+  return false;
+}
+
 // Whether only one asset has the list.
 bool tell_lost_list(const Comparison& all, const Half& half, std::uint32_t list) {
   const ItemList& lost = half.content.lists()[list];
@@ -120,7 +163,7 @@ bool tell_lost_list(const Comparison& all, const Half& half, std::uint32_t list)
   change.what = fmt::format("all {} objects of the list were {}: {}{}", lost.items.size(),
                             half.ours ? "removed" : "added", names,
                             lost.items.size() > kMostNames ? " and so on" : "");
-  all.log.add(std::move(change));
+  all.log.add(std::move(change), shows_lost_list(all, half, list));
   return true;
 }
 
@@ -157,7 +200,7 @@ void tell_lost(const Comparison& all, const Half& half) {
       change.what = change.name.empty() ? fmt::format("the {} was {}", subject_of(pointer), fate)
                                         : fmt::format("was {}", fate);
       if (repeated) change.what += "; an equal one remains";
-      all.log.add(std::move(change));
+      all.log.add(std::move(change), shows_lost(all, half, id));
     }
   }
 }

@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "prove/drawn_materials.hpp"
+#include "prove/flat_normals.hpp"
 #include "prove/hash_sum.hpp"
 #include "prove/soup_lists.hpp"
 #include "prove/stream_change.hpp"
@@ -29,9 +31,11 @@ struct ShownPiece {
 
 const std::vector<double> kNoJoints;
 
-Soup soup_of(const SurfacePiece& piece) {
+// `with_normals`: also if it has none.
+Soup soup_of(const SurfacePiece& piece, bool with_normals = false) {
   Soup soup = read_soup(piece.content->side(), piece.primitive,
                         piece.joints != nullptr ? *piece.joints : kNoJoints);
+  if (with_normals && soup.find(SemanticKind::normal) == nullptr) add_flat_normals(soup);
   place_soup(soup, piece.place);
   return soup;
 }
@@ -91,14 +95,31 @@ class SurfaceComparison {
   // Materials of our side by number, the first of equal ones; those of the other side by their
   // partner.
   std::uint64_t material_of(const SurfacePiece& piece, bool ours) {
-    if (!piece.material) return UINT64_MAX;
+    if (!piece.material || is_like_none(piece, ours)) return UINT64_MAX;
     if (ours) return first_equal(*piece.material);
     const auto [at, is_new] = materials_.try_emplace(*piece.material);
     if (is_new) at->second = find_material(*piece.material);
     return at->second;
   }
 
-  std::uint64_t find_material(std::uint32_t material) const {
+  // Whether a material is drawn as none is, which the other asset has in its place.
+  bool is_like_none(const SurfacePiece& piece, bool ours) {
+    if (!all_.options.drawn) return false;
+    const std::vector<ShownPiece>& others = ours ? there_ : here_;
+    const bool any = std::any_of(others.begin(), others.end(), [](const ShownPiece& each) {
+      return !each.piece->material.has_value();
+    });
+    if (!any) return false;
+    return ours ? drawn_materials().are_alike(piece.material, {})
+                : drawn_materials().are_alike({}, piece.material);
+  }
+
+  DrawnMaterials& drawn_materials() {
+    if (!drawn_materials_) drawn_materials_.emplace(all_);
+    return *drawn_materials_;
+  }
+
+  std::uint64_t find_material(std::uint32_t material) {
     const ItemId theirs{all_.theirs.list("/materials"), material};
     if (const ItemId partner = all_.match.ours(theirs)) return first_equal(partner.index);
     // One of several equal ones.
@@ -108,6 +129,12 @@ class SurfaceComparison {
       if (!all_.match.same(one, theirs)) continue;
       all_.log.note_equal(pointer_of(*each.piece, "material"));
       return first_equal(one.index);
+    }
+    for (const ShownPiece& each : here_) {
+      if (!all_.options.drawn || !each.piece->material) continue;
+      if (drawn_materials().are_alike(each.piece->material, material)) {
+        return first_equal(*each.piece->material);
+      }
     }
     return (std::uint64_t{1} << 32U) + material;
   }
@@ -267,11 +294,24 @@ class SurfaceComparison {
     change.new_pointer = pointer_of(theirs, "mode");
   }
 
+  static bool any_has_normals(const Group& group) {
+    const auto has_normals = [](const ShownPiece* each) {
+      const model::Asset& asset = each->piece->content->side().asset();
+      const auto attributes = model::read_primitive(asset, each->piece->primitive).attributes;
+      return std::any_of(attributes.begin(), attributes.end(), [](const auto& attribute) {
+        return attribute.semantic.kind == SemanticKind::normal;
+      });
+    };
+    return std::any_of(group.ours.begin(), group.ours.end(), has_normals) ||
+           std::any_of(group.theirs.begin(), group.theirs.end(), has_normals);
+  }
+
   void compare_group(std::uint64_t material, const Group& group) {
     SoupsByArity by_arity;
+    const bool with_normals = all_.options.drawn && any_has_normals(group);
     const auto read = [&](const std::vector<ShownPiece*>& pieces, bool ours) {
       for (const ShownPiece* each : pieces) {
-        Soup soup = soup_of(*each->piece);
+        Soup soup = soup_of(*each->piece, with_normals);
         if (soup.elements() == 0) continue;
         auto& both = by_arity[soup.arity];
         (ours ? both.first : both.second).push_back(std::move(soup));
@@ -295,6 +335,7 @@ class SurfaceComparison {
   const SurfacePair& pair_;
   std::vector<ShownPiece> here_, there_;
   std::map<std::uint32_t, std::uint64_t> materials_;  ///< of the other side, by number
+  std::optional<DrawnMaterials> drawn_materials_;     ///< where they are asked
   std::unordered_map<Hash128, std::uint32_t, HashHasher> first_equal_;  ///< by content
   SurfaceChanges result_;
 };

@@ -5,6 +5,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "model/pose.hpp"
 #include "prove/hash_sum.hpp"
 
 namespace gltfx::prove {
@@ -72,6 +73,7 @@ Matching::Matching(const Content& ours, const NodeTree& our_nodes, const Content
     if (list == node_lists_.ours) {
       match_nodes(list);
     } else {
+      if (!names_count_ && ours.lists()[list].pointer == "/scenes") pair_shown_scenes(list);
       match_list(list);
     }
   }
@@ -147,6 +149,16 @@ void Matching::join(std::uint32_t list, const Key& ours, const Key& theirs, bool
   for (const auto& [one, two] : found) pair({list, one}, {other, two});
 }
 
+// Where names do not count, the scene that is shown first belongs to the one of the other asset.
+void Matching::pair_shown_scenes(std::uint32_t list) {
+  const auto shown = [](const Content& content) {
+    return model::choose_scene(content.side().asset(), content.side().views()).scene;
+  };
+  const auto one = shown(a_);
+  const auto other = shown(b_);
+  if (one && other) pair({list, *one}, {their_lists_[list], *other});
+}
+
 void Matching::match_list(std::uint32_t list) {
   const auto both = [](const Content& content) {
     return [&content](ItemId id) {
@@ -218,8 +230,9 @@ void Matching::match_nodes(std::uint32_t list) {
   join_below(own(a_), own(b_), true);
 }
 
-// Whether both have names, which are different.
+// Whether both have names that count and are different.
 bool Matching::are_strangers(ItemId ours, ItemId theirs) const {
+  if (!names_count_) return false;
   const Hash128& one = a_.item(ours).label;
   const Hash128& other = b_.item(theirs).label;
   return !is_zero(one) && !is_zero(other) && one != other;

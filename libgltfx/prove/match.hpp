@@ -35,6 +35,7 @@ class Matching {
  private:
   /// The key of an item for one pass; zeros: it takes no part.
   using Key = std::function<Hash128(ItemId)>;
+  void pair_shown_scenes(std::uint32_t list);
   void match_list(std::uint32_t list);
   void match_nodes(std::uint32_t list);
   void join(std::uint32_t list, const Key& ours, const Key& theirs, bool unique = false);

@@ -307,6 +307,12 @@ void append_soup(Soup& to, const Soup& from) {
   const std::size_t begin = to.rows.size();
   to.rows.resize(begin + from.vertices() * to.width, 0);
   for (const SoupStream& stream : to.streams) {
+    if (stream.kind == SemanticKind::color && !stream.of_target) {
+      for (std::size_t at = begin; at < to.rows.size(); at += to.width) {
+        std::fill_n(to.rows.begin() + static_cast<std::ptrdiff_t>(at + stream.offset), stream.width,
+                    1.0);
+      }
+    }
     const auto source = std::find_if(from.streams.begin(), from.streams.end(),
                                      [&](const SoupStream& s) { return s.name == stream.name; });
     if (source == from.streams.end()) continue;

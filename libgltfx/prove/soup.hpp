@@ -55,7 +55,8 @@ Soup read_soup(const Side& side, json::NodeId primitive, const std::vector<doubl
 /// Where a surface is placed, by its normals and tangents, too.
 void place_soup(Soup& soup, const model::Affine& place);
 
-/// A soup with other streams, which all have the same names in `from`; rows are padded with zeros.
+/// A soup with other streams, which all have the same names in `from`; rows are padded with the
+/// values that missing numbers mean: ones for colors of vertices, otherwise zeros.
 void append_soup(Soup& to, const Soup& from);
 
 /// By element: equal for equal corners in any turn (lines in any direction). Zeros: two corners are

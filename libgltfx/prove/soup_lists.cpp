@@ -65,7 +65,8 @@ class SoupLists {
       : all_(all), group_(group), changes_(changes) {}
 
   void run(std::vector<Soup>&& ours, std::vector<Soup>&& theirs) {
-    if (ours.empty() && theirs.empty()) return tell_unseen();
+    const bool drawn = all_.options.drawn;
+    if (ours.empty() && theirs.empty()) return drawn ? void() : tell_unseen();
     if (ours.empty() || theirs.empty()) return tell_elements(ours, theirs);
     const std::vector<SoupStream> common = common_streams(streams_of(ours), streams_of(theirs));
     if (common.empty()) return;
@@ -82,7 +83,8 @@ class SoupLists {
     const std::size_t told = changes_.size();
     const SoupDifference found = compare_soups(a, b, scale);
     tell_difference(found, a, b, scale);
-    if (found.unseen && told == changes_.size() && hash_soup(a) != hash_soup(b)) tell_unseen();
+    const bool unseen = found.unseen && told == changes_.size() && !drawn;
+    if (unseen && hash_soup(a) != hash_soup(b)) tell_unseen();
   }
 
  private:
@@ -119,13 +121,33 @@ class SoupLists {
         piece->content->side().pointer(piece->primitive);
   }
 
+  // Attributes that are not drawn do not count.
+  void drop_unread(SoupStreamMap& streams) const {
+    std::erase_if(streams, [&](const auto& each) { return !group_.use.reads(each.second); });
+    for (auto& [name, stream] : streams) stream.width = group_.use.read_width(stream);
+  }
+
+  // Whether a missing attribute is drawn as if it had values.
+  bool has_default(const SoupStream& stream) const {
+    if (!all_.options.drawn) return false;
+    return stream.of_target || (stream.kind == SemanticKind::color && stream.set == 0);
+  }
+
   // Those that both have; the others are told.
-  std::vector<SoupStream> common_streams(SoupStreamMap here, const SoupStreamMap& there) {
+  std::vector<SoupStream> common_streams(SoupStreamMap here, SoupStreamMap there) {
+    if (all_.options.drawn) {
+      drop_unread(here);
+      drop_unread(there);
+    }
     std::vector<SoupStream> common;
     for (auto& [name, stream] : here) {
       const auto found = there.find(name);
       const bool is_there = found != there.end();
-      if (is_there) values_[name] = found->second.value;
+      values_[name] = {stream.value, is_there ? found->second.value : json::kNoNode};
+      if (!is_there && has_default(stream)) {
+        common.push_back(stream);
+        continue;
+      }
       // Weights are compared with their joints.
       if (is_there && (stream.joints == json::kNoNode) != (found->second.joints == json::kNoNode)) {
         tell_joints(stream, found->second);
@@ -146,14 +168,19 @@ class SoupLists {
       common.push_back(stream);
     }
     for (const auto& [name, stream] : there) {
-      if (!values_.contains(name)) tell_attribute(stream, all_.theirs.side(), false);
+      const auto [at, is_new] = values_.try_emplace(name, json::kNoNode, stream.value);
+      if (!is_new) continue;
+      if (has_default(stream)) {
+        common.push_back(stream);
+      } else {
+        tell_attribute(stream, all_.theirs.side(), false);
+      }
     }
     return common;
   }
 
   void tell_attribute(const SoupStream& stream, const Side& side, bool lost) {
     const bool read = group_.use.reads(stream);
-    if (!read && all_.options.drawn) return;
     Change& change = add("geometry.attribute", fmt::format("{}{} was {}", printable(stream.name),
                                                            read ? "" : ", which nothing reads,",
                                                            lost ? "removed" : "added"));
@@ -161,7 +188,6 @@ class SoupLists {
   }
 
   void tell_width(const SoupStream& ours, const SoupStream& theirs) {
-    if (!group_.use.reads(ours) && all_.options.drawn) return;
     Change& change =
         add("geometry.attribute", fmt::format("{} has {} numbers a vertex, not {}",
                                               printable(ours.name), theirs.width, ours.width));
@@ -282,12 +308,22 @@ class SoupLists {
     for (const StreamDistance& distance : distances) {
       const SoupStream& stream = *distance.stream;
       Change change = describe_stream(all_, distance, arity, group_.pair.scale);
+      const auto& [here, there] = values_.at(stream.name);
+      if (here == json::kNoNode || there == json::kNoNode) {
+        const bool lost = there == json::kNoNode;
+        SoupStream told = stream;
+        told.value = lost ? here : there;
+        tell_attribute(told, (lost ? all_.ours : all_.theirs).side(), lost);
+        changes_.back().measure = change.measure;
+        changes_.back().level = change.level;
+        continue;
+      }
       Change& added = add(change.kind, std::move(change.what));
       added.measure = change.measure;
       added.level = change.level;
       if (!group_.lone) continue;
-      added.old_pointer = all_.ours.side().pointer(stream.value);
-      added.new_pointer = all_.theirs.side().pointer(values_.at(stream.name));
+      added.old_pointer = all_.ours.side().pointer(here);
+      added.new_pointer = all_.theirs.side().pointer(there);
       if (stream.joints != json::kNoNode) {
         added.also.push_back(all_.ours.side().pointer(stream.joints));
       }
@@ -297,7 +333,8 @@ class SoupLists {
   const Comparison& all_;
   const SoupGroup& group_;
   std::vector<Change>& changes_;
-  std::map<std::string, json::NodeId> values_;  ///< of the streams of the other side, in the text
+  /// Of streams, in both texts.
+  std::map<std::string, std::pair<json::NodeId, json::NodeId>> values_;
 };
 
 }  // namespace

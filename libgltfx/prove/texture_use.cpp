@@ -76,6 +76,11 @@ bool TextureUse::reads(const SoupStream& stream) const {
   }
 }
 
+unsigned TextureUse::read_width(const SoupStream& stream) const {
+  const bool color = stream.kind == model::SemanticKind::color;
+  return color && opaque ? std::min(stream.width, 3U) : stream.width;
+}
+
 std::vector<TextureUse> texture_uses(const Content& content) {
   const Side& side = content.side();
   const graph::Tree& tree = side.tree();
@@ -98,7 +103,10 @@ std::vector<TextureUse> texture_uses(const Content& content) {
   }
   for (std::uint32_t i = 0; i < uses.size(); ++i) {
     if (longest[i] > 0) uses[i].texels = longest[i];
-    uses[i].unlit = i + 1 < uses.size() && model::read_material(side.asset(), i).unlit;
+    if (i + 1 == uses.size()) break;
+    const model::Material material = model::read_material(side.asset(), i);
+    uses[i].unlit = material.unlit;
+    uses[i].opaque = material.alpha_mode == model::AlphaMode::opaque;
   }
   return uses;
 }

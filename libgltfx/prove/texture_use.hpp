@@ -16,10 +16,13 @@ struct TextureUse {
   std::set<std::uint64_t> sets;  ///< the n of each TEXCOORD_n
   bool normals_mapped = false;   ///< a texture needs tangents
   bool unlit = false;            ///< needs no normals
+  bool opaque = true;            ///< needs no alpha of vertex colors
   double texels = 2048;          ///< the longest side of its images; without images a usual one
 
   /// Whether anything is drawn with that attribute.
   bool reads(const SoupStream& stream) const;
+  /// The numbers of a vertex that are drawn.
+  unsigned read_width(const SoupStream& stream) const;
 };
 /// By material; the last one is that of no material.
 std::vector<TextureUse> texture_uses(const Content& content);
