@@ -294,11 +294,34 @@ std::string Comparison::called(const Content& content, ItemId item) {
   return name.empty() ? content.side().pointer(content.item(item).node) : gltfx::quoted(name);
 }
 
+namespace {
+
+// JSON on one line, with a blank after commas and colons only.
+std::string on_one_line(std::string_view json) {
+  std::string out;
+  bool in_string = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char c = json[i];
+    if (in_string && c == '\\' && i + 1 < json.size()) {
+      out += c;
+      out += json[++i];
+      continue;
+    }
+    if (c == '"') in_string = !in_string;
+    const bool blank = c == ' ' || c == '\n' || c == '\r' || c == '\t';
+    if (in_string || !blank) out += c;
+    if (!in_string && (c == ',' || c == ':')) out += ' ';
+  }
+  return out;
+}
+
+}  // namespace
+
 std::string short_value(const json::Document& document, json::NodeId value) {
   constexpr std::size_t kMost = 60;
-  const std::string_view raw = document.raw(value).substr(0, 8 * kMost);
-  if (count_code_points(raw) <= kMost) return std::string(raw);
-  return std::string(raw.substr(0, bytes_of_code_points(raw, kMost))) + "...";
+  const std::string raw = on_one_line(document.raw(value).substr(0, 20 * kMost));
+  if (count_code_points(raw) <= kMost) return raw;
+  return raw.substr(0, bytes_of_code_points(raw, kMost)) + "...";
 }
 
 }  // namespace prove

@@ -292,11 +292,20 @@ class ValuePair {
       change.what = fmt::format("{} {} -> {}", what, change.before, change.after);
     } else {
       const std::size_t slash = own.rfind('/');
-      change.what =
-          fmt::format("{} was {}", printable(own.substr(slash + 1)), ours ? "removed" : "added");
+      const bool itself = (!whole || stand.value == leaf.at) && is_short(side.document(), leaf.at);
+      const std::string value = itself ? " " + text : std::string();
+      change.what = fmt::format("{}{} was {}", printable(own.substr(slash + 1)), value,
+                                ours ? "removed" : "added");
     }
     if (in_sampler) change.also.push_back(side.pointer(item.node) + "/sampler");
     all_.log.add(std::move(change));
+  }
+
+  // A number or a word, which a sentence can hold.
+  static bool is_short(const json::Document& document, json::NodeId value) {
+    constexpr std::size_t kMost = 40;
+    const json::Kind kind = document.kind(value);
+    return kind <= json::Kind::string && document.raw(value).size() <= kMost;
   }
 
   // Whether a leaf is missing with an element of a list of its object, such as a primitive.

@@ -195,7 +195,7 @@ std::string tail_of(const std::set<std::string_view>& codes, const std::set<std:
   writer.end_object();
   writer.end_object();
   std::string out = "\n],\n";
-  report::append_page_json(out, std::string_view(json).substr(1));
+  report::append_page_json(out, json.substr(1));
   return out.append(report::page_end());
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "report/safe_text.hpp"
+
 namespace gltfx::report {
 
 // Up to the block of data, and after it.
@@ -14,15 +16,18 @@ std::string_view page_end();
 std::string_view compare_page_begin();  ///< of a comparison
 std::string_view compare_page_end();
 
-/// Adds JSON to the block of data, in which no '<' is left that could end it: in JSON a '<' can
-/// only be inside a string.
-inline void append_page_json(std::string& out, std::string_view json) {
-  while (!json.empty()) {
-    const std::size_t at = std::min(json.find('<'), json.size());
-    out += json.substr(0, at);
-    if (at == json.size()) return;
+/// Adds JSON, or a part of it that ends between two values, to a block of data. No '<' is left that
+/// could end the block, and no character that reorders or hides the text of the page: outside of
+/// strings JSON has neither.
+inline void append_page_json(std::string& out, std::string json) {
+  defuse_json(json, 0);
+  std::string_view left = json;
+  while (!left.empty()) {
+    const std::size_t at = std::min(left.find('<'), left.size());
+    out += left.substr(0, at);
+    if (at == left.size()) return;
     out += "\\u003c";
-    json.remove_prefix(at + 1);
+    left.remove_prefix(at + 1);
   }
 }
 

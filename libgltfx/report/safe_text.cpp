@@ -41,9 +41,14 @@ bool is_ascii(std::string_view text) {
 std::string without_unprintable(std::string_view json) {
   std::string out;
   for (std::size_t at = 0; at < json.size();) {
+    std::size_t other = at;
+    while (other < json.size() && static_cast<unsigned char>(json[other]) < 0x80) ++other;
+    out += json.substr(at, other - at);
+    at = other;
+    if (at == json.size()) break;
     const CodePoint point = decode_utf8(json, at);
     const std::string_view bytes = json.substr(at, point.size);
-    if (point.value >= 0x80 && point.valid && printable(bytes) != bytes) {
+    if (point.valid && printable(bytes) != bytes) {
       append_json_escape(out, point.value);
     } else {
       out += bytes;

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
+#include "compare_markdown.hpp"
 #include "compare_page.hpp"
 #include "compare_pairs.hpp"
 #include "compare_pictures.hpp"
@@ -139,6 +141,7 @@ class CompareRun {
       complain(problem);
       return ExitCode::internal;
     }
+    markdown_.emplace(outputs_.url(), pairs->size());
     json::Writer writer(text_, true);
     if (request_.format == CompareFormat::json) begin(writer);
     for (const ComparePair& pair : *pairs) {
@@ -202,17 +205,12 @@ class CompareRun {
       code_ = worse(code_, ExitCode::unreadable);
     }
     constexpr std::size_t kMostLines = 40;
-    constexpr std::size_t kMostMarkdown = 60000;  // GitHub stops at 65,536 characters
     switch (request_.format) {
       case CompareFormat::json:
         write_compare_pair(writer, report);
         break;
       case CompareFormat::markdown:
-        text_ = left_out_ > 0 ? std::string()
-                              : compare_markdown(report, kMostMarkdown - markdown_bytes_ - 100,
-                                                 outputs_.url());
-        if (text_.empty()) ++left_out_;
-        markdown_bytes_ += text_.size();
+        markdown_->add(report, folders_ ? place_of(report) : pair_name(report));
         break;
       case CompareFormat::text:
         if (report.error.empty()) {
@@ -220,7 +218,7 @@ class CompareRun {
         }
         break;
     }
-    if (request_.format != CompareFormat::json) say();
+    if (request_.format == CompareFormat::text) say();
   }
 
   static void begin(json::Writer& writer) {
@@ -239,11 +237,11 @@ class CompareRun {
       writer.end_object();
       text_ += '\n';
       report::defuse_json(text_, 0);
+    } else if (request_.format == CompareFormat::markdown) {
+      text_ += markdown_->finish();
     } else if (summary_.pairs == 0) {
       text_ += "No asset changed.\n";
-    } else if (left_out_ > 0) {
-      text_ += fmt::format("{} more pairs are not listed.\n", left_out_);
-    } else if (request_.format == CompareFormat::text && summary_.pairs > 1) {
+    } else if (summary_.pairs > 1) {
       text_ += fmt::format("{} pairs: {} identical, {} storage, {} bounds, {} differ\n",
                            summary_.pairs, summary_.levels[0], summary_.levels[1],
                            summary_.levels[2], summary_.levels[3]);
@@ -273,8 +271,7 @@ class CompareRun {
   bool folders_ = false;
   CompareSummary summary_;
   std::string text_;
-  std::size_t markdown_bytes_ = 0;
-  std::uint64_t left_out_ = 0;
+  std::optional<CompareMarkdown> markdown_;
   ExitCode code_ = ExitCode::ok;
 };
 

@@ -4,6 +4,7 @@
 
 #include <gltfx/compare.hpp>
 
+#include <cstdint>
 #include <string>
 
 #include "compare_print.hpp"
@@ -11,7 +12,8 @@
 namespace gltfx::tool {
 
 /// Calls: begin, pair for each pair in order, end. Each appends text to `out`. Text of assets is
-/// only in one block of JSON, which no browser takes for markup.
+/// only in blocks of JSON, which no browser takes for markup. A pair is shown before the next
+/// one is read.
 class ComparePageWriter {
  public:
   static void begin(const std::string& title, std::string& out);
@@ -19,7 +21,7 @@ class ComparePageWriter {
   static void end(const CompareSummary& summary, std::string& out);
 
  private:
-  bool has_pairs_ = false;
+  std::uint64_t pairs_ = 0;
 };
 
 }  // namespace gltfx::tool

@@ -39,15 +39,6 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
-// A row of the table of pictures; the names of files are plain.
-std::string picture_cells(const ComparePicture& picture, const std::string& url) {
-  const auto cell = [&](std::string_view words, const std::string& file) {
-    return file.empty() ? std::string() : fmt::format("![{}]({}{})", words, url, file);
-  };
-  return fmt::format("| {} | {} | {} | {} |\n", picture.view, cell("old", picture.old_file),
-                     cell("new", picture.new_file), cell("difference", picture.difference_file));
-}
-
 }  // namespace
 
 std::string ComparePictureFiles::name_for(std::string_view place) {
@@ -100,19 +91,6 @@ std::string link_prefix(std::string_view prefix) {
     }
   }
   return link;
-}
-
-std::string markdown_pictures(const CompareReport& report, const std::string& url) {
-  if (report.pictures.empty()) return {};
-  std::string rows;
-  for (const ComparePicture& picture : report.pictures) {
-    const bool written = !picture.old_file.empty() || !picture.new_file.empty();
-    if (written && (picture.changed() || !picture.has_both())) rows += picture_cells(picture, url);
-  }
-  const bool changed = std::any_of(report.pictures.begin(), report.pictures.end(),
-                                   [](const auto& each) { return each.changed(); });
-  if (!rows.empty()) return "| view | old | new | difference |\n|---|---|---|---|\n" + rows + "\n";
-  return changed || !report.pictures.front().has_both() ? "" : "The pictures show no change.\n\n";
 }
 
 }  // namespace gltfx::tool

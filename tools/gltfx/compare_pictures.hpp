@@ -32,10 +32,6 @@ class ComparePictureFiles {
   std::set<std::string> taken_;  ///< in small letters
 };
 
-/// A table with the pictures that show a change, for Markdown, or the sentence that there is none.
-/// `url`: prefix of the links.
-std::string markdown_pictures(const CompareReport& report, const std::string& url);
-
 /// A prefix of links to these files that no part of Markdown ends: without blanks, brackets and
 /// characters that are not of ASCII.
 std::string link_prefix(std::string_view prefix);

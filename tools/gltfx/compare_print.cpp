@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
-#include "compare_pictures.hpp"
 #include "report/safe_text.hpp"
 #include "report/wording.hpp"
 
@@ -18,6 +17,31 @@ namespace gltfx::tool {
 namespace {
 
 using report::counted;
+
+// "12:18", or "12:18 -> 14:18" where both texts have the value at other places.
+std::string lines_of(const Change& change) {
+  const auto line = [](const Location& at) {
+    return at.line == 0 ? std::string() : fmt::format("{}:{}", at.line, at.column);
+  };
+  const std::string before = line(change.old_location);
+  const std::string after = line(change.new_location);
+  if (before.empty() || before == after) return after;
+  return after.empty() ? before : fmt::format("{} -> {}", before, after);
+}
+
+// "usual view: changed by up to 12.3 of 255 steps; noise explains 1.4"
+std::string picture_row(const ComparePicture& picture) {
+  std::string row = picture.changed() ? fmt::format("{} view: changed by up to {:.1f} of 255 steps",
+                                                    picture.view, picture.distance)
+                                      : fmt::format("{} view: no change", picture.view);
+  if (picture.limit > 1 && !picture.changed()) {
+    row += fmt::format("; it differs by {:.1f} of 255 steps", picture.distance);
+  }
+  if (picture.limit > 1) row += fmt::format("; noise explains {:.1f}", picture.limit);
+  return row;
+}
+
+}  // namespace
 
 std::string pair_name(const CompareReport& report) {
   if (report.old_path.empty()) return report::safe(report.new_path);
@@ -34,18 +58,6 @@ std::string place_of(const Change& change) {
   return fmt::format("{} -> {}", *change.old_pointer, *change.new_pointer);
 }
 
-// "12:18", or "12:18 -> 14:18" where both texts have the value at other places.
-std::string lines_of(const Change& change) {
-  const auto line = [](const Location& at) {
-    return at.line == 0 ? std::string() : fmt::format("{}:{}", at.line, at.column);
-  };
-  const std::string before = line(change.old_location);
-  const std::string after = line(change.new_location);
-  if (before.empty() || before == after) return after;
-  return after.empty() ? before : fmt::format("{} -> {}", before, after);
-}
-
-// "files 1.20 MB -> 400 kB (-67 %)"
 std::string size_row(const CompareSize& size) {
   std::string text =
       fmt::format("{} {} -> {}", size.what, size_text(size.old_bytes), size_text(size.new_bytes));
@@ -57,8 +69,6 @@ std::string size_row(const CompareSize& size) {
   return text;
 }
 
-// What is stored differently, with sizes: of other changes only where the files are larger or
-// smaller by a hundredth.
 std::vector<std::string> storage_rows(const CompareReport& report) {
   std::vector<std::string> rows = report.storage;
   if (report.sizes.empty()) return rows;
@@ -72,19 +82,6 @@ std::vector<std::string> storage_rows(const CompareReport& report) {
   return rows;
 }
 
-// "usual view: changed by up to 12.3 of 255 steps; noise explains 1.4"
-std::string picture_row(const ComparePicture& picture) {
-  std::string row = picture.changed() ? fmt::format("{} view: changed by up to {:.1f} of 255 steps",
-                                                    picture.view, picture.distance)
-                                      : fmt::format("{} view: no change", picture.view);
-  if (picture.limit > 1 && !picture.changed()) {
-    row += fmt::format("; it differs by {:.1f} of 255 steps", picture.distance);
-  }
-  if (picture.limit > 1) row += fmt::format("; noise explains {:.1f}", picture.limit);
-  return row;
-}
-
-// "external asset of hall.gltf, lobby.gltf and 3 more"
 std::string parents_of(const CompareReport& report) {
   constexpr std::size_t kMost = 8;
   const auto& all = report.external_asset_of;
@@ -95,26 +92,29 @@ std::string parents_of(const CompareReport& report) {
   return all.size() <= kMost ? text : fmt::format("{} and {} more", text, all.size() - kMost);
 }
 
-std::string measure_of(const Change& change) {
-  if (!change.measure) return {};
-  const CompareMeasure& measure = *change.measure;
-  return fmt::format(
-      " ({} {:.3g}{}{}, bound {:.3g}{})", measure.quantity, measure.value,
-      measure.unit.empty() || measure.unit == "%" || measure.unit == "/255" ? "" : " ",
-      measure.unit, measure.bound, measure.unit);
+std::string measure_of(const CompareMeasure& measure, bool with_bound) {
+  const bool close = measure.unit.empty() || measure.unit == "%" || measure.unit == "/255";
+  std::string text = fmt::format(" ({} {:.3g}{}{}", measure.quantity, measure.value,
+                                 close ? "" : " ", measure.unit);
+  if (with_bound) {
+    text += fmt::format(", bound {:.3g}{}{}", measure.bound, close ? "" : " ", measure.unit);
+  }
+  return text + ')';
 }
 
 std::string sentence_of(const Change& change) {
-  const std::string name = change.name.empty() ? std::string() : gltfx::quoted(change.name) + " ";
-  return name + change.what + measure_of(change);
+  const bool is_named = change.name.empty() || change.what.starts_with("renamed \"");
+  return is_named ? change.what : gltfx::quoted(change.name) + " " + change.what;
 }
 
-// "2 nodes moved" is what a kind is called in a headline.
-std::string count_by_kind(const CompareReport& report) {
+std::string kinds_of(const CompareReport& report) {
   std::map<std::string_view, std::uint64_t> kinds;
   for (const Change& change : report.changes) ++kinds[change.kind];
+  std::vector<std::pair<std::string_view, std::uint64_t>> sorted(kinds.begin(), kinds.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& one, const auto& two) { return one.second > two.second; });
   std::vector<std::string> parts;
-  for (const auto& [kind, count] : kinds) parts.push_back(fmt::format("{} {}", count, kind));
+  for (const auto& [kind, count] : sorted) parts.push_back(fmt::format("{} {}", count, kind));
   constexpr std::size_t kMost = 6;
   if (parts.size() > kMost) {
     const std::size_t more = parts.size() - kMost;
@@ -123,34 +123,6 @@ std::string count_by_kind(const CompareReport& report) {
   }
   return fmt::format("{}", fmt::join(parts, ", "));
 }
-
-// Backslashes before all that Markdown and HTML read, so that a name stays text.
-std::string escaped(std::string_view text) {
-  constexpr std::string_view kSpecial = "\\`*_{}[]()<>#+-.!|~&@:$";
-  std::string out;
-  for (const char c : report::safe_cut(text, 300)) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '>') {
-      out += "&gt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else if (c == '@') {
-      out += "&#64;";
-    } else {
-      if (kSpecial.find(c) != std::string_view::npos) out += '\\';
-      out += c;
-    }
-  }
-  return out;
-}
-
-std::string markdown_row(const Change& change) {
-  return fmt::format("| {} | {} | {} | {} |\n", escaped(place_of(change)), change.kind,
-                     escaped(sentence_of(change)), compare_level_name(change.level));
-}
-
-}  // namespace
 
 void CompareSummary::add(const CompareReport& report, CompareLevel allow) {
   ++pairs;
@@ -167,7 +139,7 @@ std::string compare_headline(const CompareReport& report) {
   if (report.old_path.empty()) return "added";
   if (report.new_path.empty()) return "removed";
   std::string text(compare_level_name(report.level));
-  if (!report.changes.empty()) text += ": " + count_by_kind(report);
+  if (!report.changes.empty()) text += ": " + kinds_of(report);
   if (!report.unproven.empty()) text += fmt::format("; {} unproven", report.unproven.size());
   return text;
 }
@@ -184,7 +156,8 @@ std::string compare_text(const CompareReport& report, std::size_t most, const St
     text += fmt::format("  {}\n",
                         style.dim(fmt::format("{}  {}{}", report::safe_cut(place_of(change), 200),
                                               change.kind, lines.empty() ? lines : "  " + lines)));
-    text += wrapped(report::safe_cut(sentence_of(change), 400), 4);
+    const std::string measure = change.measure ? measure_of(*change.measure, true) : "";
+    text += wrapped(report::safe_cut(sentence_of(change) + measure, 400), 4);
   }
   if (shown < report.changes.size()) {
     text +=
@@ -300,7 +273,7 @@ void write_change(json::Writer& writer, const Change& change) {
 }  // namespace
 
 void write_compare_pair(json::Writer& writer, const CompareReport& report,
-                        WriteComparePicture write_picture) {
+                        const WriteComparePicture& write_picture) {
   const auto path = [&](std::string_view name, const std::string& value) {
     writer.key(name);
     if (value.empty()) {
@@ -346,47 +319,6 @@ void write_compare_summary(json::Writer& writer, const CompareSummary& summary) 
   writer.member("unreadable", summary.unreadable);
   writer.member("allowed", summary.allowed);
   writer.end_object();
-}
-
-std::string compare_markdown(const CompareReport& report, std::size_t budget,
-                             const std::string& picture_url) {
-  constexpr std::size_t kOpen = 20;       // rows outside of the fold
-  constexpr std::size_t kReserved = 400;  // bytes of what follows the rows
-  constexpr std::string_view kHead = "| place | kind | change | level |\n|---|---|---|---|\n";
-  std::string text =
-      fmt::format("### {}\n\n**{}**\n\n", escaped(pair_name(report)),
-                  escaped(report.error.empty() ? compare_headline(report) : report.error));
-  if (text.size() + kReserved > budget) return {};
-  const std::string pictures = markdown_pictures(report, picture_url);
-  if (text.size() + pictures.size() + kReserved <= budget) text += pictures;
-  std::size_t shown = 0;
-  bool folded = false;
-  for (const Change& change : report.changes) {
-    const std::string row = markdown_row(change);
-    if (text.size() + row.size() + kReserved > budget) break;
-    if (shown == 0) text += kHead;
-    if (shown == kOpen) {
-      text += fmt::format("\n<details><summary>{} more</summary>\n\n{}",
-                          counted(report.changes.size() - kOpen, "change"), kHead);
-      folded = true;
-    }
-    text += row;
-    ++shown;
-  }
-  if (folded) text += "\n</details>\n";
-  if (shown < report.changes.size()) {
-    text += fmt::format("\n{} more changes are not listed.\n", report.changes.size() - shown);
-  }
-  const auto list = [&](std::string_view title, const std::vector<std::string>& rows) {
-    for (const std::string& each : rows) {
-      const std::string row = fmt::format("\n- {}: {}", title, escaped(each));
-      if (text.size() + row.size() + 2 > budget) return;
-      text += row;
-    }
-  };
-  list("storage", storage_rows(report));
-  list("unproven", report.unproven);
-  return text + "\n\n";
 }
 
 }  // namespace gltfx::tool

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The page of a comparison: totals, the filter, a list of pairs with pictures and changes.
+// The page of a comparison: totals, the filter, a list of pairs with pictures and changes. It comes before its data,
+// which it shows while the browser still reads: a page of 1,000 pairs has tens of megabytes.
 
-const data = JSON.parse(document.getElementById("data").textContent);
-const ROWS_AT_ONCE = 50;
+const data = { pairs: [], summary: null };
+const ROWS_AT_ONCE = 20;
+const READ_AGAIN = 100;  // milliseconds
 const CHANGES_AT_ONCE = 100;
+const MOST_REGIONS = 40;
 const BLINK = 700;  // milliseconds
 const LEVELS = ["differs", "bounds", "storage", "identical"];
 const VIEWS = { usual: "Usual view", opposite: "From the other side", change: "The change" };
@@ -33,7 +36,7 @@ function kindCounts(pair) {
 }
 
 function sentence(change) {
-  return (change.name ? "\u2018" + visible(change.name) + "\u2019 " : "") + visible(change.what);
+  return (change.name && !change.what.startsWith('renamed "') ? "\u2018" + visible(change.name) + "\u2019 " : "") + visible(change.what);
 }
 
 /** The first changes in words; of many the kinds. */
@@ -41,7 +44,8 @@ function headline(pair) {
   if (pair.error) return visible(pair.error);
   const kinds = kindCounts(pair);
   const few = pair.changes.length <= 2;
-  const parts = few ? pair.changes.map(sentence) : kinds.slice(0, 4).map(([kind, count]) => count + " " + kind);
+  const named = (change) => (change.name ? "" : visible(change.new || change.old || "") + " ") + sentence(change);
+  const parts = few ? pair.changes.map(named) : kinds.slice(0, 4).map(([kind, count]) => count + " " + kind);
   if (!few && kinds.length > 4) parts.push(counted(kinds.length - 4, "more kind"));
   if (pair.unproven.length > 0) parts.push(counted(pair.unproven.length, "part") + " not proven");
   return parts.join(few ? "; " : ", ");
@@ -86,15 +90,22 @@ function stopBlinking() {
   timer = 0;
 }
 
-function image(source, alt, ...classes) {
-  return make(["img", ...classes].join("."), { src: source, alt, draggable: "false" });
+/** An image of the page by its id. */
+function image(id, alt, ...classes) {
+  return make(["img", ...classes].join("."), { src: byId(id).value, alt, draggable: "false", decoding: "async" });
 }
 
-/** Where the object of a change is: dashed in the old asset. `side`: of one of both only. */
+const isCompared = (picture) => Boolean(picture.old && picture.new);
+
+/** Where the objects of changes are: dashed in the old asset, bold that of the picked one. Of very many only that one.
+ * `side`: of one of both only. */
 function regionsOf(picture, picked, side) {
-  const meant = (one) => one.change === picked && (side !== "old" || one.old) && (side !== "new" || !one.old);
-  return (picture.regions || []).filter(meant).map((one) => {
-    const box = make("div.region." + (one.old ? "old" : "new"), { "aria-hidden": "true" });
+  const all = picture.regions || [];
+  const few = all.length <= MOST_REGIONS;
+  const meant = (one) => (few || one.change === picked) && (side !== "old" || one.old) && (side !== "new" || !one.old);
+  return all.filter(meant).map((one) => {
+    const kind = (one.old ? "old" : "new") + (one.change === picked ? ".bold" : "");
+    const box = make("div.region." + kind, { "aria-hidden": "true" });
     box.style.left = 100 * one.left + "%";
     box.style.top = 100 * one.top + "%";
     box.style.width = 100 * (one.right - one.left) + "%";
@@ -109,9 +120,10 @@ function framed(caption, frame) {
 
 /** Old, new and what differs beside each other. */
 function sideBySide(picture, picked) {
-  const shown = [["old", "Old"], ["new", "New"], ["difference", "Difference: orange where pixels changed"]];
+  const same = picture.changed === false;
+  const shown = [["old", "Old"], ["new", same ? "Old and new" : "New"], ["difference", "Difference: orange where pixels changed"]];
   return shown.filter(([name]) => picture[name]).map(([name, words]) =>
-    framed(words, make("div.frame", {}, image(picture[name], words), regionsOf(picture, picked, name))));
+    framed(words, make("div.frame", {}, image(picture[name], words), regionsOf(picture, picked, same ? "" : name))));
 }
 
 function slider(picture, picked) {
@@ -179,9 +191,10 @@ function check(group, value) {
 }
 
 function verdictOf(picture) {
-  if (picture.old === null || picture.new === null) return "";
-  const noise = picture.limit > 1 ? "; noise explains " + picture.limit.toFixed(1) : "";
-  const steps = picture.distance.toFixed(1) + " of 255 steps" + noise + ".";
+  if (picture.changed === undefined) return "";
+  const number = (one) => (one < 10 ? one.toFixed(1) : one.toFixed(0));
+  const noise = picture.limit > 1 ? "; noise explains " + number(picture.limit) : "";
+  const steps = number(picture.distance) + " of 255 steps" + noise + ".";
   if (picture.changed) return "The picture changes by up to " + steps;
   return picture.limit > 1 ? "No visible change: it differs by " + steps : "No visible change.";
 }
@@ -196,7 +209,7 @@ function pictureParts(pair) {
     return { part: why ? make("p.note", {}, "No pictures: " + visible(why)) : null, show: () => false };
   }
   const group = "picture" + (++pictures);
-  const both = all[0].old !== null && all[0].new !== null;
+  const both = all.some(isCompared);
   const best = all.reduce((most, one) => (one.distance > most.distance ? one : most), all[0]);
   const shown = { view: best.view, mode: "side", picked: null };
   const stage = make("div.stage");
@@ -205,8 +218,9 @@ function pictureParts(pair) {
   const draw = () => {
     stopBlinking();
     const picture = find(shown.view);
-    stage.className = "stage " + shown.mode;
-    stage.replaceChildren(...DRAWERS[shown.mode](picture, shown.picked));
+    const mode = isCompared(picture) ? shown.mode : "side";
+    stage.className = "stage " + mode;
+    stage.replaceChildren(...DRAWERS[mode](picture, shown.picked));
     verdict.textContent = verdictOf(picture);
   };
   const views = radios(group + "-view", "View", all.map((one) => [one.view, VIEWS[one.view] || one.view]),
@@ -249,7 +263,7 @@ function changeRow(change, index, pick) {
   const button = make("button.pick", { type: "button" }, make("bdi", {}, sentence(change)));
   const row = make("tr", {},
     make("td", {}, make("span.label.is-" + change.level, {}, change.level)),
-    make("td", {}, button, make("span.kind", {}, change.kind)),
+    make("td", {}, button, make("span.kind", {}, change.kind, make("span.narrow", {}, ", " + change.level))),
     make("td", {}, change.before === undefined ? "" : isolated(change.before)),
     make("td", {}, change.after === undefined ? "" : isolated(change.after)),
     make("td", {}, change.measure ? measureText(change.measure) : ""),
@@ -292,7 +306,7 @@ function changeTable(pair, show, stage) {
 }
 
 function sizeTable(pair) {
-  const rows = (pair.sizes || []).map((one) => [one.what, sizeText(one.old), sizeText(one.new), sizeChange(one)]);
+  const rows = (pair.sizes || []).filter((one) => one.old !== one.new).map((one) => [one.what, sizeText(one.old), sizeText(one.new), sizeChange(one)]);
   if (rows.length === 0) return null;
   return table("Bytes in files", [["use"], ["old", true], ["new", true], ["change", true]], rows);
 }
@@ -333,11 +347,14 @@ function pairMatches(pair) {
   return !state.text || words(pair).includes(state.text);
 }
 
-function thumb(pair) {
-  const picture = (pair.pictures || [])[0];
-  const source = picture ? picture.new || picture.old : null;
-  if (source) return make("img.thumb", { src: source, alt: "", width: 48, height: 48 });
-  return make("span.thumb.none", { "aria-hidden": "true" }, "–");
+/** The old and the new picture of a pair that looks different, else one. */
+function thumbs(pair) {
+  const all = pair.pictures || [];
+  const picture = all.find((one) => one.changed) || all[0];
+  const ids = picture ? [picture.old, picture.new].filter((id) => id !== null) : [];
+  const shown = ids.map((id) => make("img.thumb", { src: byId(id).value, alt: "", width: 48, height: 48, decoding: "async" }));
+  if (shown.length === 0) shown.push(make("span.thumb.none", { "aria-hidden": "true" }, "–"));
+  return make("span.thumbs", {}, shown);
 }
 
 function pathPart(pair) {
@@ -349,7 +366,7 @@ function pathPart(pair) {
 
 function row(pair) {
   const files = filesOf(pair);
-  const summary = make("summary", {}, thumb(pair), pathPart(pair),
+  const summary = make("summary", {}, thumbs(pair), pathPart(pair),
     make("span.state", {}, levelText(pair), make("span.to-do", {}, headline(pair))),
     make("span.cell.bytes", {}, files ? sizeText(files.new) : "–",
       make("small", {}, files && files.old !== files.new ? "was " + sizeText(files.old) : "bytes")));
@@ -370,14 +387,28 @@ function showMore() {
   byId("more").hidden = byId("list").childElementCount >= shownPairs.length;
 }
 
+function showCount() {
+  const all = counted(data.pairs.length, "pair");
+  const shown = shownPairs.length === data.pairs.length ? all : grouped(shownPairs.length) + " of " + all;
+  byId("count").textContent = shown + (data.summary === null ? " so far" : "");
+}
+
 function refresh() {
   stopBlinking();
   shownPairs = data.pairs.filter(pairMatches);
   byId("list").replaceChildren();
   showMore();
-  const all = counted(data.pairs.length, "pair");
-  byId("count").textContent = shownPairs.length === data.pairs.length ? all
-    : grouped(shownPairs.length) + " of " + all;
+  showCount();
+}
+
+/** New pairs below those that are shown. */
+function addPairs(pairs) {
+  data.pairs.push(...pairs);
+  shownPairs.push(...pairs.filter(pairMatches));
+  if (byId("list").childElementCount < ROWS_AT_ONCE) showMore();
+  byId("more").hidden = byId("list").childElementCount >= shownPairs.length;
+  fillSummary();
+  showCount();
 }
 
 // --- Totals and filter ---
@@ -395,26 +426,15 @@ function fillSummary() {
     ["Changes", grouped(data.pairs.reduce((total, pair) => total + pair.changes.length, 0))],
     ["Added", grouped(data.pairs.filter((pair) => pair.old === null).length)],
     ["Removed", grouped(data.pairs.filter((pair) => pair.new === null).length)],
-    ["Not proven", grouped(data.summary.unproven)],
+    ["Not proven", grouped(data.pairs.filter((pair) => pair.unproven.length > 0).length)],
     ["Bytes of pairs", sizeText(sum("old")) + " → " + sizeText(sum("new"))]];
-  const allowed = data.summary.allowed ? "All pairs are within the allowed level." : "Not all pairs are within the allowed level.";
-  byId("summary").append(
+  const allowed = data.summary !== null && data.summary.allowed ? "All are within the allowed level." : "";
+  byId("summary").replaceChildren(byId("summary-title"),
     make("p.verdict", {}, number, differ > 1 ? " differ. " : " differs. ", allowed), ...bar(parts),
     make("dl.figures", {}, figures.map(([name, value]) => make("div", {}, make("dt", {}, name), make("dd", {}, value)))));
 }
 
-function fillFilter() {
-  const option = ([value, text]) => make("option", { value }, text);
-  const count = (level) => data.pairs.filter((pair) => levelOf(pair) === level).length;
-  byId("level").append(option(["", "any"]), ...LEVELS.map((level) => option([level, level + " (" + count(level) + ")"])),
-    option(["unproven", "not proven (" + data.pairs.filter((pair) => pair.unproven.length > 0).length + ")"]),
-    option(["unreadable", "not compared (" + count("unreadable") + ")"]));
-  const kinds = new Map();
-  for (const pair of data.pairs) {
-    for (const [kind, amount] of kindCounts(pair)) kinds.set(kind, (kinds.get(kind) || 0) + amount);
-  }
-  byId("kind").append(option(["", "any"]),
-    ...[...kinds.entries()].sort().map(([kind, amount]) => option([kind, kind + " (" + amount + ")"])));
+function listenToFilter() {
   const read = () => {
     for (const name of Object.keys(state)) state[name] = byId(name).value;
     state.text = state.text.trim().toLowerCase();
@@ -427,20 +447,69 @@ function fillFilter() {
   });
 }
 
-function start() {
-  document.title = visible(data.title) + " – gltfx compare";
-  byId("title").textContent = visible(data.title);
-  fillSummary();
+function fillFilter() {
+  const option = ([value, text]) => make("option", { value }, text);
+  const count = (level) => data.pairs.filter((pair) => levelOf(pair) === level).length;
+  byId("level").append(...LEVELS.map((level) => option([level, level + " (" + count(level) + ")"])),
+    option(["unproven", "not proven (" + data.pairs.filter((pair) => pair.unproven.length > 0).length + ")"]),
+    option(["unreadable", "not compared (" + count("unreadable") + ")"]));
+  const kinds = new Map();
+  for (const pair of data.pairs) {
+    for (const [kind, amount] of kindCounts(pair)) kinds.set(kind, (kinds.get(kind) || 0) + amount);
+  }
+  byId("kind").append(
+    ...[...kinds.entries()].sort().map(([kind, amount]) => option([kind, kind + " (" + amount + ")"])));
+}
+
+// --- Reading ---
+
+let lastRead = null;
+
+function readHead({ gltfx, title }) {
+  document.title = visible(title) + " – gltfx compare";
+  byId("title").textContent = visible(title);
+  byId("about").textContent = "gltfx " + gltfx;
+}
+
+/** Takes what the browser has read. `all`: also what nothing follows yet. */
+function readStore(all) {
+  const store = byId("store");
+  const pairs = [];
+  let next = lastRead ? lastRead.nextElementSibling : store && store.firstElementChild;
+  for (; next && (all || next.nextElementSibling); next = next.nextElementSibling) {
+    lastRead = next;
+    if (next.localName !== "script") continue;
+    const content = JSON.parse(next.textContent);
+    if (next.id === "head") readHead(content);
+    else if (next.id === "tail") data.summary = content;
+    else pairs.push(content);
+  }
+  return pairs;
+}
+
+function readMore() {
+  if (data.summary !== null) return;
+  const pairs = readStore(false);
+  if (pairs.length > 0) addPairs(pairs);
+  setTimeout(readMore, READ_AGAIN);
+}
+
+function readRest() {
+  addPairs(readStore(true));
   fillFilter();
+  if (data.pairs.length === 1) byId("list").querySelector("details").open = true;
+}
+
+function start() {
+  listenToFilter();
   byId("more").addEventListener("click", showMore);
   new IntersectionObserver((entries) => {
     if (entries.some((entry) => entry.isIntersecting) && !byId("more").hidden) showMore();
   }, { rootMargin: "600px" }).observe(byId("more"));
   document.querySelector(".theme").addEventListener("change", chooseTheme);
-  byId("about").textContent = "gltfx " + data.gltfx;
   document.addEventListener("keydown", searchByKey);
-  refresh();
-  if (data.pairs.length === 1) byId("list").querySelector("details").open = true;
+  document.addEventListener("DOMContentLoaded", readRest);
+  readMore();
 }
 
 start();
