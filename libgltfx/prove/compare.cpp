@@ -94,14 +94,14 @@ std::vector<ChangedBoxes> compare_plain(const model::OpenedAsset& ours,
   compare_presence(all, helpers);
   compare_nodes(all, helpers);
   compare_motion(all);
-  if (options.drawn) forget_undrawn(all);
-  if (options.drawn && log.differs()) compare_drawn(all);
-  compare_poses(all);
   compare_image_texels(all);
   compare_stored_objects(all);
   if (options.drawn) forget_undrawn(all);
+  if (options.drawn && log.differs()) compare_drawn(all);
+  compare_poses(all);
   merge_shared_causes(all);
   add_external(external, log);
+  if (options.count.contains("order")) compare_order_of_lists(all);
   if (match.is_renumbered()) log.note_storage("objects have other numbers");
   report.sizes = compare_sizes(all, ours, theirs);
   log.take(report);

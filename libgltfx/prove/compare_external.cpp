@@ -12,6 +12,7 @@
 #include "model/asset_obstacle.hpp"
 #include "model/external_assets.hpp"
 #include "model/external_places.hpp"
+#include "prove/changes.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -68,12 +69,14 @@ class ExternalSide {
   std::map<std::string, InSide> found_;
 };
 
-// "'red' baseColorFactor 0 -> 1, at /materials/0", and how many more there are.
+// "'red' baseColorFactor 0 -> 1, at /materials/0", and how many more there are. Of the changes of
+// the greatest level, it is the one that is the most of its bound.
 std::string summary_of(const CompareReport& report) {
   if (report.changes.empty()) return "it differs";
-  const auto first =
-      std::max_element(report.changes.begin(), report.changes.end(),
-                       [](const Change& a, const Change& b) { return a.level < b.level; });
+  const auto first = std::max_element(
+      report.changes.begin(), report.changes.end(), [](const Change& a, const Change& b) {
+        return a.level != b.level ? a.level < b.level : share_of_bound(a) < share_of_bound(b);
+      });
   std::string text = first->name.empty()
                          ? first->what
                          : fmt::format("{} {}", gltfx::quoted(first->name), first->what);

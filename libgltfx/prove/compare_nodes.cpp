@@ -99,8 +99,20 @@ class NodeComparison {
 
   void compare_places() {
     for (std::uint32_t i = 0; i < moved_.size(); ++i) {
-      if (moved_[i]) tell_moved(i, all_.match.theirs(ours(i)).index);
+      if (!moved_[i]) continue;
+      const std::uint32_t other = all_.match.theirs(ours(i)).index;
+      // Where the hierarchy does not count, the place in the scene does.
+      if (all_.options.drawn && !have_same_parent(i, other)) continue;
+      tell_moved(i, other);
     }
+  }
+
+  // Or none.
+  bool have_same_parent(std::uint32_t node, std::uint32_t other) const {
+    const model::NodeIndex one = all_.our_nodes.parent(node);
+    const model::NodeIndex two = all_.their_nodes.parent(other);
+    if (one == model::kNoNodeIndex || two == model::kNoNodeIndex) return one == two;
+    return all_.match.theirs(ours(one)) == theirs(two);
   }
 
   void tell_moved(std::uint32_t node, std::uint32_t other) {
@@ -189,10 +201,9 @@ class NodeComparison {
       if (!other) continue;
       const model::NodeIndex one = all_.our_nodes.parent(i);
       const model::NodeIndex two = all_.their_nodes.parent(other.index);
+      if (have_same_parent(i, other.index)) continue;
       const ItemId above = one == model::kNoNodeIndex ? ItemId{} : ours(one);
       const ItemId above_there = two == model::kNoNodeIndex ? ItemId{} : theirs(two);
-      if (!above && !above_there) continue;
-      if (above && above_there && all_.match.theirs(above) == above_there) continue;
       Change change;
       change.kind = "node.parent";
       change.name = all_.our_name(ours(i));
@@ -214,16 +225,18 @@ class NodeComparison {
     if (all_.our_drawn->in_scene(node) != all_.their_drawn->in_scene(other)) {
       return tell_shown(node, other);
     }
+    const model::Affine& before = all_.our_nodes.world(node);
+    const model::Affine& after = all_.their_nodes.world(other);
+    if (before == after) return;
     const Content::Box& box = all_.our_nodes.box(node);
     double square = 0;
     for (unsigned i = 0; i < 8; ++i) {
-      const model::Vector3 one = all_.our_nodes.world(node).point(box.corner(i));
-      const model::Vector3 two = all_.their_nodes.world(other).point(box.corner(i));
+      const model::Vector3 one = before.point(box.corner(i));
+      const model::Vector3 two = after.point(box.corner(i));
       double sum = 0;
       for (std::size_t k = 0; k < 3; ++k) sum += (two[k] - one[k]) * (two[k] - one[k]);
       square = std::max(square, sum);
     }
-    if (square == 0) return;
     const double part = all_.diagonal > 0 ? 100 * std::sqrt(square) / all_.diagonal : kUnknown;
     Change change;
     change.kind = "node.moved";
@@ -232,7 +245,9 @@ class NodeComparison {
     change.new_pointer = all_.their_pointer(theirs(other));
     change.what = "is elsewhere in the scene, below another node";
     change.measure = CompareMeasure{"position", part, "%", 100 * all_.options.bounds.position};
-    change.level = part <= change.measure->bound ? CompareLevel::bounds : CompareLevel::differs;
+    if (part <= change.measure->bound) measure_axes(before, after, *change.measure);
+    change.level = change.measure->value <= change.measure->bound ? CompareLevel::bounds
+                                                                  : CompareLevel::differs;
     all_.log.add(std::move(change));
   }
 
@@ -249,18 +264,6 @@ class NodeComparison {
     all_.log.add(std::move(change));
   }
 
-  // Nodes that a scene lists.
-  static std::vector<std::uint32_t> roots_of(const Content& content, ItemId scene) {
-    std::vector<std::uint32_t> nodes;
-    const Side& side = content.side();
-    const json::NodeId list = side.document().find(content.item(scene).node, "nodes");
-    model::for_each_index(side.asset(), list, model::RootArray::nodes,
-                          [&](std::uint64_t, const std::optional<std::uint32_t>& index, Span) {
-                            if (index) nodes.push_back(*index);
-                          });
-    return nodes;
-  }
-
   void compare_roots() {
     const std::uint32_t scenes = all_.ours.list("/scenes");
     if (scenes == kNoItem) return;
@@ -272,11 +275,11 @@ class NodeComparison {
         continue;
       }
       std::set<std::uint32_t> here, there;  // by number of the old asset
-      for (const std::uint32_t node : roots_of(all_.ours, scene)) {
+      for (const std::uint32_t node : nodes_of_scene(all_.ours, scene)) {
         const ItemId partner = all_.match.theirs(ours(node));
         if (partner && keeps_root(node, partner.index)) here.insert(node);
       }
-      for (const std::uint32_t node : roots_of(all_.theirs, other)) {
+      for (const std::uint32_t node : nodes_of_scene(all_.theirs, other)) {
         const ItemId partner = all_.match.ours(theirs(node));
         if (partner && keeps_root(partner.index, node)) there.insert(partner.index);
       }
@@ -306,6 +309,7 @@ class NodeComparison {
     change.new_pointer = all_.their_pointer(other) + "/nodes";
     change.what = fmt::format("{} {}", lost ? "no longer shows" : "shows",
                               Comparison::called(all_.ours, ours(node)));
+    change.also.push_back(all_.our_pointer(ours(node)));
     all_.log.add(std::move(change));
   }
 

@@ -175,7 +175,9 @@ class PoseComparison {
     if (!(all_.diagonal > 0)) return;
     constexpr double kRounding = 1e-9;
     const double part = use.farthest / all_.diagonal;
-    if (!(part > kRounding)) return;
+    const double bound = all_.options.bounds.position;
+    // Within bounds, the changes that move it are told.
+    if (!(part > std::max(kRounding, bound))) return;
     Change change;
     change.kind = "geometry.position";
     change.old_pointer = use.our_place;
@@ -183,9 +185,7 @@ class PoseComparison {
     change.name = use.name;
     change.what = fmt::format("a vertex with joints is up to {:.4g} away, {}", use.farthest,
                               printable(use.pose));
-    const double bound = all_.options.bounds.position;
     change.measure = CompareMeasure{"position", 100 * part, "%", 100 * bound};
-    change.level = part <= bound ? CompareLevel::bounds : CompareLevel::differs;
     all_.log.add(std::move(change));
   }
 

@@ -205,6 +205,7 @@ class ShapeComparison {
       const auto& one = pair.ours[i].material;
       const auto& other = pair.theirs[i].material;
       if (pair.ours[i].known->sum != pair.theirs[i].known->sum) return false;
+      if (pair.ours[i].known->order != pair.theirs[i].known->order) return false;
       if (!all_.match.same(one ? ItemId{here, *one} : ItemId{},
                            other ? ItemId{there, *other} : ItemId{})) {
         return false;

@@ -97,9 +97,14 @@ class StoredValues {
   template <class Member>
   void read_extension(const Member& member) {
     const std::string_view name = document_.key(member.key_id);
-    if (content_.storage().contains(name)) return;
     const json::NodeId object = member.value;
     const Hash128 label = hash_content(name);
+    if (content_.storage().contains(name)) {
+      const json::NodeId extras =
+          document_.is_object(object) ? document_.find(object, "extras") : json::kNoNode;
+      if (extras != json::kNoNode) add(hash_of_all(label, hash_json(document_, extras)), extras);
+      return;
+    }
     if (!document_.is_object(object) || side_.graph().type(object) == schema::kNone) {
       return add(hash_of_all(label, hash_json(document_, object)), object);
     }
@@ -302,6 +307,7 @@ void drop_names(const Side& side, std::vector<json::NodeId>& only, const Side& o
 // "name", or "a sampler that nothing uses".
 std::string noun(const Side& side, json::NodeId value) {
   const graph::Tree& tree = side.tree();
+  if (tree.is_member(value) && tree.name(value) == "byteLength") return "a view beyond byteLength";
   return tree.is_member(value) ? printable(std::string(tree.name(value)).substr(0, 80))
                                : std::string("a sampler that nothing uses");
 }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "base/text.hpp"
+#include "prove/compare_unknown_modes.hpp"
 #include "prove/drawn_materials.hpp"
 #include "prove/flat_normals.hpp"
 #include "prove/hash_sum.hpp"
@@ -80,6 +81,7 @@ class SurfaceComparison {
     for (const SurfacePiece& piece : pair_.theirs) there_.push_back(show(piece));
     if (!leave_out_unread()) return std::move(result_);
     std::map<std::uint64_t, Group> groups = grouped();
+    for (const auto& [material, group] : groups) compare_order(group);
     std::erase_if(groups, [](const auto& group) { return group.second.equal(); });
     if (groups.empty()) return std::move(result_);
     find_other_materials(groups);
@@ -190,6 +192,7 @@ class SurfaceComparison {
     result_.unread = ours != here_.end() || lost;
     if (!result_.unread) return true;
     if (ours != here_.end() && lost) {
+      if (compare_unknown_modes(all_, pair_, result_.changes)) return false;
       all_.log.leave_out(fmt::format("{} cannot be read in either asset.", pair_.our_place));
       return true;
     }
@@ -252,7 +255,62 @@ class SurfaceComparison {
     }
   }
 
+  // Of materials with equal values, one may stand for another; if their names are different, where
+  // one of them came or went.
+  bool are_equal_materials(const SurfacePiece& ours, const SurfacePiece& theirs) const {
+    if (!ours.material || !theirs.material) return false;
+    const ItemId one{all_.ours.list("/materials"), *ours.material};
+    const ItemId other{all_.theirs.list("/materials"), *theirs.material};
+    if (all_.match.same(one, other)) return true;
+    return all_.ours.item(one).content == all_.theirs.item(other).content &&
+           (!all_.match.theirs(one) || !all_.match.ours(other));
+  }
+
+  // Where the material blends, a picture shows the order of triangles.
+  void compare_order(const Group& group) {
+    const auto blends = [](const ShownPiece* each) {
+      return each->piece->known != nullptr && each->piece->known->order != Hash128{};
+    };
+    if (group.ours.empty() || group.theirs.empty() || !group.equal() ||
+        !std::all_of(group.ours.begin(), group.ours.end(), blends) ||
+        !std::all_of(group.theirs.begin(), group.theirs.end(), blends)) {
+      return;
+    }
+    const bool as_many = group.ours.size() == group.theirs.size();
+    const auto order = [as_many](const std::vector<ShownPiece*>& pieces) {
+      Hash128 all;
+      for (const ShownPiece* each : pieces) {
+        if (as_many) {
+          add_to_sum(all, hash_order(soup_of(*each->piece), {}));
+        } else {
+          all = hash_order(soup_of(*each->piece), all);
+        }
+      }
+      return all;
+    };
+    if (!as_many && pair_.our_place == "/meshes") return;  // objects have no order
+    if (order(group.ours) == order(group.theirs)) return;
+    const SurfacePiece& ours = *group.ours.front()->piece;
+    const SurfacePiece& theirs = *group.theirs.front()->piece;
+    if (is_draco(ours) != is_draco(theirs)) {
+      return all_.log.note_storage("Draco gives blended triangles another order");
+    }
+    Change& change = add("geometry.elements",
+                         "triangles have another order, which shows because the material blends");
+    if (group.ours.size() > 1 || !as_many) return;
+    change.old_pointer = pointer_of(ours, "indices");
+    change.new_pointer = pointer_of(theirs, "indices");
+  }
+
+  static bool is_draco(const SurfacePiece& piece) {
+    const model::Asset& asset = piece.content->side().asset();
+    return model::read_draco(asset, model::read_primitive(asset, piece.primitive)).has_value();
+  }
+
   void tell_material(const SurfacePiece& ours, const SurfacePiece& theirs) {
+    if (are_equal_materials(ours, theirs)) {
+      return all_.log.note_equal(pointer_of(ours, "material"));
+    }
     const auto called = [](const Content& content, const std::optional<std::uint32_t>& material) {
       return material ? Comparison::called(content, {content.list("/materials"), *material})
                       : std::string("no material");

@@ -12,6 +12,7 @@
 #include "prove/equal_images.hpp"
 #include "prove/hash_sum.hpp"
 #include "prove/lengths.hpp"
+#include "prove/value_stand.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -24,27 +25,6 @@ struct ValueFacts {
 };
 
 bool is_plain(LeafKind kind) { return kind <= LeafKind::aside; }
-
-/// Where a value stands, or would stand.
-struct Stand {
-  std::string pointer;
-  bool there = false;
-  json::NodeId value = json::kNoNode;  ///< there; else what is missing there
-};
-
-/// The steps from an object down to a value.
-std::vector<std::string> steps_to(const Side& side, json::NodeId object, json::NodeId value) {
-  std::vector<std::string> steps;
-  const graph::Tree& tree = side.tree();
-  while (value != object && value != json::kNoNode && value != 0) {
-    steps.push_back(tree.is_member(value) ? std::string(tree.name(value))
-                                          : std::to_string(tree.position(value)));
-    value = tree.parent(value);
-  }
-  if (value != object) steps.clear();
-  std::reverse(steps.begin(), steps.end());
-  return steps;
-}
 
 /// Compares the leaves of two objects.
 class ValuePair {
@@ -100,6 +80,9 @@ class ValuePair {
       if (added != (b.ours == nullptr)) return !added;
       return added ? a.theirs < b.theirs : a.ours < b.ours;
     });
+    if (tell_sampler(pairs)) {
+      std::erase_if(pairs, [this](const LeafPair& pair) { return is_of_sampler(pair); });
+    }
     for (const LeafPair& pair : pairs) {
       if (pair.ours != nullptr && pair.theirs != nullptr) {
         both(*pair.ours, *pair.theirs);
@@ -107,6 +90,45 @@ class ValuePair {
         only_one(pair.ours != nullptr ? *pair.ours : *pair.theirs, pair.ours != nullptr);
       }
     }
+  }
+
+  bool is_of_sampler(const LeafPair& pair) const {
+    return pair.ours != nullptr ? is_of_sampler(all_.ours.side(), ours_, *pair.ours)
+                                : is_of_sampler(all_.theirs.side(), theirs_, *pair.theirs);
+  }
+
+  // A texture that uses another sampler has changed once, whatever is different there.
+  bool tell_sampler(const std::vector<LeafPair>& pairs) const {
+    std::vector<std::string> parts;
+    for (const LeafPair& pair : pairs) {
+      if (!is_of_sampler(pair)) continue;
+      const auto text = [](const Content& content, const Leaf* leaf) {
+        return leaf == nullptr ? std::string("none")
+                               : short_value(content.side().document(), leaf->at);
+      };
+      const bool same =
+          pair.ours != nullptr && pair.theirs != nullptr && pair.ours->value == pair.theirs->value;
+      if (same) continue;
+      const std::string label = pair.ours != nullptr
+                                    ? value_label(all_.ours.side(), pair.ours->at)
+                                    : value_label(all_.theirs.side(), pair.theirs->at);
+      parts.push_back(fmt::format("{} {} -> {}", label, text(all_.ours, pair.ours),
+                                  text(all_.theirs, pair.theirs)));
+    }
+    const json::NodeId here = all_.ours.side().document().find(ours_.node, "sampler");
+    const json::NodeId there = all_.theirs.side().document().find(theirs_.node, "sampler");
+    if (parts.size() < 2 || here == json::kNoNode || there == json::kNoNode) return false;
+    Change change;
+    change.kind = kind_of(list_, "value");
+    change.name = name_;
+    change.old_pointer = all_.ours.side().pointer(here);
+    change.new_pointer = all_.theirs.side().pointer(there);
+    change.before = short_value(all_.ours.side().document(), here);
+    change.after = short_value(all_.theirs.side().document(), there);
+    if (change.before == change.after) return false;
+    change.what = fmt::format("uses another sampler: {}", fmt::join(parts, ", "));
+    all_.log.add(std::move(change));
+    return true;
   }
 
   std::string_view kind(const Side& side, const Leaf& leaf) const {
@@ -138,9 +160,10 @@ class ValuePair {
     change.name = name_;
     change.before = short_value(here.document(), ours.at);
     change.after = short_value(there.document(), theirs.at);
-    change.what = fmt::format("{} {} -> {}", label(here, ours.at), change.before, change.after);
+    change.what =
+        fmt::format("{} {} -> {}", value_label(here, ours.at), change.before, change.after);
     if (ours.target || theirs.target) {
-      change.what = fmt::format("{} refers to {}, not {}", label(here, ours.at),
+      change.what = fmt::format("{} refers to {}, not {}", value_label(here, ours.at),
                                 Comparison::called(all_.theirs, theirs.target),
                                 Comparison::called(all_.ours, ours.target));
     } else if (length && all_.diagonal > 0) {
@@ -148,7 +171,7 @@ class ValuePair {
       const double part = *length / all_.diagonal;
       change.measure = CompareMeasure{"position", 100 * part, "%", 100 * bound};
       if (part <= bound) change.level = CompareLevel::bounds;
-    } else if (ours.kind == LeafKind::value) {
+    } else {
       measure(ours, theirs, change);
     }
     if (is_of_sampler(here, ours_, ours)) {
@@ -158,77 +181,40 @@ class ValuePair {
     all_.log.add(std::move(change));
   }
 
-  // The name of a member, or of the array with the value.
-  static std::string label(const Side& side, json::NodeId value) {
-    const graph::Tree& tree = side.tree();
-    while (value != 0 && !tree.is_member(value)) value = tree.parent(value);
-    return value == 0 ? std::string("value")
-                      : printable(std::string(tree.name(value)).substr(0, 80));
-  }
-
   // Of a length in the space of meshes, which may have another scale than before.
   std::optional<double> apart_in_scene(const Leaf& ours, const Leaf& theirs) const {
     const json::Document& here = all_.ours.side().document();
     const json::Document& there = all_.theirs.side().document();
     if (list_ != "/materials" || ours.target || theirs.target) return std::nullopt;
     if (!here.is_number(ours.at) || !there.is_number(theirs.at)) return std::nullopt;
-    if (label(all_.ours.side(), ours.at) != "thicknessFactor") return std::nullopt;
+    if (value_label(all_.ours.side(), ours.at) != "thicknessFactor") return std::nullopt;
     return facts_.lengths.apart_in_scene(all_.ours.find(ours_.node), here.number(ours.at).value,
                                          all_.theirs.find(theirs_.node),
                                          there.number(theirs.at).value);
   }
 
-  // Numbers of materials, lights and cameras have a bound.
+  // Numbers of materials, lights and cameras have a bound. An index that leads to other data has
+  // none.
   void measure(const Leaf& ours, const Leaf& theirs, Change& change) const {
-    const json::Document& here = all_.ours.side().document();
-    const json::Document& there = all_.theirs.side().document();
-    double apart_most = 0;
-    std::size_t differing = 0, which = 0;
-    if (here.is_number(ours.at) && there.is_number(theirs.at)) {
-      apart_most = std::fabs(here.number(ours.at).value - there.number(theirs.at).value);
-      differing = 1;
-    } else if (here.kind(ours.at) == json::Kind::number_array &&
-               there.kind(theirs.at) == json::Kind::number_array &&
-               here.array_size(ours.at) == there.array_size(theirs.at)) {
-      json::NumberCursor one(here, ours.at);
-      json::NumberCursor two(there, theirs.at);
-      for (std::size_t i = 0; one.valid() && two.valid(); one.advance(), two.advance(), ++i) {
-        const double distance = apart(one.number().value, two.number().value);
-        if (distance == 0) continue;
-        ++differing;
-        which = i;
-        apart_most = std::max(apart_most, distance);
+    const Side& here = all_.ours.side();
+    const Side& there = all_.theirs.side();
+    if (here.link(ours.at) != nullptr || there.link(theirs.at) != nullptr) {
+      if (change.before == change.after) {
+        change.what = fmt::format("{} leads to other data", value_label(here, ours.at));
       }
-      if (differing == 1) {
-        *change.old_pointer += fmt::format("/{}", which);
-        *change.new_pointer += fmt::format("/{}", which);
-      }
+      return;
+    }
+    const NumbersApart apart = numbers_apart(here.document(), ours.at, there.document(), theirs.at);
+    if (apart.differing == 1 && apart.is_list) {
+      *change.old_pointer += fmt::format("/{}", apart.which);
+      *change.new_pointer += fmt::format("/{}", apart.which);
     }
     const bool bounded = list_ == "/materials" || list_ == "/cameras" ||
                          (list_.starts_with("/extensions/") && list_.size() > 12);
-    if (differing == 0 || !bounded) return;
+    if (apart.differing == 0 || !bounded || ours.kind != LeafKind::value) return;
     const double bound = all_.options.bounds.factor;
-    change.measure = CompareMeasure{"factor", apart_most, "", bound};
-    if (apart_most <= bound) change.level = CompareLevel::bounds;
-  }
-
-  // Finds where the value of the other side stands, or the last object above it that exists.
-  static Stand find_stand(const Side& side, json::NodeId object, const Side& other,
-                          json::NodeId other_object, json::NodeId value, std::string& own) {
-    const std::vector<std::string> steps = steps_to(side, object, value);
-    json::NodeId at = other_object;
-    json::NodeId mine = object;
-    for (const std::string& step : steps) {
-      const graph::Place next = other.tree().step(at, step);
-      mine = side.tree().step(mine, step).node;
-      if (next.node == json::kNoNode || next.element) {
-        own = side.pointer(mine);
-        return {other.pointer(at), false, mine};
-      }
-      at = next.node;
-    }
-    own = side.pointer(value);
-    return {other.pointer(at), !steps.empty(), steps.empty() ? value : at};
+    change.measure = CompareMeasure{"factor", apart.most, "", bound};
+    if (apart.most <= bound) change.level = CompareLevel::bounds;
   }
 
   // Whether one value names an object that is gone, which is told, and the other one names nothing.
@@ -285,7 +271,7 @@ class ValuePair {
     auto& pointer = ours ? change.old_pointer : change.new_pointer;
     auto& other_pointer = ours ? change.new_pointer : change.old_pointer;
     pointer = own;
-    const std::string what = label(side, leaf.at);
+    const std::string what = value_label(side, leaf.at);
     if (stand.there) {
       other_pointer = stand.pointer;
       (ours ? change.after : change.before) = short_value(other.document(), stand.value);

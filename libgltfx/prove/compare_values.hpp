@@ -20,6 +20,9 @@ Helpers find_helpers(const Comparison& comparison);
 /// Values of objects and of the asset, extras, extensions and their lists.
 void compare_values(const Comparison& comparison, const Helpers& helpers);
 
+/// Lists of objects, of children and of the nodes of scenes in another order; counts on request.
+void compare_order_of_lists(const Comparison& comparison);
+
 /// Lists of extensions. Of extensions without a schema: what cannot be known.
 void compare_extensions(const Comparison& comparison);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/material.hpp"
 #include "model/pose.hpp"
 #include "model/skin.hpp"
 #include "prove/column.hpp"
@@ -150,6 +151,10 @@ void Content::read_surfaces() {
   const auto& meshes = side_.views().meshes;
   surfaces_.resize(meshes.size());
   boxes_.assign(meshes.size(), Box::nothing());
+  std::vector<bool> blends;
+  for (std::uint32_t i = 0; i < side_.asset().count(RootArray::materials); ++i) {
+    blends.push_back(model::read_material(side_.asset(), i).alpha_mode == model::AlphaMode::blend);
+  }
   std::vector<std::uint32_t> skins(meshes.size(), kNoItem);
   for (const model::Node& node : side_.views().nodes) {
     if (node.mesh && node.skin && skins[*node.mesh] == kNoItem) skins[*node.mesh] = *node.skin;
@@ -166,6 +171,7 @@ void Content::read_surfaces() {
       surface.readable = soup.readable;
       surface.elements = soup.elements();
       surface.sum = hash_soup(soup);
+      if (surface.material && blends[*surface.material]) surface.order = hash_order(soup, {});
       if (const SoupStream* positions = soup.find(model::SemanticKind::position);
           positions != nullptr && positions->width == 3) {
         for (std::size_t vertex = 0; vertex < soup.vertices(); ++vertex) {

@@ -69,7 +69,8 @@ struct ItemList {
 struct Surface {
   json::NodeId primitive = json::kNoNode;
   std::optional<std::uint32_t> material;
-  Hash128 sum;  ///< as of hash_soup(); zeros: it is no object
+  Hash128 sum;    ///< as of hash_soup(); zeros: it is no object
+  Hash128 order;  ///< as of hash_order(), where the material blends; else zeros
   std::uint64_t elements = 0;
   bool readable = false;
 };

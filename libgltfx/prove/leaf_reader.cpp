@@ -148,8 +148,11 @@ void LeafReader::read_member(schema::TypeId type, std::string_view name, json::N
 void LeafReader::read_extensions(json::NodeId list, const Hash128& path) {
   for (const auto member : document_.members(list)) {
     const std::string_view name = document_.key(member.key_id);
-    if (storage_.contains(name)) continue;
     const Hash128 place = below(path, name);
+    if (storage_.contains(name)) {
+      read_codec_extras(member.value, place);
+      continue;
+    }
     const bool known =
         document_.is_object(member.value) && side_.graph().type(member.value) != schema::kNone;
     if (!known) {
@@ -159,6 +162,13 @@ void LeafReader::read_extensions(json::NodeId list, const Hash128& path) {
     add(member.value, place, hash_content("present"), LeafKind::present);
     read_object(member.value, place);
   }
+}
+
+// Of an extension that only stores data, what an application may have put there.
+void LeafReader::read_codec_extras(json::NodeId extension, const Hash128& path) {
+  if (!document_.is_object(extension)) return;
+  const json::NodeId extras = document_.find(extension, "extras");
+  if (extras != json::kNoNode) read_plain(extras, below(path, "extras"), LeafKind::extras);
 }
 
 void LeafReader::read_value(json::NodeId value, const Hash128& path, LeafKind kind) {

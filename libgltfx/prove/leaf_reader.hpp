@@ -31,6 +31,7 @@ class LeafReader {
   using Names = std::set<std::string, std::less<>>;
   void read_object(json::NodeId object, const Hash128& path);
   void read_extensions(json::NodeId list, const Hash128& path);
+  void read_codec_extras(json::NodeId extension, const Hash128& path);
   void read_member(schema::TypeId type, std::string_view name, json::NodeId value,
                    const Hash128& path);
   void read_value(json::NodeId value, const Hash128& path, LeafKind kind);

@@ -173,10 +173,33 @@ void Matching::match_list(std::uint32_t list) {
   };
   const auto own = [](const Content& of) { return [&of](ItemId id) { return of.item(id).own; }; };
   join(list, both(a_), both(b_));
+  match_renamed(list);
   join(list, label(a_), label(b_), true);
   join(list, label(a_), label(b_));
   join(list, content(a_), content(b_));
   join(list, own(a_), own(b_), true);
+}
+
+// Names may go from one object to another: an object at its place in the list whose content no
+// other one has is the same under another name.
+void Matching::match_renamed(std::uint32_t list) {
+  const std::uint32_t other = their_lists_[list];
+  const std::vector<Item>& here = a_.lists()[list].items;
+  const std::vector<Item>& there = b_.lists()[other].items;
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t i = 0; i < std::min(here.size(), there.size()); ++i) {
+    const bool free = partners_.theirs[list][i] == kNoItem && partners_.ours[other][i] == kNoItem;
+    if (free && here[i].content == there[i].content && are_strangers({list, i}, {other, i})) {
+      found.push_back(i);
+    }
+  }
+  if (found.empty()) return;
+  std::unordered_map<Hash128, std::uint32_t, HashHasher> times;
+  for (const Item& item : here) ++times[item.content];
+  for (const Item& item : there) ++times[item.content];
+  for (const std::uint32_t i : found) {
+    if (times[here[i].content] == 2) pair({list, i}, {other, i});
+  }
 }
 
 Hash128 Matching::parent_key(ItemId ours) const {
@@ -219,6 +242,7 @@ void Matching::match_nodes(std::uint32_t list) {
     };
   };
   join(list, key(a_, &our_nodes_, true, true), key(b_, &their_nodes_, true, true));
+  match_renamed(list);
   join(list, key(a_, nullptr, false, true), key(b_, nullptr, false, true), true);
   join_below(key(a_, nullptr, true, true), key(b_, nullptr, true, true));
   join(list, key(a_, nullptr, true, true), key(b_, nullptr, true, true));

@@ -38,6 +38,7 @@ class Matching {
   void pair_shown_scenes(std::uint32_t list);
   void match_list(std::uint32_t list);
   void match_nodes(std::uint32_t list);
+  void match_renamed(std::uint32_t list);
   void join(std::uint32_t list, const Key& ours, const Key& theirs, bool unique = false);
   void pair(ItemId ours, ItemId theirs);
   void follow_all();

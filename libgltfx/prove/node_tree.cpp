@@ -89,6 +89,13 @@ bool same_place(const LocalPlace& a, const LocalPlace& b) {
          (a.rotation == b.rotation || a.rotation == opposite);
 }
 
+std::vector<std::uint32_t> nodes_of_scene(const Content& content, ItemId scene) {
+  const json::NodeId object = content.item(scene).node;
+  const json::Document& document = content.side().document();
+  if (!document.is_object(object)) return {};
+  return listed_nodes(content.side(), document.find(object, "nodes"));
+}
+
 double greatest_scale_of(const model::Affine& place) {
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -79,6 +79,9 @@ class NodeTree {
   double diagonal_ = 0;
 };
 
+/// The nodes that a scene lists.
+std::vector<std::uint32_t> nodes_of_scene(const Content& content, ItemId scene);
+
 /// The greatest factor of a linear part.
 double greatest_scale_of(const model::Affine& place);
 

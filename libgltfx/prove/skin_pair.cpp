@@ -52,6 +52,26 @@ double farthest_of(const model::Affine& a, const model::Affine& b) {
   return farthest;
 }
 
+// Of all meshes that a skin moves.
+void add_skinned_boxes(const Content& content, std::uint32_t skin, Content::Box& box) {
+  for (const model::Node& node : content.side().views().nodes) {
+    if (node.skin == skin && node.mesh) box.add(content.box(*node.mesh));
+  }
+}
+
+// How far the corners of a box are apart; of an empty one, the entries of the matrices.
+double farthest_corner(const Content::Box& box, const model::Affine& a, const model::Affine& b) {
+  if (box.empty()) return farthest_of(a, b);
+  double square = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    const model::Vector3 one = a.point(box.corner(i));
+    const model::Vector3 other = b.point(box.corner(i));
+    const model::Vector3 between{other[0] - one[0], other[1] - one[1], other[2] - one[2]};
+    square = std::max(square, model::dot(between, between));
+  }
+  return std::sqrt(square);
+}
+
 }  // namespace
 
 const SkinPair& SkinPairs::get(std::uint32_t ours, std::uint32_t theirs) {
@@ -131,7 +151,11 @@ void SkinPairs::tell_rest() {
     std::size_t shared = 0;
     std::string lost;
     double farthest = 0;
+    double movement = 0;
     std::string worst;
+    Content::Box box = Content::Box::nothing();
+    add_skinned_boxes(all_.ours, i, box);
+    add_skinned_boxes(all_.theirs, other.index, box);
     for (std::size_t k = 0; k < here.skin.joint_nodes.size(); ++k) {
       const ItemId joint{nodes, here.skin.joint_nodes[k]};
       const ItemId partner = all_.match.theirs(joint);
@@ -141,7 +165,10 @@ void SkinPairs::tell_rest() {
         continue;
       }
       ++shared;
-      const double distance = farthest_of(here.matrices[k], there.matrices[found->second]);
+      const model::Affine& matrix = there.matrices[found->second];
+      const double distance = farthest_of(here.matrices[k], matrix);
+      movement = std::max(movement, farthest_corner(box, here.matrices[k], matrix) *
+                                        all_.our_nodes.greatest_scale(joint.index));
       if (distance <= farthest) continue;
       farthest = distance;
       worst = Comparison::called(all_.ours, joint);
@@ -158,10 +185,10 @@ void SkinPairs::tell_rest() {
         "skin.bind", "inverseBindMatrices",
         fmt::format("the inverse bind matrix of {} differs by at most {:.4g}", worst, farthest));
     const double bound = 100 * all_.options.bounds.position;
-    const double part = all_.diagonal > 0 ? 100 * farthest / all_.diagonal
+    const double part = all_.diagonal > 0 ? 100 * movement / all_.diagonal
                                           : std::numeric_limits<double>::infinity();
     change.measure = CompareMeasure{"position", part, "%", bound};
-    change.level = part <= bound / 4 ? CompareLevel::bounds : CompareLevel::differs;
+    change.level = part <= bound ? CompareLevel::bounds : CompareLevel::differs;
     all_.log.add(std::move(change));
   }
 }

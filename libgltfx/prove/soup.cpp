@@ -20,6 +20,8 @@ namespace {
 
 using model::SemanticKind;
 
+constexpr unsigned kColorWidth = 4;
+
 /// A stream before its place in the rows is known.
 struct SoupColumn {
   SoupStream stream;
@@ -73,6 +75,8 @@ class SoupReader {
       stream.set = attribute->semantic.set;
       stream.of_target = target.has_value();
       stream.width = column->components();
+      // A color without alpha is opaque.
+      if (stream.kind == SemanticKind::color) stream.width = std::max(stream.width, kColorWidth);
       stream.value = attribute->value;
       columns_.push_back({std::move(stream), *std::move(column)});
     }
@@ -178,7 +182,8 @@ class SoupReader {
     each_element(column, [&](std::size_t vertex, const Element& element) {
       double* to = soup_.rows.data() + vertex * soup_.width + stream.offset;
       for (unsigned k = 0; k < stream.width; ++k) {
-        const double value = element[k];
+        const double opaque = stream.of_target ? 0 : 1;
+        const double value = k < column.components() ? element[k] : opaque;
         to[k] = std::isnan(value) ? std::numeric_limits<double>::quiet_NaN() : value + 0.0;
       }
     });
@@ -372,6 +377,13 @@ std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without, 
   each_element_hash(soup, vertices, without != nullptr, reversed,
                     [&](std::size_t element, const Hash128& hash) { hashes[element] = hash; });
   return hashes;
+}
+
+Hash128 hash_order(const Soup& soup, Hash128 before) {
+  for (const Hash128& each : hash_elements(soup)) {
+    if (each != Hash128{}) before = hash_of_all(before, each);
+  }
+  return before;
 }
 
 Hash128 hash_soup(const Soup& soup) {

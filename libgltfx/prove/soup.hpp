@@ -65,6 +65,9 @@ void append_soup(Soup& to, const Soup& from);
 std::vector<Hash128> hash_elements(const Soup& soup, const SoupStream* without = nullptr,
                                    bool reversed = false);
 
+/// Of all elements that show something, in their order, after those of `before`.
+Hash128 hash_order(const Soup& soup, Hash128 before);
+
 /// Of the streams, and of all elements that show something, in any order; where none does, of the
 /// different vertices.
 Hash128 hash_soup(const Soup& soup);

@@ -64,7 +64,9 @@ std::string size_row(const CompareSize& size) {
   if (size.old_bytes > 0) {
     const auto before = static_cast<double>(size.old_bytes);
     const auto after = static_cast<double>(size.new_bytes);
-    text += fmt::format(" ({:+.2g} %)", 100 * (after - before) / before);
+    const double part = 100 * (after - before) / before;
+    text += std::fabs(part) < 10 ? fmt::format(" ({:+.2g} %)", part)
+                                 : fmt::format(" ({:+.0f} %)", part);
   }
   return text;
 }
