@@ -148,7 +148,12 @@ class DrawnComparison {
                        change.kind == "mesh.value" || change.kind == "scene.nodes" ||
                        change.kind == "animation.channel" || change.kind == "animation.curve" ||
                        change.kind == "animation.interpolation";
-    return shape && ours_->covers(change.old_pointer) && theirs_->covers(change.new_pointer);
+    if (!shape || !ours_->covers(change.old_pointer) || !theirs_->covers(change.new_pointer)) {
+      return false;
+    }
+    return change.kind != "scene.nodes" ||
+           std::all_of(change.also.begin(), change.also.end(),
+                       [&](const std::string& root) { return ours_->covers(root); });
   }
 
   // Whether what differs in the scene says more than changes of nodes and meshes that make up for

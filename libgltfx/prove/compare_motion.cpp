@@ -65,9 +65,16 @@ class MotionComparison {
     return all;
   }
 
+  // Whether what it moves is gone; with `drawn`, also if nothing of it shows any more.
   bool is_lost(const KeyedChannel& channel, bool ours) const {
     if (!channel.target) return false;
-    return ours ? !all_.match.theirs(channel.target) : !all_.match.ours(channel.target);
+    const ItemId partner =
+        ours ? all_.match.theirs(channel.target) : all_.match.ours(channel.target);
+    if (!partner) return true;
+    const DrawnItems* drawn = ours ? all_.their_drawn : all_.our_drawn;
+    const Content& there = ours ? all_.theirs : all_.ours;
+    return drawn != nullptr && partner.list == there.list("/nodes") &&
+           !drawn->shows(partner.index);
   }
 
   // Whether it is not drawn because it moves nothing.

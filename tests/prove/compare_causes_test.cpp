@@ -236,7 +236,7 @@ TEST(CompareCauses, TellsTheWholeValueOfWhatWasRemoved) {
   after.json["materials"][0].erase("pbrMetallicRoughness");
   const Change change = only_change(before, after);
   EXPECT_EQ(change.old_pointer, "/materials/0/pbrMetallicRoughness");
-  EXPECT_EQ(change.before, R"({"baseColorFactor":[1,0,0,1],"roughnessFactor":0.5})");
+  EXPECT_EQ(change.before, R"({"baseColorFactor": [1, 0, 0, 1], "roughnessFactor": 0.5})");
 }
 
 TEST(CompareCauses, TellsANodeThatASceneListsTwice) {

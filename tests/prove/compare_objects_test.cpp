@@ -123,7 +123,7 @@ TEST(CompareObjects, ComparesDataOfExtensionsExactly) {
 
 TEST(CompareObjects, NamesTheMostSpecificValue) {
   EXPECT_EQ(changes_of([](Json& json) { json["nodes"][0]["extras"]["sizes"][1] = 4; }),
-            "differs; extras /nodes/0/extras/sizes/1 sizes [1,2,3] -> [1,4,3]");
+            "differs; extras /nodes/0/extras/sizes/1 sizes [1, 2, 3] -> [1, 4, 3]");
   EXPECT_EQ(changes_of([](Json& json) {
               json["materials"][1]["extensions"]["KHR_materials_unlit"] = Json::object();
             }),
