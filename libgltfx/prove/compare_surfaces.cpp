@@ -311,6 +311,7 @@ class SurfaceComparison {
     if (are_equal_materials(ours, theirs)) {
       return all_.log.note_equal(pointer_of(ours, "material"));
     }
+    if (all_.options.drawn && drawn_materials().are_alike(ours.material, theirs.material)) return;
     const auto called = [](const Content& content, const std::optional<std::uint32_t>& material) {
       return material ? Comparison::called(content, {content.list("/materials"), *material})
                       : std::string("no material");
