@@ -68,7 +68,9 @@ std::vector<double> times_of(const Comparison& all, ItemId ours, ItemId theirs) 
 
 class DrawnComparison {
  public:
-  explicit DrawnComparison(const Comparison& all) : all_(all), scenes_(pair_scenes(all)) {}
+  explicit DrawnComparison(const Comparison& all) : all_(all), scenes_(pair_scenes(all)) {
+    find_kept();
+  }
 
   void run() {
     if (scenes_.size() > kMostScenes) return;
@@ -81,17 +83,43 @@ class DrawnComparison {
 
  private:
   static RigidSurfaces surfaces(const Content& content, const NodeTree& nodes,
-                                std::optional<std::uint32_t> scene, Motions motions) {
+                                std::optional<std::uint32_t> scene, Motions motions,
+                                const std::vector<bool>& kept) {
     const Side& side = content.side();
-    return {content, nodes, model::choose_scene(side.asset(), side.views(), scene), motions};
+    const model::SceneRoots roots = model::choose_scene(side.asset(), side.views(), scene);
+    return {content, nodes, roots, motions, kept};
+  }
+
+  // Nodes whose place in the scene is the same, wherever they hang.
+  void find_kept() {
+    kept_.ours.assign(all_.our_nodes.size(), false);
+    kept_.theirs.assign(all_.their_nodes.size(), false);
+    all_.for_each_pair("/nodes", [&](ItemId ours, ItemId theirs) {
+      const model::Affine& one = all_.our_nodes.world(ours.index);
+      const model::Affine& other = all_.their_nodes.world(theirs.index);
+      if (!is_same_place(one, other)) return;
+      kept_.ours[ours.index] = kept_.theirs[theirs.index] = true;
+    });
+  }
+
+  bool is_same_place(const model::Affine& one, const model::Affine& other) const {
+    constexpr double kRounding = 1e-5;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double size = std::sqrt(model::dot(one.columns[i], one.columns[i]));
+      const double most = i < 3 ? kRounding * size : all_.options.bounds.position * all_.diagonal;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (!(std::fabs(one.columns[i][k] - other.columns[i][k]) <= most)) return false;
+      }
+    }
+    return true;
   }
 
   // Whether all are the same, or within bounds.
   bool compare(Motions motions) {
     changes_.clear();
     for (const auto& [one, other] : scenes_) {
-      ours_.emplace(surfaces(all_.ours, all_.our_nodes, one, motions));
-      theirs_.emplace(surfaces(all_.theirs, all_.their_nodes, other, motions));
+      ours_.emplace(surfaces(all_.ours, all_.our_nodes, one, motions, kept_.ours));
+      theirs_.emplace(surfaces(all_.theirs, all_.their_nodes, other, motions, kept_.theirs));
       if (!ours_->fits() || !theirs_->fits()) return false;
       if (!compare_at({})) return false;
       if (motions == Motions::all && !compare_moments()) return false;
@@ -182,6 +210,9 @@ class DrawnComparison {
   const Comparison& all_;
   const std::vector<ScenePair> scenes_;
   std::optional<RigidSurfaces> ours_, theirs_;
+  struct {
+    std::vector<bool> ours, theirs;
+  } kept_;  ///< by node
   std::vector<Change> changes_;
 };
 

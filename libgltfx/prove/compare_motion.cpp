@@ -334,17 +334,16 @@ class MotionComparison {
               interpolation                ? "interpolation"
               : shares_curve(ours, theirs) ? "output"
                                            : "input");
+    change.what =
+        fmt::format("{} at {:.4g} s differs by {:.4g}",
+                    before.path == AnimationPath::other || before.path == AnimationPath::none
+                        ? "the value"
+                        : model::animation_path_name(before.path),
+                    when, greatest);
     if (interpolation) {
       change.before = model::interpolation_name(before.curve.interpolation);
       change.after = model::interpolation_name(after.curve.interpolation);
-      change.what = fmt::format("{} -> {}", change.before, change.after);
-    } else {
-      change.what =
-          fmt::format("{} at {:.4g} s differs by {:.4g}",
-                      before.path == AnimationPath::other || before.path == AnimationPath::none
-                          ? "the value"
-                          : model::animation_path_name(before.path),
-                      when, greatest);
+      change.what = fmt::format("{} -> {}: {}", change.before, change.after, change.what);
     }
     change.time = when;
     const bool place = before.path == AnimationPath::translation;

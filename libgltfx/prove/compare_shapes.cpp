@@ -131,7 +131,13 @@ class ShapeComparison {
       plain = true;
       scale = std::max(scale, all_.our_nodes.greatest_scale(use.our_node));
     }
-    if (skinned != nullptr) compare_skinned(here, there, *skinned);
+    const bool all_skinned = std::all_of(uses.begin(), uses.end(), [&](const MeshUse& use) {
+      return our_node(use.our_owner).skin && their_node(use.their_owner).skin;
+    });
+    if (skinned != nullptr && compare_skinned(here, there, *skinned)) {
+      // Equal vertices of joints with other names were another mesh.
+      if (!partners && all_skinned && may_be_joined(mesh, other)) forget_references(uses);
+    }
     if (!plain || !partners) return;
     SurfacePair pair = surface_pair(here, there);
     pair.ours = pieces(all_.ours, here, {}, nullptr);
@@ -236,7 +242,8 @@ class ShapeComparison {
     return true;
   }
 
-  void compare_skinned(std::uint32_t here, std::uint32_t there, const MeshUse& use) {
+  // Whether their surfaces are equal.
+  bool compare_skinned(std::uint32_t here, std::uint32_t there, const MeshUse& use) {
     const std::uint32_t one = *our_node(use.our_owner).skin;
     const std::uint32_t other = *their_node(use.their_owner).skin;
     const SkinPair& skin = skins_.get(one, other);
@@ -251,7 +258,9 @@ class ShapeComparison {
       pair.theirs = pieces(all_.theirs, there, {}, &skin.their_joints);
       changes = compare_surfaces(all_, pair);
     }
+    const bool equal = changes.changes.empty() && !changes.unread;
     tell(std::move(changes));
+    return equal;
   }
 
   void tell(SurfaceChanges&& changes) {

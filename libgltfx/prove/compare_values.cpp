@@ -181,6 +181,26 @@ class ValuePair {
     all_.log.add(std::move(change));
   }
 
+  // "scale was removed"; of extensions, which.
+  static std::string lost_text(const json::Document& document, json::NodeId value,
+                               const std::string& step, const std::string& text,
+                               std::string_view fate) {
+    constexpr std::size_t kMostNames = 3;
+    std::vector<std::string> names;
+    if (step == "extensions" && value != json::kNoNode && document.is_object(value)) {
+      for (const auto member : document.members(value)) {
+        names.push_back(printable(std::string(document.key(member.key_id)).substr(0, 80)));
+      }
+    }
+    if (names.empty()) return fmt::format("{}{} was {}", printable(step), text, fate);
+    const std::size_t more = names.size() - std::min(names.size(), kMostNames);
+    const bool one = names.size() == 1;
+    names.resize(names.size() - more);
+    return fmt::format("{}{} {} {}", fmt::join(names, ", "),
+                       more > 0 ? fmt::format(" and {} more", more) : "", one ? "was" : "were",
+                       fate);
+  }
+
   // Of a length in the space of meshes, which may have another scale than before.
   std::optional<double> apart_in_scene(const Leaf& ours, const Leaf& theirs) const {
     const json::Document& here = all_.ours.side().document();
@@ -277,11 +297,10 @@ class ValuePair {
       (ours ? change.after : change.before) = short_value(other.document(), stand.value);
       change.what = fmt::format("{} {} -> {}", what, change.before, change.after);
     } else {
-      const std::size_t slash = own.rfind('/');
       const bool itself = (!whole || stand.value == leaf.at) && is_short(side.document(), leaf.at);
       const std::string value = itself ? " " + text : std::string();
-      change.what = fmt::format("{}{} was {}", printable(own.substr(slash + 1)), value,
-                                ours ? "removed" : "added");
+      change.what = lost_text(side.document(), stand.value, own.substr(own.rfind('/') + 1), value,
+                              ours ? "removed" : "added");
     }
     if (in_sampler) change.also.push_back(side.pointer(item.node) + "/sampler");
     all_.log.add(std::move(change));

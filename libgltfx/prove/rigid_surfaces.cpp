@@ -31,11 +31,12 @@ bool moves_nodes(model::AnimationPath path) {
 }  // namespace
 
 RigidSurfaces::RigidSurfaces(const Content& content, const NodeTree& nodes,
-                             const model::SceneRoots& scene, Motions motions)
+                             const model::SceneRoots& scene, Motions motions,
+                             const std::vector<bool>& kept)
     : content_(content), nodes_(nodes), scene_(scene) {
   const Side& side = content.side();
   in_scene_ = model::compute_pose(side.asset(), side.views(), scene).in_scene;
-  find_rigid(find_moved(motions));
+  find_rigid(find_moved(motions), kept);
   count();
 }
 
@@ -75,9 +76,10 @@ std::vector<bool> RigidSurfaces::find_joints() const {
   return joints;
 }
 
-void RigidSurfaces::find_rigid(const std::vector<bool>& moved) {
+void RigidSurfaces::find_rigid(const std::vector<bool>& moved, const std::vector<bool>& kept) {
   const auto& views = content_.side().views();
   const std::vector<bool> joints = find_joints();
+  const std::vector<bool> animated = find_moved(Motions::none);
   rigid_.assign(nodes_.size(), false);
   whole_.assign(nodes_.size(), true);
   meshes_.assign(views.meshes.size(), true);
@@ -87,7 +89,8 @@ void RigidSurfaces::find_rigid(const std::vector<bool>& moved) {
     const bool mesh = described.mesh.has_value();
     rigid_[node] = mesh && !moved[node] && is_rigid_mesh(described);
     if (mesh && !rigid_[node]) meshes_[*described.mesh] = false;
-    whole_[node] = !moved[node] && !joints[node] && alone && (!mesh || rigid_[node]);
+    const bool plain = !joints[node] && alone && (!mesh || rigid_[node]);
+    whole_[node] = !moved[node] && (plain || (kept[node] && !animated[node]));
   }
   for (auto each = nodes_.order().rbegin(); each != nodes_.order().rend(); ++each) {
     const model::NodeIndex above = nodes_.parent(*each);

@@ -22,8 +22,9 @@ enum class Motions : std::uint8_t {
 /// Content and tree must outlive it.
 class RigidSurfaces {
  public:
+  /// `kept`: by node: the other asset has it at the same place in the scene.
   RigidSurfaces(const Content& content, const NodeTree& nodes, const model::SceneRoots& scene,
-                Motions motions);
+                Motions motions, const std::vector<bool>& kept);
 
   /// How many triangles, lines and points, and whether that is few enough to be compared.
   std::uint64_t elements() const { return elements_; }
@@ -46,7 +47,7 @@ class RigidSurfaces {
 
   std::vector<bool> find_moved(Motions motions) const;
   std::vector<bool> find_joints() const;
-  void find_rigid(const std::vector<bool>& moved);
+  void find_rigid(const std::vector<bool>& moved, const std::vector<bool>& kept);
   bool is_rigid_mesh(const model::Node& node) const;
   bool says_more(json::NodeId extensions_owner, bool of_node) const;
   void count();
