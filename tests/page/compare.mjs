@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of `gltfx compare`: assets for it, and its behaviour in a browser.
 import assert from "node:assert/strict";
-import { mkdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { createServer } from "node:http";
 import { join } from "node:path";
 import { BREAKERS } from "./hostile.mjs";
 import { isAccessible, open } from "./in_browser.mjs";
@@ -44,11 +45,12 @@ async function unfoldFirst(page, count) {
 
 async function unfoldSome(page) {
   await unfoldFirst(page, 3);
-  const second = page.locator(".pictures-part").nth(1);
-  if (await second.count() > 0) await second.locator('input[value="slider"]').check({ force: true });
+  const sliders = page.locator('.pictures-part input[value="slider"]');
+  if (await sliders.count() > 0) await sliders.last().check({ force: true });
 }
 
 async function textStaysText(browser, url) {
+  assert.ok(!/[\u0000-\u0008\u202a-\u202e\u2066-\u2069]/.test(readFileSync(new URL(url), "utf8")));
   const context = await browser.newContext();
   const page = await open(context, url);
   await page.evaluate(() => { while (!document.getElementById("more").hidden) document.getElementById("more").click(); });
@@ -126,12 +128,39 @@ async function marksChanges(browser, url) {
   await context.close();
 }
 
+/** Pairs are shown before all of a large page is read. */
+async function showsPairsWhileItIsRead(browser, url) {
+  const text = readFileSync(new URL(url), "utf8");
+  const end = text.indexOf("</script>", text.indexOf("<script type=\"application/json\">", text.length / 2));
+  const [first, rest] = [text.slice(0, end), text.slice(end)];
+  let finish = () => {};
+  const server = createServer((request, response) => {
+    response.writeHead(200, { "content-type": "text/html; charset=utf-8" });
+    response.write(first);
+    finish = () => response.end(rest);
+  });
+  await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  try {
+    await page.goto(`http://127.0.0.1:${server.address().port}/`, { waitUntil: "commit" });
+    await page.locator("#list > li").first().waitFor();
+    assert.match(await page.locator("#count").textContent(), /^\d+ pairs so far$/);
+    finish();
+    await page.getByText(`${PAIRS + 2} pairs`, { exact: true }).waitFor();
+  } finally {
+    await context.close();
+    server.close();
+  }
+}
+
 /** [name, check] */
 export function compareChecks(browser, url, axeSource) {
   return [
     ["the page of a comparison is accessible", () => isAccessible(browser, url, axeSource, unfoldSome, { reducedMotion: "reduce" })],
     ["text of compared assets stays text", () => textStaysText(browser, url)],
     ["pairs are filtered by level, kind and text", () => filters(browser, url)],
+    ["pairs are shown while the page is read", () => showsPairsWhileItIsRead(browser, url)],
     ["comparisons work by keyboard", () => worksByKeyboard(browser, url)],
     ["changes are marked in pictures", () => marksChanges(browser, url)],
   ];

@@ -17,7 +17,7 @@ namespace {
 using report::counted;
 
 constexpr std::size_t kMostMarkdown = 60'000;
-constexpr std::size_t kForTotals = 1'000;   // the first line, and how much is left out
+constexpr std::size_t kForTotals = 1'000;   // the first line, and how much is not listed
 constexpr std::size_t kForTable = 10'000;   // what changed in each asset
 constexpr std::size_t kForStored = 5'000;   // assets that are only stored differently
 constexpr std::size_t kForSection = 4'000;  // of one of many pairs, unless there is more room
@@ -101,6 +101,14 @@ std::string verdict_of(const CompareReport& report) {
   return text;
 }
 
+// Whether both assets are drawn, and no picture shows a change.
+bool looks_the_same(const CompareReport& report) {
+  const auto& pictures = report.pictures;
+  return !pictures.empty() && pictures.front().has_both() &&
+         std::none_of(pictures.begin(), pictures.end(),
+                      [](const ComparePicture& each) { return each.changed(); });
+}
+
 // What changed, in few words: the only changes, or their kinds.
 std::string summary_of(const CompareReport& report) {
   constexpr std::size_t kMost = 160;
@@ -118,14 +126,14 @@ std::string summary_of(const CompareReport& report) {
   if (text.empty()) return verdict_of(report);
   if (report.level == CompareLevel::bounds) text += " (within bounds)";
   if (!report.unproven.empty()) text += fmt::format("; {} unproven", report.unproven.size());
-  return text;
+  return looks_the_same(report) ? text + "; looks the same" : text;
 }
 
 // The greatest distance that a sentence does not tell anyway.
 std::string measure_in_words(const Change& change) {
   if (!change.measure) return {};
   const bool within = change.level == CompareLevel::bounds;
-  if (!within && change.measure->quantity == "factor") return {};
+  if (!within && change.measure->unit.empty()) return {};
   return escaped(measure_of(*change.measure, within));
 }
 
@@ -153,16 +161,12 @@ std::string picture_table(const ComparePicture& picture, const std::string& url)
 // The view that shows most, then the others in a fold; or the sentence that none shows a change.
 std::string pictures_of(const CompareReport& report, const std::string& url, bool brief) {
   std::vector<const ComparePicture*> shown;
-  bool changed = false;
   for (const ComparePicture& picture : report.pictures) {
-    changed = changed || picture.changed();
     if (!is_written(picture) || (picture.has_both() && !picture.changed())) continue;
     shown.push_back(&picture);
   }
-  if (shown.empty()) {
-    const bool compared = !report.pictures.empty() && report.pictures.front().has_both();
-    return compared && !changed ? "The pictures show no change.\n\n" : "";
-  }
+  if (looks_the_same(report)) return "The pictures show no change.\n\n";
+  if (shown.empty()) return {};
   std::stable_sort(shown.begin(), shown.end(), [](const auto* one, const auto* two) {
     if ((one->view == "change") != (two->view == "change")) return one->view == "change";
     return one->distance > two->distance;
@@ -272,7 +276,7 @@ void CompareMarkdown::count(const CompareReport& report) {
 
 void CompareMarkdown::add(const CompareReport& report, const std::string& name) {
   count(report);
-  const bool has_room = collected_ <= kMostMarkdown;  // more than can be listed is only counted
+  const bool has_room = collected_ <= kMostMarkdown + kForTable;  // else pairs are only counted
   if (pairs_ > 1 && !needs_section(report)) {
     if (report.level != CompareLevel::storage || !has_room) return;
     std::string row = "- " + escaped(name);
@@ -284,12 +288,12 @@ void CompareMarkdown::add(const CompareReport& report, const std::string& name) 
   }
   Section section;
   if (has_room) {
-    const std::size_t most = kMostMarkdown - kForTotals;
+    const std::size_t most = kMostMarkdown - kForTotals - (pairs_ > 1 ? kForTable + kForStored : 0);
     section.summary = fmt::format("| {} | {} |\n", escaped(name, 100), summary_of(report));
     section.brief =
         section_of(report, name, picture_url_, pairs_ > 1 ? kForSection : most, pairs_ > 1);
     if (pairs_ > 1 && collected_in_full_ <= kMostMarkdown) {
-      section.full = section_of(report, name, picture_url_, most - kForTable, false);
+      section.full = section_of(report, name, picture_url_, most, false);
     }
     collected_ += section.summary.size() + section.brief.size();
     collected_in_full_ += section.full.size();
@@ -354,7 +358,8 @@ std::string CompareMarkdown::finish() const {
         "<details><summary>{} only stored differently</summary>\n\n{}\n</details>\n",
         counted(count_.levels[1], "asset"), list_of(stored_, count_.levels[1], kForStored));
   }
-  text += sections(kMostMarkdown - text.size() - stored.size());
+  constexpr std::size_t kForRest = 100;  // how many are not listed
+  text += sections(kMostMarkdown - kForRest - text.size() - stored.size());
   text += stored;
   while (text.ends_with("\n\n")) text.pop_back();
   return text;

@@ -95,6 +95,7 @@ std::string parents_of(const CompareReport& report) {
 }
 
 std::string measure_of(const CompareMeasure& measure, bool with_bound) {
+  if (!std::isfinite(measure.value)) return {};
   const bool close = measure.unit.empty() || measure.unit == "%" || measure.unit == "/255";
   std::string text = fmt::format(" ({} {:.3g}{}{}", measure.quantity, measure.value,
                                  close ? "" : " ", measure.unit);

@@ -58,7 +58,9 @@ function filesOf(pair) {
 function sizeChange({ old: before, new: after }) {
   if (before === 0) return "";
   const part = 100 * (after - before) / before;
-  return (part > 0 ? "+" : "") + part.toFixed(Math.abs(part) < 10 ? 1 : 0) + " %";
+  const sign = part > 0 ? "+" : "";
+  if (Math.abs(part) < 0.05) return sign + (after - before) + " B";
+  return sign + part.toFixed(Math.abs(part) < 10 ? 1 : 0) + " %";
 }
 
 function placeText(pointer, line, column) {
@@ -71,8 +73,9 @@ function placeOf(change) {
   const after = change.new === null ? null : placeText(change.new, change.newLine, change.newColumn);
   if (before === null) return after;
   if (after === null) return before;
-  const same = change.old === change.new && change.oldLine === change.newLine && change.oldColumn === change.newColumn;
-  return same ? before : [...before, " → ", ...after];
+  if (change.old !== change.new) return [...before, " → ", ...after];
+  const same = change.oldLine === change.newLine && change.oldColumn === change.newColumn;
+  return same ? before : [...before, " →", after[1]];
 }
 
 function measureText({ quantity, value, unit, bound }) {
@@ -259,15 +262,17 @@ function changeMatches(change) {
   return !["differs", "bounds"].includes(state.level) || change.level === state.level;
 }
 
-function changeRow(change, index, pick) {
+/** Whether a value is short, and the sentence does not say it. */
+const isUnsaid = (change, side) => change[side] !== undefined && !change.what.includes(change[side]);
+
+function changeRow(change, index, values, pick) {
   const button = make("button.pick", { type: "button" }, make("bdi", {}, sentence(change)));
   const row = make("tr", {},
-    make("td", {}, make("span.label.is-" + change.level, {}, change.level)),
-    make("td", {}, button, make("span.kind", {}, change.kind, make("span.narrow", {}, ", " + change.level))),
-    make("td", {}, change.before === undefined ? "" : isolated(change.before)),
-    make("td", {}, change.after === undefined ? "" : isolated(change.after)),
-    make("td", {}, change.measure ? measureText(change.measure) : ""),
-    make("td", {}, placeOf(change),
+    make("td.level", {}, make("span.label.is-" + change.level, {}, change.level)),
+    make("td.said", {}, button, make("span.kind", {}, change.kind, make("span.narrow", {}, ", " + change.level))),
+    values.map((side) => make("td.value", {}, isUnsaid(change, side) ? isolated(change[side]) : "")),
+    make("td.measure", {}, change.measure ? measureText(change.measure) : ""),
+    make("td.place", {}, placeOf(change),
       change.also ? make("span.kind", {}, "also " + counted(change.also.length, "place") + ": " +
         visible(change.also.slice(0, 5).join(", "))) : null));
   button.addEventListener("click", () => pick(index, row, true));
@@ -279,6 +284,7 @@ function changeTable(pair, show, stage) {
   if (all.length === 0) {
     return make("p.soft", {}, pair.changes.length === 0 ? "No change that counts." : "No change passes the filter.");
   }
+  const values = ["before", "after"].filter((side) => all.some(([change]) => isUnsaid(change, side)));
   const body = make("tbody");
   const pick = (index, row, scroll) => {
     for (const other of body.querySelectorAll(".picked")) other.classList.remove("picked");
@@ -289,15 +295,16 @@ function changeTable(pair, show, stage) {
   const more = make("button.more", { type: "button" }, "Show more changes");
   const add = () => {
     const from = body.childElementCount;
-    body.append(...all.slice(from, from + CHANGES_AT_ONCE).map(([change, index]) => changeRow(change, index, pick)));
+    body.append(...all.slice(from, from + CHANGES_AT_ONCE).map(([change, index]) => changeRow(change, index, values, pick)));
     more.hidden = body.childElementCount >= all.length;
   };
   more.addEventListener("click", add);
   add();
-  const head = ["level", "change", "before", "after", "measure", "place (line:column)"];
+  const head = [["level", "level"], ["said", "change"], ...values.map((side) => ["value", side]), ["measure", "measure"],
+    ["place", "place (line:column)"]];
   const caption = counted(all.length, "change") + (all.length < pair.changes.length ? " of " + pair.changes.length : "");
   const content = make("table.changes", {}, make("caption", {}, caption),
-    make("thead", {}, make("tr", {}, head.map((title) => make("th", { scope: "col" }, title)))), body);
+    make("thead", {}, make("tr", {}, head.map(([kind, title]) => make("th." + kind, { scope: "col" }, title)))), body);
   const framedChange = (pair.pictures || []).find((one) => one.change !== undefined && one.change !== null);
   const first = framedChange ? all.findIndex(([, index]) => index === framedChange.change) : all.length === 1 ? 0 : -1;
   if (first >= 0 && first < body.childElementCount) body.children[first].classList.add("picked");
