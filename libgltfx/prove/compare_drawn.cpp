@@ -117,10 +117,12 @@ class DrawnComparison {
   // Whether all are the same, or within bounds.
   bool compare(Motions motions) {
     changes_.clear();
+    keeps_others_ = true;
     for (const auto& [one, other] : scenes_) {
       ours_.emplace(surfaces(all_.ours, all_.our_nodes, one, motions, kept_.ours));
       theirs_.emplace(surfaces(all_.theirs, all_.their_nodes, other, motions, kept_.theirs));
       if (!ours_->fits() || !theirs_->fits()) return false;
+      keeps_others_ = keeps_others_ && keeps_others();
       if (!compare_at({})) return false;
       if (motions == Motions::all && !compare_moments()) return false;
     }
@@ -171,7 +173,33 @@ class DrawnComparison {
     return !found.unread;
   }
 
+  // Whether what else is drawn is in the scenes of both.
+  bool keeps_others() const {
+    bool keeps = true;
+    const auto check = [&](const RigidSurfaces& here, const RigidSurfaces& there, std::uint32_t one,
+                           ItemId other) {
+      if (here.draws_more(one)) keeps = keeps && other && there.draws_more(other.index);
+    };
+    const std::uint32_t our_list = all_.ours.list("/nodes");
+    for (std::uint32_t i = 0; i < all_.our_nodes.size(); ++i) {
+      check(*ours_, *theirs_, i, all_.match.theirs({our_list, i}));
+    }
+    const std::uint32_t their_list = all_.theirs.list("/nodes");
+    for (std::uint32_t i = 0; i < all_.their_nodes.size(); ++i) {
+      check(*theirs_, *ours_, i, all_.match.ours({their_list, i}));
+    }
+    return keeps;
+  }
+
   bool covers(const Change& change) const {
+    const auto is_of_mesh = [](const std::optional<std::string>& pointer) {
+      return !pointer || pointer->ends_with("/mesh");
+    };
+    if (change.kind == "scene.nodes" && !keeps_others_) return false;
+    if (change.kind == "node.value" &&
+        !(is_of_mesh(change.old_pointer) && is_of_mesh(change.new_pointer))) {
+      return false;
+    }
     const bool shape = change.kind.starts_with("geometry.") || change.kind.starts_with("node.") ||
                        change.kind == "mesh.value" || change.kind == "scene.nodes" ||
                        change.kind == "animation.channel" || change.kind == "animation.curve" ||
@@ -213,6 +241,7 @@ class DrawnComparison {
   struct {
     std::vector<bool> ours, theirs;
   } kept_;  ///< by node
+  bool keeps_others_ = true;
   std::vector<Change> changes_;
 };
 

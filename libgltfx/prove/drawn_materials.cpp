@@ -2,6 +2,7 @@
 #include "prove/drawn_materials.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace gltfx::prove {
@@ -80,6 +81,28 @@ void drop_effects_without_strength(Material& material) {
   }
 }
 
+// Emission is the product of its color and its strength.
+void multiply_emission(Material& material) {
+  float& strength = material.of(Parameter::emissive_strength)[0];
+  for (std::size_t i = 0; i < 3; ++i) material.of(Parameter::emissive)[i] *= strength;
+  strength = 1;
+}
+
+// Up to rounding.
+bool are_near(const decltype(Material::values)& ours, const decltype(Material::values)& theirs) {
+  constexpr float kRounding = 1e-6F;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    for (std::size_t k = 0; k < ours[i].size(); ++k) {
+      const float a = ours[i][k];
+      const float b = theirs[i][k];
+      if (a != b && !(std::fabs(a - b) <= kRounding * std::max(std::fabs(a), std::fabs(b)))) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 // An unlit material has no light to reflect.
 Material without_light(const Material& material) {
   Material unlit;
@@ -98,6 +121,7 @@ void drop_unread(Material& material) {
   material.name.clear();
   if (material.unlit) material = without_light(material);
   drop_effects_without_strength(material);
+  multiply_emission(material);
   if (material.alpha_mode != model::AlphaMode::mask) reset(material, Parameter::alpha_cutoff);
   if (material.alpha_mode == model::AlphaMode::opaque) material.of(Parameter::base_color)[3] = 1;
   for (model::TextureSlot& slot : material.slots) {
@@ -146,10 +170,20 @@ DrawnMaterials::Looks DrawnMaterials::read(const Content& content,
 }
 
 bool DrawnMaterials::same_texture(std::uint32_t ours, std::uint32_t theirs) {
-  const ItemId one{all_.ours.list("/textures"), ours};
-  const ItemId other{all_.theirs.list("/textures"), theirs};
-  if (all_.match.theirs(one) == other || images_.are_equal(one, other)) return true;
-  return all_.match.same(one, other);
+  const auto read = [](const Content& content, std::uint32_t texture) {
+    const model::Asset& asset = content.side().asset();
+    return model::read_texture(asset, asset.elements(RootArray::textures)[texture]);
+  };
+  const model::Texture here = read(all_.ours, ours);
+  const model::Texture there = read(all_.theirs, theirs);
+  const auto same_image = [&](std::uint32_t a, std::uint32_t b) {
+    const ItemId one{all_.ours.list("/images"), a};
+    const ItemId other{all_.theirs.list("/images"), b};
+    return all_.match.same(one, other) || images_.are_equal(one, other);
+  };
+  return here.sampler == there.sampler &&
+         std::equal(here.images.begin(), here.images.end(), there.images.begin(),
+                    there.images.end(), same_image);
 }
 
 bool DrawnMaterials::same_slot(const model::TextureSlot& ours, const model::TextureSlot& theirs) {
@@ -169,12 +203,12 @@ bool DrawnMaterials::are_alike(std::optional<std::uint32_t> ours,
   const Looks there = read(all_.theirs, theirs);
   const Material& a = here.material;
   const Material& b = there.material;
-  bool alike = a.alpha_mode == b.alpha_mode && a.double_sided == b.double_sided &&
-               a.unlit == b.unlit && !a.toon && !b.toon &&
-               a.specular_glossiness == b.specular_glossiness &&
-               a.first_generation == b.first_generation && a.scattering == b.scattering &&
-               a.values == b.values && here.occlusion_strength == there.occlusion_strength &&
-               same_slot(here.occlusion, there.occlusion);
+  bool alike =
+      a.alpha_mode == b.alpha_mode && a.double_sided == b.double_sided && a.unlit == b.unlit &&
+      !a.toon && !b.toon && a.specular_glossiness == b.specular_glossiness &&
+      a.first_generation == b.first_generation && a.scattering == b.scattering &&
+      are_near(a.values, b.values) && here.occlusion_strength == there.occlusion_strength &&
+      same_slot(here.occlusion, there.occlusion);
   for (std::size_t i = 0; alike && i < a.slots.size(); ++i) {
     alike = same_slot(a.slots[i], b.slots[i]);
   }

@@ -54,7 +54,7 @@ class Undrawn {
       return keeps_variants(ours, theirs);
     }
     if (change.kind == "material.value") return keeps_looks(change, ours, theirs);
-    if (change.kind == "texture.value") return keeps_sampler(ours, theirs);
+    if (change.kind == "texture.value") return keeps_sampler(change);
     return false;
   }
 
@@ -158,10 +158,13 @@ class Undrawn {
   }
 
   // Filters that are not stated are those that a renderer takes anyway.
-  bool keeps_sampler(const PointedValue& ours, const PointedValue& theirs) const {
-    if (!is_named(ours, "sampler") && !is_named(theirs, "sampler")) return false;
-    const ItemId one = ours.item ? ours.item : all_.match.ours(theirs.item);
-    const ItemId other = theirs.item ? theirs.item : all_.match.theirs(ours.item);
+  bool keeps_sampler(const Change& change) const {
+    // A sampler is part of its textures, and another object.
+    if (change.also.empty() || !change.also.front().ends_with("/sampler")) return false;
+    const bool is_ours = change.old_pointer.has_value();
+    const ItemId item = find_pointed(is_ours ? all_.ours : all_.theirs, change.also.front()).item;
+    const ItemId one = is_ours ? item : all_.match.ours(item);
+    const ItemId other = all_.match.theirs(one);
     if (!one || !other) return false;
     const auto sampler_of = [](const Content& content, ItemId texture) {
       return model::read_texture(content.side().asset(), content.item(texture).node).sampler;

@@ -81,6 +81,7 @@ void RigidSurfaces::find_rigid(const std::vector<bool>& moved, const std::vector
   const std::vector<bool> joints = find_joints();
   const std::vector<bool> animated = find_moved(Motions::none);
   rigid_.assign(nodes_.size(), false);
+  more_.assign(nodes_.size(), false);
   whole_.assign(nodes_.size(), true);
   meshes_.assign(views.meshes.size(), true);
   for (const std::uint32_t node : nodes_.order()) {
@@ -89,7 +90,8 @@ void RigidSurfaces::find_rigid(const std::vector<bool>& moved, const std::vector
     const bool mesh = described.mesh.has_value();
     rigid_[node] = mesh && !moved[node] && is_rigid_mesh(described);
     if (mesh && !rigid_[node]) meshes_[*described.mesh] = false;
-    const bool plain = !joints[node] && alone && (!mesh || rigid_[node]);
+    more_[node] = !alone || (mesh && !rigid_[node]);
+    const bool plain = !joints[node] && !more_[node];
     whole_[node] = !moved[node] && (plain || (kept[node] && !animated[node]));
   }
   for (auto each = nodes_.order().rbegin(); each != nodes_.order().rend(); ++each) {

@@ -32,6 +32,9 @@ class RigidSurfaces {
   /// Where they are with these values of animated properties; at rest without.
   std::vector<SurfacePiece> pieces(const model::AnimatedValues& animated = {}) const;
 
+  /// Whether a node of the scene draws anything but such surfaces: a light, or a mesh with joints.
+  bool draws_more(std::uint32_t node) const { return in_scene_[node] != 0 && more_[node]; }
+
   /// Whether a pointer leads into a node, a mesh, an animation or a scene of which only such
   /// surfaces are drawn.
   bool covers(const std::optional<std::string>& pointer) const;
@@ -58,6 +61,7 @@ class RigidSurfaces {
   const model::SceneRoots scene_;
   std::vector<std::uint8_t> in_scene_;
   std::vector<bool> rigid_;   ///< by node: its mesh
+  std::vector<bool> more_;    ///< by node: it draws anything else
   std::vector<bool> whole_;   ///< by node: all that it moves
   std::vector<bool> meshes_;  ///< by mesh: wherever it is drawn
   std::vector<PlacedCopies> placed_;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What counts with CompareOptions::drawn.
+/// What counts with CompareOptions::drawn: what shows is told, and nothing else.
+#include <array>
+#include <cstring>
 #include <functional>
 
 #include <gmock/gmock.h>
@@ -14,145 +16,280 @@ namespace {
 using test::EditedAsset;
 using test::Json;
 
-/// A lamp and a door that a clip moves, both of one mesh, a camera, a light, and what nothing uses.
-EditedAsset house() {
-  constexpr float kValues[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0,   // positions
-                               0, 0, 1, 0, 0, 1, 1, 1,               // texture coordinates
-                               0, 1,                                 // times
-                               0, 0, 0, 1, 0, 0,                     // places
-                               3, 0, 0, 0, 3, 0, 0, 0, 3, 1, 2, 3};  // of copies; of an application
-  std::string bytes(sizeof(kValues) + 12, '\0');
-  std::memcpy(bytes.data(), kValues, sizeof(kValues));
-  constexpr std::uint16_t kIndices[] = {0, 1, 2, 2, 1, 3};
-  std::memcpy(bytes.data() + sizeof(kValues), kIndices, sizeof(kIndices));
-  return EditedAsset::made(R"({
-    "asset": {"version": "2.0"},
-    "extensionsUsed": ["KHR_lights_punctual", "EXT_mesh_gpu_instancing"],
-    "extensions": {"KHR_lights_punctual": {"lights": [{"type": "point"}, {"type": "spot"}]}},
-    "scene": 0, "scenes": [{"name": "day", "nodes": [0, 1, 2, 3, 4]},
-                           {"name": "night", "nodes": [0]}],
-    "nodes": [{"name": "Lamp", "mesh": 0}, {"name": "Door", "children": [5]},
-              {"name": "Eye", "camera": 0, "translation": [0, 0, 5]},
-              {"name": "Sun", "extensions": {"KHR_lights_punctual": {"light": 0}}},
-              {"name": "Trees", "mesh": 0, "extensions": {"EXT_mesh_gpu_instancing":
-                                                         {"attributes": {"TRANSLATION": 4}}}},
-              {"name": "Knob", "mesh": 0, "translation": [0, 1, 0]}],
-    "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}],
-    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1, "_HEAT": 5},
-                                "indices": 6, "material": 0}]},
-               {"name": "free", "primitives": [{"attributes": {"POSITION": 0}, "material": 2}]}],
-    "materials": [{"name": "Wood"}, {"name": "Unused"}, {"name": "OfFree"}],
-    "animations": [{"name": "Open", "samplers": [{"input": 2, "output": 3}],
-                    "channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}}]}],
-    "accessors": [
-      {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
-      {"bufferView": 0, "byteOffset": 48, "componentType": 5126, "count": 4, "type": "VEC2"},
-      {"bufferView": 0, "byteOffset": 80, "componentType": 5126, "count": 2, "type": "SCALAR"},
-      {"bufferView": 0, "byteOffset": 88, "componentType": 5126, "count": 2, "type": "VEC3"},
-      {"bufferView": 0, "byteOffset": 112, "componentType": 5126, "count": 3, "type": "VEC3"},
-      {"bufferView": 0, "byteOffset": 112, "componentType": 5126, "count": 4, "type": "SCALAR"},
-      {"bufferView": 0, "byteOffset": 160, "componentType": 5123, "count": 6, "type": "SCALAR"}],
-    "bufferViews": [{"buffer": 0, "byteLength": 172}]})",
-                           bytes);
+constexpr int kFloats = 5126;
+constexpr int kShorts = 5123;
+
+// Accessors of made_scene().
+enum DrawnAccessor : std::size_t { places, normals, first_uvs, other_uvs, colors };
+
+/// Two scenes with quads, a light, variants, an animation, and objects that nothing uses.
+EditedAsset made_scene() {
+  std::string bytes;
+  Json views, accessors;
+  const auto add = [&](const auto& list, const char* type, unsigned width, int component) {
+    const std::size_t size = list.size() * sizeof(list[0]);
+    views.push_back({{"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", size}});
+    accessors.push_back({{"bufferView", accessors.size()},
+                         {"componentType", component},
+                         {"count", list.size() / width},
+                         {"type", type}});
+    bytes.append(reinterpret_cast<const char*>(list.data()), size);
+  };
+  using Floats = std::vector<float>;
+  add(Floats{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}, "VEC3", 3, kFloats);
+  add(Floats{0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3, kFloats);
+  add(Floats{0, 0, 1, 0, 1, 1, 0, 1}, "VEC2", 2, kFloats);
+  add(Floats{0, 0, 1, 0, 1, 1, 0, 1}, "VEC2", 2, kFloats);
+  add(Floats(16, 1), "VEC4", 4, kFloats);
+  add(std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3}, "SCALAR", 1, kShorts);
+  add(Floats{0, 1}, "SCALAR", 1, kFloats);
+  add(Floats{3, 0, 0, 4, 0, 0}, "VEC3", 3, kFloats);
+  add(Floats(6, 1), "VEC3", 3, kFloats);
+  EditedAsset asset = EditedAsset::made(R"({
+    "asset": {"version": "2.0"}, "scene": 0,
+    "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_variants"],
+    "extensions": {
+      "KHR_lights_punctual": {"lights": [{"type": "point"}]},
+      "KHR_materials_variants": {"variants": [{"name": "red"}, {"name": "blue"}]}},
+    "scenes": [{"name": "First", "nodes": [0, 1, 2]}, {"nodes": [3]}],
+    "nodes": [
+      {"name": "Plain", "mesh": 0},
+      {"name": "Lamp", "extensions": {"KHR_lights_punctual": {"light": 0}}},
+      {"name": "Dressed", "mesh": 1, "translation": [3, 0, 0]},
+      {"name": "Elsewhere", "mesh": 0, "translation": [0, 3, 0]},
+      {"name": "Stored", "mesh": 0, "translation": [0, 9, 0]}],
+    "materials": [
+      {"name": "Grey", "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.5, 0.5, 1]}},
+      {"name": "Red", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}},
+      {"name": "Blue", "pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 1]}},
+      {"name": "Unused", "emissiveFactor": [1, 0, 0]}],
+    "meshes": [
+      {"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1, "TEXCOORD_0": 2,
+        "TEXCOORD_1": 3, "COLOR_0": 4}, "indices": 5, "material": 0}]},
+      {"primitives": [{"attributes": {"POSITION": 0, "NORMAL": 1}, "indices": 5, "material": 1,
+        "extensions": {"KHR_materials_variants": {"mappings": [
+          {"material": 1, "variants": [0]}, {"material": 2, "variants": [1]}]}}}]}],
+    "animations": [{"name": "Slide", "samplers": [{"input": 6, "output": 7}],
+      "channels": [{"sampler": 0, "target": {"node": 2, "path": "translation"}}]}]})",
+                                        bytes);
+  asset.json["bufferViews"] = views;
+  asset.json["accessors"] = accessors;
+  return asset;
 }
 
-/// Of both directions, with `drawn`: the level, and the kinds of the changes.
-std::string drawn_changes(const std::function<void(EditedAsset&)>& edit) {
-  const EditedAsset before = house();
-  EditedAsset after = house();
-  edit(after);
+CompareReport drawn_between(const EditedAsset& before, const EditedAsset& after) {
+  CompareReport report;
   CompareOptions options;
   options.drawn = true;
-  const auto text_of = [&](const EditedAsset& one, const EditedAsset& other) {
-    CompareReport report;
-    compare_assets(one.open(), other.open(), *schema::builtin_set(), options, report);
-    std::string text(compare_level_name(report.level));
-    for (const Change& change : report.changes) {
-      text += " " + std::string(change.kind) + " " +
-              change.old_pointer.value_or(change.new_pointer.value_or(""));
-    }
-    return text;
-  };
-  std::string there = text_of(before, after);
-  const std::string back = text_of(after, before);
-  for (const std::string_view gone : {".removed", ".added"}) {
-    if (const std::size_t at = there.find(gone); at != std::string::npos) {
-      const std::string other = gone == ".removed" ? ".added" : ".removed";
-      EXPECT_NE(back.find(other), std::string::npos) << back;
-      return there;
+  compare_assets(before.open(), after.open(), *schema::builtin_set(), options, report);
+  return report;
+}
+
+std::string drawn_text(const CompareReport& report) {
+  std::string text(compare_level_name(report.level));
+  for (const Change& change : report.changes) {
+    text += "\n  " + std::string(change.kind) + ": " + change.what;
+  }
+  return text;
+}
+
+void set_component(EditedAsset& asset, std::size_t accessor, std::size_t vertex,
+                   std::size_t component, float value) {
+  std::memcpy(asset.element(accessor, vertex) + component * sizeof(float), &value, sizeof(value));
+}
+
+Json& attributes_of(EditedAsset& asset) {
+  return asset.json["meshes"][0]["primitives"][0]["attributes"];
+}
+Json& mappings_of(EditedAsset& asset) {
+  return asset
+      .json["meshes"][1]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"];
+}
+
+struct DrawnEdit {
+  const char* name;
+  std::function<void(EditedAsset&)> make;
+};
+
+const DrawnEdit kUnseenEdits[] = {
+    {"colors that are white", [](EditedAsset& a) { attributes_of(a).erase("COLOR_0"); }},
+    {"alpha of colors of an opaque material",
+     [](EditedAsset& a) { set_component(a, colors, 0, 3, 0.5F); }},
+    {"texture coordinates that nothing reads",
+     [](EditedAsset& a) { set_component(a, other_uvs, 0, 0, 7); }},
+    {"all of them",
+     [](EditedAsset& a) {
+       attributes_of(a).erase("TEXCOORD_0");
+       attributes_of(a).erase("TEXCOORD_1");
+     }},
+    {"normals of a plane", [](EditedAsset& a) { attributes_of(a).erase("NORMAL"); }},
+    {"a material that nothing uses",
+     [](EditedAsset& a) {
+       a.json["materials"][3]["emissiveFactor"] = {0, 1, 0};
+     }},
+    {"a node in no scene",
+     [](EditedAsset& a) {
+       a.json["nodes"][4]["translation"] = {0, 5, 0};
+     }},
+    {"names",
+     [](EditedAsset& a) {
+       a.json["scenes"][0]["name"] = "Other";
+       a.json["animations"][0]["name"] = "Other";
+       a.json["materials"][0]["name"] = "Other";
+     }},
+    {"a camera",
+     [](EditedAsset& a) {
+       a.json["cameras"] = {
+           {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}}};
+       a.json["nodes"][0]["camera"] = 0;
+     }},
+    {"a coat without strength",
+     [](EditedAsset& a) {
+       a.json["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {
+           {"clearcoatFactor", 0}, {"clearcoatRoughnessFactor", 0.5}};
+     }},
+    {"emission in other parts",
+     [](EditedAsset& a) {
+       a.json["materials"][0]["extensions"]["KHR_materials_emissive_strength"] = {
+           {"emissiveStrength", 2}};
+     }},
+    {"a cutoff without a mask",
+     [](EditedAsset& a) { a.json["materials"][0]["alphaCutoff"] = 0.3; }},
+    {"the order of mappings",
+     [](EditedAsset& a) { std::swap(mappings_of(a)[0], mappings_of(a)[1]); }},
+    {"an extension about something else",
+     [](EditedAsset& a) {
+       a.json["nodes"][0]["extensions"]["KHR_node_selectability"] = {{"selectable", false}};
+     }},
+    {"visibility that is there anyway",
+     [](EditedAsset& a) {
+       a.json["nodes"][0]["extensions"]["KHR_node_visibility"] = {{"visible", true}};
+     }},
+    {"a channel that moves nothing",
+     [](EditedAsset& a) {
+       a.json["animations"][0]["samplers"].push_back({{"input", 6}, {"output", 8}});
+       a.json["animations"][0]["channels"].push_back(
+           {{"sampler", 1}, {"target", {{"node", 2}, {"path", "scale"}}}});
+     }},
+    {"a node between the scene and others",
+     [](EditedAsset& a) {
+       a.json["nodes"].push_back({{"children", {1, 2}}});
+       a.json["scenes"][0]["nodes"] = {0, 5};
+     }},
+};
+
+const DrawnEdit kSeenEdits[] = {
+    {"a node that left its scene",
+     [](EditedAsset& a) {
+       a.json["scenes"][0]["nodes"] = {1, 2};
+     }},
+    {"a light", [](EditedAsset& a) { a.json["nodes"][1].erase("extensions"); }},
+    {"the node of a light",
+     [](EditedAsset& a) {
+       a.json["scenes"][0]["nodes"] = {0, 2};
+     }},
+    {"a scene", [](EditedAsset& a) { a.json["scenes"].erase(1); }},
+    {"the scene that is shown first", [](EditedAsset& a) { a.json["scene"] = 1; }},
+    {"animations", [](EditedAsset& a) { a.json.erase("animations"); }},
+    {"materials of variants",
+     [](EditedAsset& a) {
+       std::swap(mappings_of(a)[0]["material"], mappings_of(a)[1]["material"]);
+     }},
+    {"variants",
+     [](EditedAsset& a) {
+       a.json["meshes"][1]["primitives"][0].erase("extensions");
+       a.json["extensions"].erase("KHR_materials_variants");
+     }},
+    {"a color", [](EditedAsset& a) { set_component(a, colors, 0, 0, 0.5F); }},
+    {"a place", [](EditedAsset& a) { set_component(a, places, 0, 0, 0.1F); }},
+    {"normals", [](EditedAsset& a) { set_component(a, normals, 0, 0, 1); }},
+    {"both sides", [](EditedAsset& a) { a.json["materials"][0]["doubleSided"] = true; }},
+    {"a coat",
+     [](EditedAsset& a) {
+       a.json["materials"][0]["extensions"]["KHR_materials_clearcoat"] = {{"clearcoatFactor", 1}};
+     }},
+    {"alpha", [](EditedAsset& a) { a.json["materials"][0]["alphaMode"] = "BLEND"; }},
+    {"visibility",
+     [](EditedAsset& a) {
+       a.json["nodes"][0]["extensions"]["KHR_node_visibility"] = {{"visible", false}};
+     }},
+};
+
+TEST(CompareDrawn, SaysNothingOfWhatDoesNotShow) {
+  const EditedAsset scene = made_scene();
+  for (const DrawnEdit& edit : kUnseenEdits) {
+    EditedAsset edited = scene;
+    edit.make(edited);
+    for (const bool back : {false, true}) {
+      const CompareReport report =
+          back ? drawn_between(edited, scene) : drawn_between(scene, edited);
+      EXPECT_EQ(report.level, CompareLevel::storage) << edit.name << ": " << drawn_text(report);
     }
   }
-  EXPECT_EQ(there, back);
-  return there;
 }
 
-void remove_root(EditedAsset& asset, std::size_t node) {
-  Json& roots = asset.json["scenes"][0]["nodes"];
-  for (std::size_t i = 0; i < roots.size(); ++i) {
-    if (roots[i] == node) return roots.erase(i), void();
+TEST(CompareDrawn, TellsAllThatShows) {
+  const EditedAsset scene = made_scene();
+  for (const DrawnEdit& edit : kSeenEdits) {
+    EditedAsset edited = scene;
+    edit.make(edited);
+    for (const bool back : {false, true}) {
+      const CompareReport report =
+          back ? drawn_between(edited, scene) : drawn_between(scene, edited);
+      EXPECT_EQ(report.level, CompareLevel::differs) << edit.name << ": " << drawn_text(report);
+    }
   }
 }
 
-void remove_last_node(EditedAsset& asset) {
-  asset.json["nodes"].erase(5);
-  asset.json["nodes"][1].erase("children");
+TEST(CompareDrawn, NamesWhatIsGone) {
+  EditedAsset edited = made_scene();
+  edited.json["nodes"][1].erase("extensions");
+  EXPECT_THAT(drawn_text(drawn_between(made_scene(), edited)),
+              testing::HasSubstr("node.value: KHR_lights_punctual was removed"));
+  edited = made_scene();
+  edited.json.erase("animations");
+  EXPECT_THAT(drawn_text(drawn_between(made_scene(), edited)),
+              testing::HasSubstr("animation.removed"));
 }
 
-float& number(EditedAsset& asset, std::size_t accessor, std::size_t index) {
-  return *reinterpret_cast<float*>(asset.element(accessor, index));
+/// Squares without normals along x, with their triangles in that order. `noise`: added to places.
+EditedAsset row_of_squares(const std::vector<float>& order, float noise) {
+  std::vector<float> corners;
+  for (const float x : order) {
+    const std::array<std::array<float, 2>, 6> square{
+        {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}};
+    for (const auto& corner : square) {
+      corners.insert(corners.end(), {x + corner[0] + noise, corner[1], 0});
+    }
+  }
+  std::string bytes(reinterpret_cast<const char*>(corners.data()), corners.size() * sizeof(float));
+  EditedAsset asset = EditedAsset::made(R"({
+    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})",
+                                        bytes);
+  asset.json["bufferViews"] = {{{"buffer", 0}, {"byteLength", bytes.size()}}};
+  asset.json["accessors"] = {{{"bufferView", 0},
+                              {"componentType", kFloats},
+                              {"count", corners.size() / 3},
+                              {"type", "VEC3"}}};
+  return asset;
 }
 
-TEST(CompareDrawn, TellsWhatIsNoLongerDrawn) {
-  EXPECT_EQ(drawn_changes(remove_last_node), "differs node.removed /nodes/5");
-  EXPECT_EQ(drawn_changes([](EditedAsset& asset) { remove_root(asset, 0); }),
-            "differs scene.nodes /scenes/0/nodes");
-  EXPECT_EQ(drawn_changes([](EditedAsset& asset) { remove_root(asset, 3); }),
-            "differs scene.nodes /scenes/0/nodes");
-  EXPECT_EQ(drawn_changes([](EditedAsset& asset) { asset.json["scenes"].erase(1); }),
-            "differs scene.removed /scenes/1");
-  EXPECT_EQ(drawn_changes([](EditedAsset& asset) { asset.json.erase("animations"); }),
-            "differs animation.removed /animations/0");
-  EXPECT_EQ(drawn_changes([](EditedAsset& asset) { asset.json["nodes"][3].erase("extensions"); }),
-            "differs node.value /nodes/3/extensions/KHR_lights_punctual");
-  EXPECT_EQ(drawn_changes([](EditedAsset& asset) { asset.json["accessors"][4]["count"] = 2; }),
-            "differs node.value "
-            "/nodes/4/extensions/EXT_mesh_gpu_instancing/attributes/TRANSLATION");
+TEST(CompareDrawn, PairsTrianglesByTheirPlace) {
+  const EditedAsset before = row_of_squares({0, 2, 4, 6, 8}, 0);
+  const EditedAsset after = row_of_squares({8, 4, 0, 6, 2}, 1e-5F);
+  const CompareReport report = drawn_between(before, after);
+  EXPECT_EQ(report.level, CompareLevel::bounds) << drawn_text(report);
 }
 
-TEST(CompareDrawn, LeavesOutWhatIsNotDrawn) {
-  const std::function<void(EditedAsset&)> edits[] = {
-      [](EditedAsset& asset) { asset.json["materials"][1]["doubleSided"] = true; },
-      [](EditedAsset& asset) { asset.json["materials"][2]["doubleSided"] = true; },
-      [](EditedAsset& asset) { asset.json["meshes"].erase(1); },
-      [](EditedAsset& asset) { asset.json["nodes"][2]["translation"][2] = 6; },
-      [](EditedAsset& asset) { asset.json["cameras"][0]["perspective"]["yfov"] = 0.5; },
-      [](EditedAsset& asset) { remove_root(asset, 2); },
-      [](EditedAsset& asset) {
-        asset.json["extensions"]["KHR_lights_punctual"]["lights"][1]["intensity"] = 3;
-      },
-      [](EditedAsset& asset) { asset.json["accessors"][5]["byteOffset"] = 116; },
-      [](EditedAsset& asset) { number(asset, 1, 2) = 0.5F; },
-      [](EditedAsset& asset) {
-        asset.json["nodes"].push_back({{"name", "empty"}});
-        asset.json["scenes"][0]["nodes"].push_back(6);
-      },
-  };
-  for (const auto& edit : edits) EXPECT_EQ(drawn_changes(edit), "storage");
-}
-
-TEST(CompareDrawn, SeesTheSameSurfaceInOtherNodesBelowOneThatMoves) {
-  const auto flatten = [](EditedAsset& asset) {
-    asset.json["nodes"].push_back({{"name", "between"}, {"children", {5}}});
-    asset.json["nodes"][6]["translation"] = {0, 1, 0};
-    asset.json["nodes"][5].erase("translation");
-    asset.json["nodes"][1]["children"] = {6};
-  };
-  EXPECT_EQ(drawn_changes(flatten), "storage");
-  EXPECT_EQ(drawn_changes([&](EditedAsset& asset) {
-              flatten(asset);
-              asset.json["nodes"][6]["translation"] = {0, 2, 0};
-            }).substr(0, 7),
-            "differs");
+TEST(CompareDrawn, SaysWhatDiffersInTheSceneIfNodesMakeUpForTheirMeshes) {
+  EditedAsset before = row_of_squares({0, 2}, 0);
+  before.json["nodes"][0]["translation"] = {100, 0, 0};
+  EditedAsset after = row_of_squares({100, 102}, 0.25F);
+  const CompareReport report = drawn_between(before, after);
+  EXPECT_EQ(report.level, CompareLevel::differs);
+  EXPECT_THAT(drawn_text(report), testing::HasSubstr("0.25"));
+  EXPECT_THAT(drawn_text(report), testing::Not(testing::HasSubstr("node.moved")));
 }
 
 }  // namespace
