@@ -38,6 +38,20 @@ SitePlace place_of(const Site& site) {
   return {site.code, site.span.end == 0 ? UINT32_MAX : site.span.begin};
 }
 
+// A number of an array has no node. The file as a whole has an empty pointer.
+std::string pointer_to(const json::Document& document, const Site& site) {
+  const json::NodeId node = validate::node_around(document, site.span);
+  if (node == json::kNoNode) return "";
+  std::string pointer = document.pointer_of(node);
+  if (document.node(node).begin == site.span.begin) return pointer;
+  if (document.kind(node) != json::Kind::number_array) return "";
+  std::uint64_t index = 0;
+  for (json::NumberCursor at(document, node); at.valid(); at.advance(), ++index) {
+    if (at.number().span.begin == site.span.begin) return fmt::format("{}/{}", pointer, index);
+  }
+  return pointer;
+}
+
 /// Actions by code; those that were planned and left out stand apart from those without a plan.
 class Tally {
  public:
@@ -53,10 +67,8 @@ class Tally {
     action.done = is_done_;
     if (action.why_not.empty()) action.why_not = why_not;
     ++action.count;
-    if (action.pointers.size() < kMostPointers) {
-      const json::NodeId node = validate::node_at(document, site.span);
-      action.pointers.push_back(node == json::kNoNode ? "" : document.pointer_of(node));
-    }
+    if (action.pointers.size() < kMostPointers)
+      action.pointers.push_back(pointer_to(document, site));
   }
   void move_to(std::vector<FixAction>& list) {
     for (auto& [code, action] : actions_) list.push_back(std::move(action));

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "model/inverse.hpp"
 #include "prove/compare_copies.hpp"
 #include "prove/compare_surfaces.hpp"
 #include "prove/skin_pair.hpp"
@@ -228,11 +229,16 @@ class ShapeComparison {
       const model::Affine own = leaf ? tree.local(owner).affine : model::Affine{};
       return owner == carrier ? own : own * tree.local(carrier).affine;
     };
+    const model::Affine one = place(all_.our_nodes, use.our_owner, use.our_node);
+    const model::Affine other = place(all_.their_nodes, use.their_owner, use.their_node);
     SurfacePair pair = surface_pair(here, there);
-    pair.ours =
-        pieces(all_.ours, here, place(all_.our_nodes, use.our_owner, use.our_node), nullptr);
-    pair.theirs = pieces(all_.theirs, there,
-                         place(all_.their_nodes, use.their_owner, use.their_node), nullptr);
+    pair.ours = pieces(all_.ours, here, one, nullptr);
+    pair.theirs = pieces(all_.theirs, there, other, nullptr);
+    // Angles are those of the mesh, as at nodes that keep their place.
+    if (const auto back = model::inverse(one)) {
+      for (SurfacePiece& each : pair.ours) each.turn = model::Affine{};
+      for (SurfacePiece& each : pair.theirs) each.turn = *back * other;
+    }
     pair.scale = leaf ? greatest_scale_of(all_.our_nodes.parent_world(use.our_owner))
                       : all_.our_nodes.greatest_scale(use.our_owner);
     SurfaceChanges changes = compare_surfaces(all_, pair);

@@ -37,7 +37,7 @@ Soup soup_of(const SurfacePiece& piece, bool with_normals = false) {
   Soup soup = read_soup(piece.content->side(), piece.primitive,
                         piece.joints != nullptr ? *piece.joints : kNoJoints);
   if (with_normals && soup.find(SemanticKind::normal) == nullptr) add_flat_normals(soup);
-  place_soup(soup, piece.place);
+  place_soup(soup, piece.place, piece.turn.value_or(piece.place));
   return soup;
 }
 

@@ -18,6 +18,7 @@ struct SurfacePiece {
   model::Affine place;
   const std::vector<double>* joints = nullptr;  ///< the numbers of joints; null: as stored
   const Surface* known = nullptr;  ///< what is known of it in its own space; may be null
+  std::optional<model::Affine> turn = std::nullopt;  ///< of normals and tangents; nothing: `place`
 };
 
 /// Two surfaces to compare.

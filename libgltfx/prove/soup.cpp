@@ -273,15 +273,15 @@ Soup read_soup(const Side& side, json::NodeId primitive, const std::vector<doubl
   return SoupReader(side, primitive, joints).run();
 }
 
-void place_soup(Soup& soup, const model::Affine& place) {
-  if (place == model::Affine{}) return;
-  const bool keeps_directions = only_scales(place);
+void place_soup(Soup& soup, const model::Affine& place, const model::Affine& turn) {
+  if (place == model::Affine{} && turn == place) return;
+  const bool keeps_directions = only_scales(turn);
   // Normals are placed by the cofactors of the linear part.
-  const auto& c = place.columns;
+  const auto& c = turn.columns;
   model::Affine cofactors;
   cofactors.columns = {model::cross(c[1], c[2]), model::cross(c[2], c[0]), model::cross(c[0], c[1]),
                        model::Vector3{}};
-  if (place.determinant() < 0) {
+  if (turn.determinant() < 0) {
     for (std::size_t i = 0; i < 3; ++i) {
       for (double& each : cofactors.columns[i]) each = -each;
     }
@@ -298,7 +298,7 @@ void place_soup(Soup& soup, const model::Affine& place) {
       if (normal) {
         store(model::unit(cofactors.vector(old)), at);
       } else if (tangent) {
-        store(model::unit(place.vector(old)), at);
+        store(model::unit(turn.vector(old)), at);
       } else {
         store(stream.of_target ? place.vector(old) : place.point(old), at);
       }

@@ -52,8 +52,8 @@ struct Soup {
 /// not among them stands for itself.
 Soup read_soup(const Side& side, json::NodeId primitive, const std::vector<double>& joints);
 
-/// Where a surface is placed, by its normals and tangents, too.
-void place_soup(Soup& soup, const model::Affine& place);
+/// Where a surface is placed; `turn` places its normals and tangents.
+void place_soup(Soup& soup, const model::Affine& place, const model::Affine& turn);
 
 /// A soup with other streams, which all have the same names in `from`; rows are padded with the
 /// values that missing numbers mean: ones for colors of vertices, otherwise zeros.

@@ -9,6 +9,7 @@
 
 #include "prove/column.hpp"
 #include "prove/hash_sum.hpp"
+#include "prove/soup_leftovers.hpp"
 
 namespace gltfx::prove {
 namespace {
@@ -31,11 +32,13 @@ class SoupComparison {
   SoupDifference run() {
     const Order order = find_order();
     if (order == Order::told) return std::move(result_);
-    pair_near();
+    // Elements in about the same place with all of their attributes are the same ones. Those that
+    // only have equal normals may be anywhere.
+    pair_by_place(1);
     if (order == Order::of_lists && !(left_.empty() && their_left_.empty())) return of_lists();
     pair_by_other_streams();
     const std::size_t placed = pairs_.size();
-    pair_by_place();
+    pair_by_place(kEndless);
     result_.fewer = left_.size();
     result_.more = their_left_.size();
     result_.distances = measure(pairs_);
@@ -54,7 +57,9 @@ class SoupComparison {
   Order find_order() {
     const std::vector<Hash128> here = hash_elements(a_);
     const std::vector<Hash128> there = hash_elements(b_);
-    find_leftovers(here, there);
+    Leftovers left = find_leftovers(here, there);
+    left_ = std::move(left.ours);
+    their_left_ = std::move(left.theirs);
     if (left_.empty() && their_left_.empty()) {
       const auto unseen = [](const Hash128& each) { return each == Hash128{}; };
       result_.unseen = std::all_of(here.begin(), here.end(), unseen);
@@ -76,47 +81,6 @@ class SoupComparison {
   SoupDifference of_lists() {
     result_.distances = measure(in_order_);
     return std::move(result_);
-  }
-
-  // Sorted by their hashes, then by their places.
-  static void sort_by_hash(std::vector<std::uint32_t>& elements,
-                           const std::vector<Hash128>& hashes) {
-    std::sort(elements.begin(), elements.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return hashes[a] == hashes[b] ? a < b : hash_less(hashes[a], hashes[b]);
-    });
-  }
-
-  static std::vector<std::uint32_t> seen_elements(const std::vector<Hash128>& hashes) {
-    std::vector<std::uint32_t> elements;
-    elements.reserve(hashes.size());
-    for (std::uint32_t i = 0; i < hashes.size(); ++i) {
-      if (hashes[i] != Hash128{}) elements.push_back(i);
-    }
-    sort_by_hash(elements, hashes);
-    return elements;
-  }
-
-  // Elements of each soup that the other one does not have, in order.
-  void find_leftovers(const std::vector<Hash128>& here, const std::vector<Hash128>& there) {
-    const std::vector<std::uint32_t> ours = seen_elements(here);
-    const std::vector<std::uint32_t> theirs = seen_elements(there);
-    std::size_t i = 0, k = 0;
-    while (i < ours.size() || k < theirs.size()) {
-      const bool only_ours =
-          k == theirs.size() || (i < ours.size() && hash_less(here[ours[i]], there[theirs[k]]));
-      const bool only_theirs =
-          !only_ours && (i == ours.size() || hash_less(there[theirs[k]], here[ours[i]]));
-      if (only_ours) {
-        left_.push_back(ours[i++]);
-      } else if (only_theirs) {
-        their_left_.push_back(theirs[k++]);
-      } else {
-        ++i;
-        ++k;
-      }
-    }
-    std::sort(left_.begin(), left_.end());
-    std::sort(their_left_.begin(), their_left_.end());
   }
 
   // Whether the lists of both have the same order, as far as their elements are equal.
@@ -194,13 +158,6 @@ class SoupComparison {
     return best;
   }
 
-  // Elements in about the same place with all of their attributes are the same ones. Those that
-  // only have equal normals may be anywhere.
-  void pair_near() {
-    pair_by_place();
-    set_apart(0);
-  }
-
   // An edit of one attribute leaves the others as they are.
   void pair_by_other_streams() {
     for (const SoupStream& stream : a_.streams) {
@@ -261,8 +218,9 @@ class SoupComparison {
     return sum;
   }
 
-  // Elements whose centres are within the bound of positions, nearest first among a few.
-  void pair_by_place() {
+  // Elements whose centres are within the bound of positions, nearest first among a few, and no
+  // distance greater than `most` of its limit.
+  void pair_by_place(double most) {
     const SoupStream* positions = a_.find(SemanticKind::position);
     if (positions == nullptr || positions->width != 3 || !(scale_.position > 0)) return;
     const double size = 2 * scale_.position;
@@ -294,25 +252,46 @@ class SoupComparison {
             std::lower_bound(cells.begin(), cells.end(), *cell,
                              [](const InCell& each, Cell wanted) { return each.cell < wanted; });
         const bool any = first != cells.end() && first->cell == *cell;
-        return any ? nearest_of(i, first, cells.end()) : std::nullopt;
+        return any ? nearest_of(i, first, cells.end(), most) : std::nullopt;
       });
     }
   }
 
+  /// How near two elements are: the greatest part of a limit, then the sum of all distances.
+  using Nearness = std::pair<double, double>;
+
+  Nearness nearness(std::uint32_t ours, std::uint32_t theirs, double least) const {
+    Nearness near{0, kEndless};
+    const ElementPair pair{ours, theirs, best_turn(ours, theirs, near.second)};
+    for (std::size_t s = 0; s < std::min(a_.streams.size(), scale_.limits.size()); ++s) {
+      const double distance = element_distance(a_.streams[s], pair);
+      const double part = distance == 0          ? 0
+                          : scale_.limits[s] > 0 ? distance / scale_.limits[s]
+                                                 : kEndless;
+      near.first = std::max(near.first, part);
+      if (near.first > least) break;
+    }
+    return near;
+  }
+
   // Of the elements of a cell that are left; takes it.
   std::optional<std::uint32_t> nearest_of(std::uint32_t ours, std::vector<InCell>::iterator first,
-                                          std::vector<InCell>::iterator end) const {
+                                          std::vector<InCell>::iterator end, double most) {
+    // More where many small ones share a cell, as long as there is time.
     constexpr std::uint32_t kMost = 32;
     auto best = end;
-    double nearest = kEndless;
+    Nearness nearest{most, kEndless};
     const auto begin = first + static_cast<std::ptrdiff_t>(
                                    std::min<std::size_t>(first->taken, std::size_t(end - first)));
     std::uint32_t tried = 0;
-    for (auto at = begin; at != end && at->cell == first->cell && tried < kMost; ++at, ++tried) {
-      double sum = 0;
-      best_turn(ours, at->element, sum);
-      if (sum < nearest) {
-        nearest = sum;
+    for (auto at = begin; at != end && at->cell == first->cell; ++at, ++tried) {
+      if (tried >= kMost) {
+        if (more_tries_ == 0) break;
+        --more_tries_;
+      }
+      const Nearness near = nearness(ours, at->element, nearest.first);
+      if (near < nearest) {
+        nearest = near;
         best = at;
       }
     }
@@ -380,7 +359,8 @@ class SoupComparison {
   const SoupScale scale_;
   std::vector<std::uint32_t> left_, their_left_;
   std::vector<ElementPair> pairs_;
-  std::vector<ElementPair> in_order_;  ///< by their places in both lists
+  std::uint64_t more_tries_ = std::uint64_t{1} << 22U;  ///< of nearest_of()
+  std::vector<ElementPair> in_order_;                   ///< by their places in both lists
   SoupDifference result_;
 };
 

@@ -5,6 +5,7 @@
 
 #include "image/header.hpp"
 #include "model/fields.hpp"
+#include "model/image_sides.hpp"
 #include "model/material.hpp"
 #include "model/texture.hpp"
 
@@ -101,8 +102,9 @@ std::vector<TextureUse> texture_uses(const Content& content) {
       if (header) most = std::max({most, header->width, header->height});
     }
   }
+  const double usual = model::longest_image_side(side.resources());
   for (std::uint32_t i = 0; i < uses.size(); ++i) {
-    if (longest[i] > 0) uses[i].texels = longest[i];
+    uses[i].texels = longest[i] > 0 ? longest[i] : usual;
     if (i + 1 == uses.size()) break;
     const model::Material material = model::read_material(side.asset(), i);
     uses[i].unlit = material.unlit;

@@ -17,7 +17,7 @@ struct TextureUse {
   bool normals_mapped = false;   ///< a texture needs tangents
   bool unlit = false;            ///< needs no normals
   bool opaque = true;            ///< needs no alpha of vertex colors
-  double texels = 2048;          ///< the longest side of its images; without images a usual one
+  double texels = 1;             ///< the longest side of its images; without them, of all images
 
   /// Whether anything is drawn with that attribute.
   bool reads(const SoupStream& stream) const;

@@ -130,7 +130,7 @@ std::optional<double> nearly_at_limit(const schema::Shape& shape, double number)
     if (std::isfinite(limit)) scale = std::max(scale, std::abs(limit));
   }
   const auto is_near = [&](double limit, bool excluded) {
-    return !excluded && std::abs(number - limit) <= kRounding * scale;
+    return !excluded && number != limit && std::abs(number - limit) <= kRounding * scale;
   };
   if (is_near(shape.minimum, shape.exclusive_minimum)) return shape.minimum;
   if (is_near(shape.maximum, shape.exclusive_maximum)) return shape.maximum;
