@@ -233,6 +233,46 @@ TEST_F(EachGoodAsset, MeansTheSameInEachContainer) {
   }
 }
 
+// One object of each asset: in turn of each list that it has.
+std::string object_to_delete(const fs::path& path, std::size_t turn) {
+  const OpenedAsset asset = opened(path);
+  std::vector<std::string> objects;
+  for (const char* list : {"/nodes", "/meshes", "/materials", "/textures", "/images", "/animations",
+                           "/skins", "/cameras", "/scenes"}) {
+    const json::NodeId array = asset.document().resolve(list);
+    if (array == json::kNoNode || !asset.document().is_array(array)) continue;
+    objects.push_back(fmt::format("{}/{}", list, asset.document().array_size(array) / 2));
+  }
+  return objects.empty() ? std::string() : objects[turn % objects.size()];
+}
+
+// A child of a deleted node has another parent; all else changes at what the deletion tells.
+TEST(EachAsset, ChangesAloneWhereADeletionSays) {
+  std::size_t turn = 0;
+  std::size_t changed = 0;
+  for (const fs::path& path : good_assets()) {
+    const TempFolder folder;
+    DeleteOptions options;
+    options.output = (folder.path() / path.filename()).native();
+    options.pointers = {object_to_delete(path, turn++)};
+    options.cascade = true;
+    if (options.pointers.front().empty()) continue;
+    const DeleteReport report = delete_objects(path.native(), options);
+    if (!report.written) continue;
+    ++changed;
+    for (const Change& change : changes_between(path, report.written_to)) {
+      const std::string place = place_of(change);
+      const auto is_told = [&](const DeletedObject& each) {
+        return is_at_or_below(place, each.pointer) || is_at_or_below(each.pointer, place);
+      };
+      EXPECT_TRUE(change.kind == "node.parent" ||
+                  std::any_of(report.deleted.begin(), report.deleted.end(), is_told))
+          << path << options.pointers.front() << " " << told({change});
+    }
+  }
+  EXPECT_GE(changed, 30U);
+}
+
 // Triangles of Draco have an order of their own.
 TEST(EachFigure, IsWithinItsBoundsAfterQuantizationInAnyOrder) {
   std::size_t changed = 0;
