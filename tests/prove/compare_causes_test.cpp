@@ -239,6 +239,13 @@ TEST(CompareCauses, TellsTheWholeValueOfWhatWasRemoved) {
   EXPECT_EQ(change.before, R"({"baseColorFactor": [1, 0, 0, 1], "roughnessFactor": 0.5})");
 }
 
+TEST(CompareCauses, SaysAShortValueThatWasRemoved) {
+  const EditedAsset before = shared_asset();
+  EditedAsset after = before;
+  after.json["materials"][0]["pbrMetallicRoughness"].erase("roughnessFactor");
+  EXPECT_EQ(only_change(before, after).what, "roughnessFactor 0.5 was removed");
+}
+
 TEST(CompareCauses, TellsANodeThatASceneListsTwice) {
   const EditedAsset before = shared_asset();
   EditedAsset after = before;
