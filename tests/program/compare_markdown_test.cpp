@@ -86,8 +86,8 @@ TEST_F(CompareMarkdownOutput, HasNoMarkupLinksOrMentionsOfNames) {
   const std::pair<std::string, std::string> names[] = {
       {"@user #12 !13 GH-14 a@b.example :smile:",
        R"(@&#8203;user \#&#8203;12 \!&#8203;13 GH\-&#8203;14 a@&#8203;b\.example \:&#8203;smile\:)"},
-      {"https://c.example www.d.example 50%",
-       R"(https\:&#8203;//c\.example www\.&#8203;d\.example 50\%)"},
+      {"https://example.org www.d.example 50%",
+       R"(https\:&#8203;//example\.org www\.&#8203;d\.example 50\%)"},
       {"![e](f) [g](javascript:h) <img src=i> <!--",
        R"(\!\[e\]\(f\) \[g\]\(javascript\:&#8203;h\) &lt;img src=i&gt; &lt;\!\-\-)"},
       {"`j` | k **l** \xE2\x80\xAE m\n# n &amp;",

@@ -36,7 +36,7 @@ bool ends_in(std::string_view text, std::string_view small_letters) {
 }
 
 // Whether hosts may read what begins here as "@user", "#12", "!12", "GH-12", ":smile:",
-// "https://...", "www...." or "a@b.c". They do so after the escapes of Markdown are gone.
+// "https:", "www." or "a@b.c". They do so after the escapes of Markdown are gone.
 bool begins_link(std::string_view text, std::size_t at) {
   const char next = at + 1 < text.size() ? text[at + 1] : ' ';
   const bool before_word = is_word(next) || next == '"';
