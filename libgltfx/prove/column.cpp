@@ -101,6 +101,10 @@ std::optional<Column> Column::open(const Side& side, const model::PrimitiveData&
   return make(side, *attribute.accessor, std::move(elements));
 }
 
+std::optional<Column> Column::open_target(const Side& side, const model::Attribute& attribute) {
+  return attribute.accessor ? open(side, *attribute.accessor) : std::nullopt;
+}
+
 std::size_t Column::packed_size() const {
   return std::size_t{components()} * model::component_size(format_.component);
 }

@@ -37,6 +37,8 @@ class Column {
   static std::optional<Column> open(const Side& side, std::uint32_t accessor);
   static std::optional<Column> open(const Side& side, const model::PrimitiveData& data,
                                     const model::Attribute& attribute);
+  /// Of a morph target, which no bitstream holds.
+  static std::optional<Column> open_target(const Side& side, const model::Attribute& attribute);
 
   std::uint64_t count() const { return count_; }
   unsigned components() const { return model::component_count(format_.type); }

@@ -242,10 +242,23 @@ class ShapeComparison {
     pair.scale = leaf ? greatest_scale_of(all_.our_nodes.parent_world(use.our_owner))
                       : all_.our_nodes.greatest_scale(use.our_owner);
     SurfaceChanges changes = compare_surfaces(all_, pair);
-    if (leaf && changes.level() == CompareLevel::differs) return false;
+    if (leaf && changes.level() == CompareLevel::differs &&
+        !is_explained(changes, here, there, pair)) {
+      return false;
+    }
     if (leaf) moved_[use.our_owner] = false;
     tell(std::move(changes));
     return true;
+  }
+
+  // Whether the transforms bring vertices to their places that are elsewhere without them: then
+  // only the other values differ.
+  bool is_explained(const SurfaceChanges& placed, std::uint32_t here, std::uint32_t there,
+                    SurfacePair pair) const {
+    if (!placed.same_places()) return false;
+    pair.ours = pieces(all_.ours, here, {}, nullptr);
+    pair.theirs = pieces(all_.theirs, there, {}, nullptr);
+    return !compare_surfaces(all_, pair).same_places();
   }
 
   // Whether their surfaces are equal.
@@ -262,7 +275,12 @@ class ShapeComparison {
       skins_.explain(one, other);
     } else if (skin.has_place) {
       pair.theirs = pieces(all_.theirs, there, {}, &skin.their_joints);
-      changes = compare_surfaces(all_, pair);
+      SurfaceChanges as_stored = compare_surfaces(all_, pair);
+      if (changes.same_places() && !as_stored.same_places()) {
+        skins_.explain(one, other);
+      } else {
+        changes = std::move(as_stored);
+      }
     }
     const bool equal = changes.changes.empty() && !changes.unread;
     tell(std::move(changes));

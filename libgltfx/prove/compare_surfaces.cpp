@@ -401,6 +401,14 @@ class SurfaceComparison {
 
 }  // namespace
 
+bool SurfaceChanges::same_places() const {
+  return std::none_of(changes.begin(), changes.end(), [](const Change& change) {
+    return change.level == CompareLevel::differs &&
+           (change.kind == "geometry.elements" || change.kind == "geometry.position" ||
+            change.kind == "geometry.winding");
+  });
+}
+
 SurfaceChanges compare_surfaces(const Comparison& comparison, const SurfacePair& pair) {
   return SurfaceComparison(comparison, pair).run();
 }

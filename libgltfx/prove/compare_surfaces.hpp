@@ -40,6 +40,8 @@ struct SurfaceChanges {
     for (const Change& change : changes) level = std::max(level, change.level);
     return level;
   }
+  /// Whether all vertices are where the other surface has them, within bounds.
+  bool same_places() const;
 };
 SurfaceChanges compare_surfaces(const Comparison& comparison, const SurfacePair& pair);
 

@@ -141,7 +141,19 @@ class TexelComparison {
     const json::Document& right = all_.theirs.side().document();
     const json::NodeId here = left.find(all_.ours.item(ours).node, member);
     const json::NodeId there = right.find(all_.theirs.item(theirs).node, member);
-    if (here == json::kNoNode || there == json::kNoNode) return;
+    if (here == json::kNoNode && there == json::kNoNode) return;
+    if (here == json::kNoNode || there == json::kNoNode) {
+      // Only of bytes in a buffer, it says what they are.
+      const bool needed = member == "mimeType" &&
+                          left.find(all_.ours.item(ours).node, "bufferView") != json::kNoNode &&
+                          right.find(all_.theirs.item(theirs).node, "bufferView") != json::kNoNode;
+      const bool lost = there == json::kNoNode;
+      if (needed) {
+        tell("image.value", ours, theirs,
+             fmt::format("{} was {}", member, lost ? "removed" : "added"));
+      }
+      return;
+    }
     if (left.raw(here) == right.raw(there)) return;
     tell("image.value", ours, theirs,
          fmt::format("{} {} -> {}", member, short_value(left, here), short_value(right, there)));

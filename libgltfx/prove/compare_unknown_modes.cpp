@@ -25,8 +25,8 @@ struct PartOfPrimitive {
 
 class UnknownMode {
  public:
-  /// By name. Nothing: it has a mode of glTF, or cannot be read.
-  static std::optional<std::map<std::string, PartOfPrimitive>> read(const SurfacePiece& piece) {
+  /// Nothing: it has a mode of glTF.
+  static std::optional<UnknownMode> read(const SurfacePiece& piece) {
     const Side& side = piece.content->side();
     const model::Primitive primitive = model::read_primitive(side.asset(), piece.primitive);
     const json::NodeId mode = side.document().find(piece.primitive, "mode");
@@ -41,9 +41,12 @@ class UnknownMode {
       reader.add(model::read_attributes(side.asset(), primitive.targets[i]),
                  fmt::format(" of target {}", i));
     }
-    if (!reader.readable_) return std::nullopt;
-    return std::move(reader.parts_);
+    return reader;
   }
+
+  /// By name.
+  const std::map<std::string, PartOfPrimitive>& parts() const { return parts_; }
+  bool readable() const { return readable_; }
 
  private:
   explicit UnknownMode(const Content& content) : content_(content) {}
@@ -108,16 +111,25 @@ bool compare_unknown_modes(const Comparison& all, const SurfacePair& pair,
     const auto here = UnknownMode::read(pair.ours[i]);
     const auto there = UnknownMode::read(pair.theirs[i]);
     if (!here || !there || !same_materials(all, pair.ours[i], pair.theirs[i])) return false;
-    for (const auto& [name, part] : *here) {
-      const auto other = there->find(name);
-      if (other == there->end()) {
+    if (!here->readable() && !there->readable()) return false;
+    if (here->readable() != there->readable()) {
+      found.push_back(change_of(
+          pair, "geometry.elements",
+          fmt::format("can be read in the {} asset only", here->readable() ? "old" : "new")));
+      continue;
+    }
+    for (const auto& [name, part] : here->parts()) {
+      const auto other = there->parts().find(name);
+      if (other == there->parts().end()) {
         found.push_back(change_of_part(pair, name, &part, nullptr));
       } else if (part.hash != other->second.hash) {
         found.push_back(change_of_part(pair, name, &part, &other->second));
       }
     }
-    for (const auto& [name, part] : *there) {
-      if (!here->contains(name)) found.push_back(change_of_part(pair, name, nullptr, &part));
+    for (const auto& [name, part] : there->parts()) {
+      if (!here->parts().contains(name)) {
+        found.push_back(change_of_part(pair, name, nullptr, &part));
+      }
     }
   }
   std::move(found.begin(), found.end(), std::back_inserter(changes));

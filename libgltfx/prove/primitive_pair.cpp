@@ -85,9 +85,13 @@ class PairReader {
 
   void read(const Attribute& before, const Attribute& after, std::optional<std::size_t> target) {
     const std::string place = ours_.side.pointer(before.value);
-    auto here = Column::open(ours_.side, ours_.data, before);
+    const auto open = [&](const auto& opened, const Attribute& attribute) {
+      return target ? Column::open_target(opened.side, attribute)
+                    : Column::open(opened.side, opened.data, attribute);
+    };
+    auto here = open(ours_, before);
     if (!here) return found_.leave_out(place, "cannot be read");
-    auto there = Column::open(theirs_.side, theirs_.data, after);
+    auto there = open(theirs_, after);
     if (!there) return found_.add(place, "can no longer be read");
     if (here->components() != there->components()) {
       return found_.add(place, fmt::format("has {} components in place of {}", there->components(),

@@ -62,7 +62,8 @@ class SoupReader {
   void add_streams(const std::vector<model::Attribute>& attributes,
                    std::optional<std::size_t> target) {
     for (const auto& [name, attribute] : by_name(attributes)) {
-      auto column = Column::open(side_, data_, *attribute);
+      auto column =
+          target ? Column::open_target(side_, *attribute) : Column::open(side_, data_, *attribute);
       if (!column) {
         if (soup_.readable) soup_.unread = attribute->value;
         soup_.readable = false;

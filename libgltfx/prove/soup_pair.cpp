@@ -97,24 +97,14 @@ class SoupComparison {
     return true;
   }
 
-  // Of equal positions, or near ones, in most places; or without positions.
+  // Most positions are equal or near, or there are none.
   bool order_is_plausible(const std::vector<ElementPair>& pairs) const {
-    std::size_t near = 0;
-    std::size_t others_equal = 0;
-    for (const ElementPair& pair : pairs) {
-      double place = 0;
-      std::size_t differing = 0;
-      for (const SoupStream& stream : a_.streams) {
-        const double distance = element_distance(stream, pair);
-        if (stream.kind == SemanticKind::position && !stream.of_target) {
-          place = std::max(place, distance);
-        }
-        differing += distance > 0 ? 1U : 0U;
-      }
-      near += place <= scale_.position ? 1U : 0U;
-      others_equal += differing <= 1 ? 1U : 0U;
-    }
-    return 2 * std::max(near, others_equal) > pairs.size();
+    const SoupStream* positions = a_.find(SemanticKind::position);
+    if (positions == nullptr) return true;
+    const auto near = std::count_if(pairs.begin(), pairs.end(), [&](const ElementPair& pair) {
+      return element_distance(*positions, pair) <= scale_.position;
+    });
+    return 2 * static_cast<std::size_t>(near) > pairs.size();
   }
 
   bool is_reversed(const std::vector<Hash128>& there) const {

@@ -137,6 +137,28 @@ TEST(CompareSurfaces, SeesWhatBoundsDoNotAllow) {
   }
 }
 
+TEST(CompareSurfaces, PairsTrianglesOfAnotherOrderThatAreNearlyAtTheirPlaces) {
+  EditedAsset before = sheet(4);
+  for (const char* name : {"NORMAL", "TEXCOORD_0"}) {
+    before.json["meshes"][0]["primitives"][0]["attributes"].erase(name);
+  }
+  EditedAsset after = before;
+  const auto vertices = after.json["accessors"][0]["count"].get<std::size_t>();
+  for (std::size_t i = 0; i < vertices; ++i) {
+    reinterpret_cast<float*>(after.element(0, i))[2] += 1e-5F * static_cast<float>(i % 3);
+  }
+  const auto corners = after.json["accessors"][3]["count"].get<std::size_t>();
+  auto* const first = reinterpret_cast<std::uint32_t*>(after.element(3, 0));
+  std::reverse(first, first + corners);
+  for (std::size_t i = 0; i < corners; i += 3) std::swap(first[i], first[i + 2]);
+  for (const bool back : {false, true}) {
+    const CompareReport report = back ? between(after, before) : between(before, after);
+    EXPECT_EQ(report.level, CompareLevel::bounds) << sentences(report);
+    ASSERT_THAT(report.changes, SizeIs(1)) << sentences(report);
+    EXPECT_EQ(report.changes.front().kind, "geometry.position");
+  }
+}
+
 TEST(CompareSurfaces, SaysHowFarTheyAreApart) {
   const auto hill = [](float u, float v) { return u == 0.5F && v == 0.5F ? 0.25F : 0.0F; };
   const CompareReport report = between(sheet(1), sheet(4, hill));

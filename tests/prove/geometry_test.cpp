@@ -308,6 +308,19 @@ TEST(GeometryMeaning, OfBitstreamsIsThatOfTheirGeometry) {
   EXPECT_FALSE(same(plain, packed(grid, grid.indices.size(), grid.points), in_any_order()));
 }
 
+TEST(GeometryMeaning, OfMorphTargetsIsNotThatOfABitstream) {
+  const test::DracoSource grid = test::draco_grid(3);
+  std::vector<float> positions(grid.points * std::size_t{3});
+  std::memcpy(positions.data(), grid.attributes[0].bytes.data(), positions.size() * sizeof(float));
+  std::vector<float> moved(positions.size(), 0.25F);
+  OnePrimitive plain = OnePrimitive().positions(positions).indices(grid.indices).target(moved);
+  OnePrimitive coded = packed(grid, grid.indices.size(), grid.points).target(moved);
+  EXPECT_TRUE(same(plain, coded));
+  moved[4] = 0.5F;
+  coded = packed(grid, grid.indices.size(), grid.points).target(moved);
+  EXPECT_FALSE(same(plain, coded));
+}
+
 TEST(GeometryMeaning, OfABitstreamThatCannotBeRead) {
   const test::DracoSource grid = test::draco_grid(3);
   const OnePrimitive sound = packed(grid, grid.indices.size(), grid.points);
