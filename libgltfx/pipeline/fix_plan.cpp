@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "pipeline/fix_images.hpp"
 
 namespace gltfx {
@@ -148,15 +150,43 @@ PlannedFixes plan_fixes(const OpenedAsset& asset, const Sites& sites, const sche
 }
 
 std::vector<bool> sites_gone(const Sites& sites, const Sites& after,
-                             const std::vector<json::Edit>& edits) {
+                             const std::vector<json::Edit>& edits, const std::vector<bool>& fixed) {
   Remains remains(after, edits);
   std::vector<bool> gone;
   for (const validate::Site& site : sites) gone.push_back(!remains.has(site));
   remains.expect_no_more();
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (gone[i] && remains.has_elsewhere(sites[i].code)) gone[i] = false;
+    if (gone[i] && !fixed[i] && remains.has_elsewhere(sites[i].code)) gone[i] = false;
   }
   return gone;
+}
+
+void mark_fixed(const Sites& sites, const std::vector<json::Edit>& edits, const Sites& now,
+                const std::vector<bool>& fixed, std::vector<bool>& marked) {
+  std::set<std::pair<Code, std::uint32_t>> places;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (fixed[i] && now[i].span.end != 0) places.emplace(now[i].code, now[i].span.begin);
+  }
+  const json::Relocation relocation(edits);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (sites[i].span.end == 0) continue;
+    const Span place = relocation.of(sites[i].span.begin);
+    // What stands in new text is another finding.
+    if (place.size() == 1 && places.contains({sites[i].code, place.begin})) marked[i] = true;
+  }
+}
+
+std::string pointer_to(const json::Document& document, const validate::Site& site) {
+  const json::NodeId node = validate::node_around(document, site.span);
+  if (node == json::kNoNode) return "";
+  std::string pointer = document.pointer_of(node);
+  if (document.node(node).begin == site.span.begin) return pointer;
+  if (document.kind(node) != json::Kind::number_array) return "";
+  std::uint64_t index = 0;
+  for (json::NumberCursor at(document, node); at.valid(); at.advance(), ++index) {
+    if (at.number().span.begin == site.span.begin) return fmt::format("{}/{}", pointer, index);
+  }
+  return pointer;
 }
 
 }  // namespace gltfx

@@ -52,7 +52,16 @@ PlannedFixes plan_fixes(const model::OpenedAsset& asset, const validate::Sites& 
 bool allows_unsafe(const FixOptions& options, Code code);
 
 /// Which sites, by position, are not among those that the asset has `after` edits of its text.
+/// Those that were `fixed` are gone even if the same is found elsewhere now.
 std::vector<bool> sites_gone(const validate::Sites& sites, const validate::Sites& after,
-                             const std::vector<json::Edit>& edits);
+                             const std::vector<json::Edit>& edits, const std::vector<bool>& fixed);
+
+/// Marks those sites that are fixed where they are `now`, after edits of their text.
+void mark_fixed(const validate::Sites& sites, const std::vector<json::Edit>& edits,
+                const validate::Sites& now, const std::vector<bool>& fixed,
+                std::vector<bool>& marked);
+
+/// RFC 6901 pointer to what a site marks, also to a number of an array; "": the file as a whole.
+std::string pointer_to(const json::Document& document, const validate::Site& site);
 
 }  // namespace gltfx

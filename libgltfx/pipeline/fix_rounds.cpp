@@ -38,20 +38,6 @@ SitePlace place_of(const Site& site) {
   return {site.code, site.span.end == 0 ? UINT32_MAX : site.span.begin};
 }
 
-// A number of an array has no node. The file as a whole has an empty pointer.
-std::string pointer_to(const json::Document& document, const Site& site) {
-  const json::NodeId node = validate::node_around(document, site.span);
-  if (node == json::kNoNode) return "";
-  std::string pointer = document.pointer_of(node);
-  if (document.node(node).begin == site.span.begin) return pointer;
-  if (document.kind(node) != json::Kind::number_array) return "";
-  std::uint64_t index = 0;
-  for (json::NumberCursor at(document, node); at.valid(); at.advance(), ++index) {
-    if (at.number().span.begin == site.span.begin) return fmt::format("{}/{}", pointer, index);
-  }
-  return pointer;
-}
-
 /// Actions by code; those that were planned and left out stand apart from those without a plan.
 class Tally {
  public:
@@ -116,6 +102,7 @@ class Rounds {
         schemas_(schemas),
         guard_(guard),
         first_{asset_.asset().container().json, asset_.sites()},
+        fixed_(first_.sites.size()),
         dropped_(first_.sites.size()),
         trials_(affordable_trials(asset_.asset())) {}
 
@@ -161,7 +148,7 @@ class Rounds {
   Tally done() const {
     Tally done(true, options_);
     const json::Parsed first = json::parse(first_.text);
-    const std::vector<bool> gone = sites_gone(first_.sites, asset_.sites(), changes_.edits);
+    const std::vector<bool> gone = sites_gone(first_.sites, asset_.sites(), changes_.edits, fixed_);
     for (std::size_t i = 0; i < gone.size(); ++i) {
       const Site& site = first_.sites[i];
       if (gone[i] && is_asked_for(site)) done.add(first.document, site, severity_of(site));
@@ -325,6 +312,7 @@ class Rounds {
   }
 
   void accept(Trial trial) {
+    mark_fixed(first_.sites, changes_.edits, asset_.sites(), trial.planned.fixed, fixed_);
     move_dropped(trial.planned.change.edits, trial.after.sites());
     if (first_.text)
       changes_.edits = json::chain_edits(*first_.text, changes_.edits, trial.planned.change.edits);
@@ -376,7 +364,8 @@ class Rounds {
     std::vector<change::NewFile> new_files;
     bool any = false;
   } changes_;
-  std::string trouble_;  // as in FixedAsset
+  std::string trouble_;      // as in FixedAsset
+  std::vector<bool> fixed_;  // by site of `first_`
   // Sites, by position, that are left out: the number of the reason; 0 for others.
   std::vector<std::uint32_t> dropped_;
   std::vector<std::string> reasons_{""};

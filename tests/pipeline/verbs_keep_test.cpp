@@ -189,6 +189,21 @@ TEST(EachBadAsset, ChangesAloneWhereItsFixesSay) {
   EXPECT_GE(changed, 12U);
 }
 
+// An empty node goes, and its parent is empty then.
+TEST(EachBadAsset, HasItsFixedFindingsInTheReportIfOthersCome) {
+  const TempFolder folder;
+  FixOptions options;
+  options.output = (folder.path() / "a.gltf").native();
+  options.unsafe = true;
+  options.only = {"NODE_EMPTY"};
+  const FixReport report =
+      fix_file((kFixtures / "bad" / "reed-without-skin.gltf").native(), options);
+  EXPECT_TRUE(report.changes);
+  ASSERT_FALSE(report.actions.empty());
+  EXPECT_TRUE(report.actions.front().done);
+  EXPECT_EQ(report.actions.front().pointers, std::vector<std::string>{"/nodes/3"});
+}
+
 // The asset as one text, with a material and a sampler that nothing refers to.
 std::string with_unused_objects(const fs::path& path, const fs::path& place) {
   ConvertOptions options;
