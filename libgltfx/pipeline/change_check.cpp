@@ -32,7 +32,10 @@ CompareBounds bounds_of(const ConvertOptions& options) {
   bounds.texcoord = std::max(asked.texcoord.value_or(0), 1e-3);
   bounds.color = bound(asked.color);
   bounds.weight = bound(asked.weight);
-  bounds.animation = bound(asked.animation);
+  // Curves that are resampled are proven to one unit in the last place, which is a greater part of
+  // the diagonal the farther away they are.
+  const bool resampled = options.resample || options.shrink;
+  bounds.animation = std::max(bound(asked.animation), resampled ? CompareBounds().animation : 0);
   bounds.factor = kRounded;
   bounds.image = 0;
   return bounds;

@@ -112,6 +112,25 @@ TEST_F(Resample, KeepsCorners) {
   EXPECT_THAT(numbers_of(now, output), ElementsAre(0, 0, 0, 20, 0, 0, 20, 0, 0));
 }
 
+// One unit in the last place is a large part of a small scene that moves far away.
+TEST_F(Resample, IsVerifiedFarFromTheOrigin) {
+  options_.verify = true;
+  Clip clip(61);
+  std::vector<float> line;
+  for (std::size_t i = 0; i < 61; ++i)
+    line.insert(line.end(), {1000 + 0.1F * static_cast<float>(i), 0, 0});
+  clip.add("translation", line, "VEC3");
+  const std::size_t positions =
+      clip.made.accessor(std::vector<float>{0, 0, 0, 1, 0, 0, 0, 1, 0}, "VEC3", true);
+  OrderedJson& json = clip.made.json;
+  json["meshes"] = {{{"primitives", {{{"attributes", {{"POSITION", positions}}}}}}}};
+  json["nodes"][0]["mesh"] = 0;
+  json["scenes"] = {{{"nodes", {0}}}};
+  const ConvertReport report = run(clip.made.glb());
+  EXPECT_TRUE(report.written) << report.error;
+  EXPECT_TRUE(report.changes);
+}
+
 TEST_F(Resample, RemovesKeyframesWithinABound) {
   options_.resample = false;
   options_.quantize.emplace();
