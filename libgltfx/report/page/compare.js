@@ -326,7 +326,8 @@ function sentences(title, texts) {
 
 function details(pair) {
   const { part, show } = pictureParts(pair);
-  const paths = isWhole(pair) ? [isolated(pair.old), " → ", isolated(pair.new)] : [isolated(pair.old || pair.new)];
+  const isOne = !isWhole(pair) || pair.old === pair.new;
+  const paths = isOne ? [isolated(pair.old || pair.new)] : [isolated(pair.old), " → ", isolated(pair.new)];
   return make("div.pair-body", {}, make("p.path-line", {}, paths),
     pair.error ? make("p.note", {}, visible(pair.error)) : null, part,
     isWhole(pair) && !pair.error ? changeTable(pair, show, part || document.body) : null,
