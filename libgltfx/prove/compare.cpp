@@ -93,7 +93,7 @@ std::vector<ChangedBoxes> compare_plain(const model::OpenedAsset& ours,
   compare_values(all, helpers);
   compare_presence(all, helpers);
   compare_nodes(all, helpers);
-  compare_motion(all);
+  compare_motion(all, helpers);
   compare_image_texels(all);
   compare_stored_objects(all);
   if (options.drawn) forget_undrawn(all);

@@ -29,7 +29,7 @@ struct KeyedChannel {
 
 class MotionComparison {
  public:
-  explicit MotionComparison(const Comparison& all) : all_(all) {}
+  MotionComparison(const Comparison& all, const Helpers& helpers) : all_(all), helpers_(helpers) {}
 
   void run() {
     all_.for_each_pair("/animations",
@@ -50,9 +50,11 @@ class MotionComparison {
       if (channel.target != json::kNoNode) {
         LeafReader(content, leaves).read_part(channel.target);
       }
-      for (const Leaf& leaf : leaves) {
+      for (Leaf& leaf : leaves) {
         if (leaf.kind == LeafKind::extras || leaf.kind == LeafKind::name) continue;
         std::uint64_t target = 0;
+        const bool weights = channel.path == AnimationPath::weights;
+        if (weights && leaf.target) leaf.target = owner(leaf.target, ours);
         if (leaf.target) {
           if (!keyed.target) keyed.target = leaf.target;
           const ItemId partner = ours ? leaf.target : all_.match.ours(leaf.target);
@@ -63,6 +65,13 @@ class MotionComparison {
       all.push_back(keyed);
     }
     return all;
+  }
+
+  // Of a node that only carries the mesh of the one above it, that one.
+  ItemId owner(ItemId node, bool ours) const {
+    const auto& carriers = ours ? helpers_.our_nodes : helpers_.their_nodes;
+    if (!carriers.contains(node.index)) return node;
+    return {node.list, (ours ? all_.our_nodes : all_.their_nodes).parent(node.index)};
   }
 
   // Whether what it moves is gone; with `drawn`, also if nothing of it shows any more.
@@ -355,12 +364,15 @@ class MotionComparison {
   }
 
   const Comparison& all_;
+  const Helpers& helpers_;
   std::string name_;
   Change change_;
 };
 
 }  // namespace
 
-void compare_motion(const Comparison& comparison) { MotionComparison(comparison).run(); }
+void compare_motion(const Comparison& comparison, const Helpers& helpers) {
+  MotionComparison(comparison, helpers).run();
+}
 
 }  // namespace gltfx::prove

@@ -2,10 +2,10 @@
 /// Compares animations: what their channels move, and the values at all times.
 #pragma once
 
-#include "prove/changes.hpp"
+#include "prove/compare_values.hpp"
 
 namespace gltfx::prove {
 
-void compare_motion(const Comparison& comparison);
+void compare_motion(const Comparison& comparison, const Helpers& helpers);
 
 }  // namespace gltfx::prove
