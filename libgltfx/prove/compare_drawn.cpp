@@ -192,13 +192,9 @@ class DrawnComparison {
   }
 
   bool covers(const Change& change) const {
-    const auto is_of_mesh = [](const std::optional<std::string>& pointer) {
-      return !pointer || pointer->ends_with("/mesh");
-    };
     if (change.kind == "scene.nodes" && !keeps_others_) return false;
-    if (change.kind == "node.value" &&
-        !(is_of_mesh(change.old_pointer) && is_of_mesh(change.new_pointer))) {
-      return false;
+    if (change.kind == "node.value") {
+      return ours_->covers_value(change.old_pointer) && theirs_->covers_value(change.new_pointer);
     }
     const bool shape = change.kind.starts_with("geometry.") || change.kind.starts_with("node.") ||
                        change.kind == "mesh.value" || change.kind == "scene.nodes" ||

@@ -191,4 +191,11 @@ bool RigidSurfaces::covers(const std::optional<std::string>& pointer) const {
   return index_in(*pointer, "/scenes/").has_value();
 }
 
+bool RigidSurfaces::covers_value(const std::optional<std::string>& pointer) const {
+  if (!pointer) return true;
+  const auto node = index_in(*pointer, "/nodes/");
+  const bool more = node && at(more_, *node) && !pointer->ends_with("/mesh");
+  return !more && covers(pointer);
+}
+
 }  // namespace gltfx::prove

@@ -38,6 +38,8 @@ class RigidSurfaces {
   /// Whether a pointer leads into a node, a mesh, an animation or a scene of which only such
   /// surfaces are drawn.
   bool covers(const std::optional<std::string>& pointer) const;
+  /// The same of a value of a node, which may be about something else that the node draws.
+  bool covers_value(const std::optional<std::string>& pointer) const;
 
   static constexpr std::uint64_t kMostElements = std::uint64_t{1} << 21U;
 
