@@ -85,23 +85,31 @@ class Undrawn {
     return visible == json::kNoNode || document.raw(visible) == "true";
   }
 
+  // Whether an extension of an object may change a picture.
+  static bool is_drawn(const Content& content, std::string_view name, json::NodeId extension) {
+    const json::Document& document = content.side().document();
+    const bool known =
+        document.is_object(extension) && content.side().graph().type(extension) != schema::kNone;
+    return known && !is_never_drawn(name) && !is_default_visibility(document, name, extension);
+  }
+
   // Of what one asset lacks, the other one decides.
   static bool is_never_drawn_in(const Content& content, const PointedValue& pointed) {
     if (pointed.value == json::kNoNode) return true;
-    const json::Document& document = content.side().document();
-    for (std::size_t i = 0; i + 1 < pointed.names.size(); ++i) {
-      if (pointed.names[i + 1] == "extensions" && is_never_drawn(pointed.names[i])) return true;
-    }
     if (pointed.names.empty()) return false;
-    if (pointed.names.front() != "extensions" || !document.is_object(pointed.value)) return false;
-    for (const auto member : document.members(pointed.value)) {
-      const bool known = document.is_object(member.value) &&
-                         content.side().graph().type(member.value) != schema::kNone;
-      const std::string_view name = document.key(member.key_id);
-      if (!known || is_never_drawn(name)) continue;
-      if (!is_default_visibility(document, name, member.value)) return false;
+    const json::Document& document = content.side().document();
+    if (pointed.names.front() == "extensions" && document.is_object(pointed.value)) {
+      for (const auto member : document.members(pointed.value)) {
+        if (is_drawn(content, document.key(member.key_id), member.value)) return false;
+      }
+      return true;
     }
-    return true;
+    for (std::size_t i = 0; i + 1 < pointed.names.size(); ++i) {
+      if (pointed.names[i + 1] != "extensions") continue;
+      const std::string_view name = pointed.names[i];
+      if (i == 0 ? !is_drawn(content, name, pointed.value) : is_never_drawn(name)) return true;
+    }
+    return false;
   }
 
   // The materials of each primitive without a variant and with each, by the numbers of the old
