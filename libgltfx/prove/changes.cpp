@@ -155,7 +155,7 @@ bool is_drawn(std::string_view kind) {
     if (special.name == kind) return special.drawn;
   }
   // A camera is a view of the asset, and not drawn.
-  return kind.ends_with(".value") && kind != "scene.value" && kind != "camera.value";
+  return kind.ends_with(".value") && kind != "camera.value";
 }
 
 std::string_view subject_of(std::string_view list) {

@@ -41,8 +41,8 @@ constexpr std::string_view kNeverDrawn[] = {
     "OMI_vehicle_",
 };
 
-// They say where and whether the mesh of a node is drawn.
-constexpr std::string_view kOfMeshes[] = {"EXT_mesh_gpu_instancing", "KHR_node_visibility"};
+// Says whether a node is drawn.
+constexpr std::string_view kVisibility = "KHR_node_visibility";
 
 std::vector<model::NodeIndex> roots_of_all_scenes(const Side& side) {
   std::vector<model::NodeIndex> roots;
@@ -62,6 +62,14 @@ std::vector<model::NodeIndex> roots_of_all_scenes(const Side& side) {
 bool is_never_drawn(std::string_view extension) {
   return std::any_of(std::begin(kNeverDrawn), std::end(kNeverDrawn),
                      [&](std::string_view each) { return extension.starts_with(each); });
+}
+
+bool places_copies(std::string_view extension) { return extension == "EXT_mesh_gpu_instancing"; }
+
+bool keeps_visible(const json::Document& document, std::string_view name, json::NodeId extension) {
+  if (name != kVisibility) return false;
+  const json::NodeId visible = document.find(extension, "visible");
+  return visible == json::kNoNode || document.raw(visible) == "true";
 }
 
 DrawnItems::DrawnItems(const Content& content, const NodeTree& nodes)
@@ -86,9 +94,7 @@ bool DrawnItems::has_drawn_extension(const model::Node& node) const {
     const bool known =
         side.document().is_object(member.value) && side.graph().type(member.value) != schema::kNone;
     if (!known || content_.storage().contains(name) || is_never_drawn(name)) continue;
-    if (std::find(std::begin(kOfMeshes), std::end(kOfMeshes), name) == std::end(kOfMeshes)) {
-      return true;
-    }
+    if (!places_copies(name) && name != kVisibility) return true;
   }
   return false;
 }

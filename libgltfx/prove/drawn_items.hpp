@@ -14,6 +14,10 @@ namespace gltfx::prove {
 
 /// Whether an extension never changes a picture: metadata, physics, sound.
 bool is_never_drawn(std::string_view extension);
+/// Whether an extension of a node only says where copies of its mesh are.
+bool places_copies(std::string_view extension);
+/// Whether an extension of a node leaves it as visible as it is without.
+bool keeps_visible(const json::Document& document, std::string_view name, json::NodeId extension);
 
 /// Content and tree must outlive it.
 class DrawnItems {

@@ -46,6 +46,11 @@ class Undrawn {
     if (change.kind == "node.value" && (is_named(ours, "camera") || is_named(theirs, "camera"))) {
       return true;
     }
+    // Its joints say where it is.
+    if (change.kind == "skin.value" &&
+        (is_named(ours, "skeleton") || is_named(theirs, "skeleton"))) {
+      return true;
+    }
     const bool weights = is_named(ours, "weights") || is_named(theirs, "weights");
     if (weights && (change.kind == "node.value" || change.kind == "mesh.value")) {
       return same_weights_;
@@ -77,20 +82,12 @@ class Undrawn {
     return has(ours.names) || has(theirs.names);
   }
 
-  // Whether a node is visible anyway.
-  static bool is_default_visibility(const json::Document& document, std::string_view name,
-                                    json::NodeId extension) {
-    if (name != "KHR_node_visibility") return false;
-    const json::NodeId visible = document.find(extension, "visible");
-    return visible == json::kNoNode || document.raw(visible) == "true";
-  }
-
   // Whether an extension of an object may change a picture.
   static bool is_drawn(const Content& content, std::string_view name, json::NodeId extension) {
     const json::Document& document = content.side().document();
     const bool known =
         document.is_object(extension) && content.side().graph().type(extension) != schema::kNone;
-    return known && !is_never_drawn(name) && !is_default_visibility(document, name, extension);
+    return known && !is_never_drawn(name) && !keeps_visible(document, name, extension);
   }
 
   // Of what one asset lacks, the other one decides.

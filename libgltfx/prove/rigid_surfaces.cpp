@@ -120,7 +120,7 @@ bool RigidSurfaces::says_more(json::NodeId owner, bool of_node) const {
     const bool known = document.is_object(member.value) &&
                        content_.side().graph().type(member.value) != schema::kNone;
     if (!known || content_.storage().contains(name) || is_never_drawn(name)) continue;
-    if (!of_node || name != "EXT_mesh_gpu_instancing") return true;
+    if (!of_node || !places_copies(name)) return true;
   }
   return false;
 }

@@ -47,11 +47,13 @@ EditedAsset made_scene() {
   add(Floats(6, 1), "VEC3", 3, kFloats);
   EditedAsset asset = EditedAsset::made(R"({
     "asset": {"version": "2.0"}, "scene": 0,
-    "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_variants"],
+    "extensionsUsed": ["KHR_lights_punctual", "KHR_materials_variants", "EXT_lights_image_based"],
     "extensions": {
+      "EXT_lights_image_based": {"lights": [{"intensity": 2}]},
       "KHR_lights_punctual": {"lights": [{"type": "point"}]},
       "KHR_materials_variants": {"variants": [{"name": "red"}, {"name": "blue"}]}},
-    "scenes": [{"name": "First", "nodes": [0, 1, 2]}, {"nodes": [3]}],
+    "scenes": [{"name": "First", "nodes": [0, 1, 2],
+      "extensions": {"EXT_lights_image_based": {"light": 0}}}, {"nodes": [3]}],
     "nodes": [
       {"name": "Plain", "mesh": 0},
       {"name": "Lamp", "extensions": {"KHR_lights_punctual": {"light": 0}}},
@@ -203,6 +205,7 @@ const DrawnEdit kSeenEdits[] = {
     {"a color", [](EditedAsset& a) { set_component(a, colors, 0, 0, 0.5F); }},
     {"a place", [](EditedAsset& a) { set_component(a, places, 0, 0, 0.1F); }},
     {"normals", [](EditedAsset& a) { set_component(a, normals, 0, 0, 1); }},
+    {"light of a scene", [](EditedAsset& a) { a.json["scenes"][0].erase("extensions"); }},
     {"both sides", [](EditedAsset& a) { a.json["materials"][0]["doubleSided"] = true; }},
     {"a coat",
      [](EditedAsset& a) {
