@@ -25,8 +25,7 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 Result<GitRange::Commit> find_commit(const std::string& name) {
   const std::string known = name.empty() ? "HEAD" : name;
-  const auto id =
-      Git(".").run({"rev-parse", "--verify", "--quiet", "--end-of-options", known + "^{commit}"});
+  const auto id = Git(".").run({"rev-parse", "--verify", "--end-of-options", known + "^{commit}"});
   if (!id) return Error{"--git: " + id.error().message};
   if (id->code != 0) return Error{fmt::format("--git: no commit {}", gltfx::quoted(known))};
   return GitRange::Commit{known, first_line(id->out)};
