@@ -163,6 +163,7 @@ std::vector<bool> sites_gone(const Sites& sites, const Sites& after,
 
 void mark_fixed(const Sites& sites, const std::vector<json::Edit>& edits, const Sites& now,
                 const std::vector<bool>& fixed, std::vector<bool>& marked) {
+  marked.resize(sites.size());
   std::set<std::pair<Code, std::uint32_t>> places;
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (fixed[i] && now[i].span.end != 0) places.emplace(now[i].code, now[i].span.begin);

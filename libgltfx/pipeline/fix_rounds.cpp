@@ -102,7 +102,6 @@ class Rounds {
         schemas_(schemas),
         guard_(guard),
         first_{asset_.asset().container().json, asset_.sites()},
-        fixed_(first_.sites.size()),
         dropped_(first_.sites.size()),
         trials_(affordable_trials(asset_.asset())) {}
 
@@ -148,7 +147,8 @@ class Rounds {
   Tally done() const {
     Tally done(true, options_);
     const json::Parsed first = json::parse(first_.text);
-    const std::vector<bool> gone = sites_gone(first_.sites, asset_.sites(), changes_.edits, fixed_);
+    const std::vector<bool> gone =
+        sites_gone(first_.sites, asset_.sites(), changes_.edits, changes_.fixed);
     for (std::size_t i = 0; i < gone.size(); ++i) {
       const Site& site = first_.sites[i];
       if (gone[i] && is_asked_for(site)) done.add(first.document, site, severity_of(site));
@@ -312,7 +312,7 @@ class Rounds {
   }
 
   void accept(Trial trial) {
-    mark_fixed(first_.sites, changes_.edits, asset_.sites(), trial.planned.fixed, fixed_);
+    mark_fixed(first_.sites, changes_.edits, asset_.sites(), trial.planned.fixed, changes_.fixed);
     move_dropped(trial.planned.change.edits, trial.after.sites());
     if (first_.text)
       changes_.edits = json::chain_edits(*first_.text, changes_.edits, trial.planned.change.edits);
@@ -362,10 +362,10 @@ class Rounds {
     std::vector<json::Edit> edits;
     std::map<std::string, change::ReplacedFile> files;
     std::vector<change::NewFile> new_files;
+    std::vector<bool> fixed;  ///< by site of `first_`
     bool any = false;
   } changes_;
-  std::string trouble_;      // as in FixedAsset
-  std::vector<bool> fixed_;  // by site of `first_`
+  std::string trouble_;  // as in FixedAsset
   // Sites, by position, that are left out: the number of the reason; 0 for others.
   std::vector<std::uint32_t> dropped_;
   std::vector<std::string> reasons_{""};
