@@ -11,8 +11,8 @@
 #include "base/text.hpp"
 #include "prove/compare_unknown_modes.hpp"
 #include "prove/drawn_materials.hpp"
-#include "prove/flat_normals.hpp"
 #include "prove/hash_sum.hpp"
+#include "prove/shown_pieces.hpp"
 #include "prove/soup_lists.hpp"
 #include "prove/stream_change.hpp"
 #include "prove/texture_use.hpp"
@@ -22,65 +22,15 @@ namespace {
 
 using model::SemanticKind;
 
-/// A piece with the hash of what it shows where it is placed.
-struct ShownPiece {
-  const SurfacePiece* piece = nullptr;
-  Hash128 sum;
-  bool readable = true;
-  bool done = false;
-};
-
-const std::vector<double> kNoJoints;
-
-// `with_normals`: also if it has none.
-Soup soup_of(const SurfacePiece& piece, bool with_normals = false) {
-  Soup soup = read_soup(piece.content->side(), piece.primitive,
-                        piece.joints != nullptr ? *piece.joints : kNoJoints);
-  if (with_normals && soup.find(SemanticKind::normal) == nullptr) add_flat_normals(soup);
-  place_soup(soup, piece.place, piece.turn.value_or(piece.place));
-  return soup;
-}
-
-ShownPiece show(const SurfacePiece& piece) {
-  ShownPiece shown;
-  shown.piece = &piece;
-  const bool in_place = piece.place == model::Affine{};
-  if (in_place && piece.joints == nullptr && piece.known != nullptr) {
-    shown.sum = piece.known->sum;
-    shown.readable = piece.known->readable;
-    return shown;
-  }
-  const Soup soup = soup_of(piece);
-  shown.sum = hash_soup(soup);
-  shown.readable = soup.readable;
-  return shown;
-}
-
-/// Pieces of both sides with one material.
-struct Group {
-  std::vector<ShownPiece*> ours, theirs;
-
-  bool equal() const {
-    const auto sum = [](const std::vector<ShownPiece*>& pieces) {
-      Hash128 all;
-      for (const ShownPiece* piece : pieces) {
-        if (piece->sum != Hash128{}) add_to_sum(all, piece->sum);
-      }
-      return all;
-    };
-    return sum(ours) == sum(theirs);
-  }
-};
-
 class SurfaceComparison {
  public:
   SurfaceComparison(const Comparison& all, const SurfacePair& pair) : all_(all), pair_(pair) {}
 
   SurfaceChanges run() {
-    for (const SurfacePiece& piece : pair_.ours) here_.push_back(show(piece));
-    for (const SurfacePiece& piece : pair_.theirs) there_.push_back(show(piece));
+    for (const SurfacePiece& piece : pair_.ours) here_.push_back(show_piece(piece));
+    for (const SurfacePiece& piece : pair_.theirs) there_.push_back(show_piece(piece));
     if (!leave_out_unread()) return std::move(result_);
-    std::map<std::uint64_t, Group> groups = grouped();
+    std::map<std::uint64_t, ShownGroup> groups = grouped();
     for (const auto& [material, group] : groups) compare_order(group);
     std::erase_if(groups, [](const auto& group) { return group.second.equal(); });
     if (groups.empty()) return std::move(result_);
@@ -149,7 +99,7 @@ class SurfaceComparison {
   }
 
   // A primitive may be joined with another one that has an equal material.
-  void join_equal_materials(std::map<std::uint64_t, Group>& groups) {
+  void join_equal_materials(std::map<std::uint64_t, ShownGroup>& groups) {
     const bool lone = std::any_of(groups.begin(), groups.end(), [](const auto& group) {
       return group.second.ours.empty() || group.second.theirs.empty();
     });
@@ -172,8 +122,8 @@ class SurfaceComparison {
     return material < uses.size() - 1 ? uses[material] : uses.back();
   }
 
-  std::map<std::uint64_t, Group> grouped() {
-    std::map<std::uint64_t, Group> groups;
+  std::map<std::uint64_t, ShownGroup> grouped() {
+    std::map<std::uint64_t, ShownGroup> groups;
     for (ShownPiece& each : here_) {
       if (!each.done) groups[material_of(*each.piece, true)].ours.push_back(&each);
     }
@@ -228,7 +178,7 @@ class SurfaceComparison {
   }
 
   // Equal shapes with other materials: the material of the primitive is what changed.
-  void find_other_materials(std::map<std::uint64_t, Group>& groups) {
+  void find_other_materials(std::map<std::uint64_t, ShownGroup>& groups) {
     std::map<std::pair<std::uint64_t, std::uint64_t>, std::vector<ShownPiece*>> waiting;
     for (auto& [material, group] : groups) {
       for (ShownPiece* each : group.theirs) {
@@ -267,7 +217,7 @@ class SurfaceComparison {
   }
 
   // Where the material blends, a picture shows the order of triangles.
-  void compare_order(const Group& group) {
+  void compare_order(const ShownGroup& group) {
     const auto blends = [](const ShownPiece* each) {
       return each->piece->known != nullptr && each->piece->known->order != Hash128{};
     };
@@ -326,14 +276,14 @@ class SurfaceComparison {
   }
 
   // If one material is left on each side, shape and material changed.
-  void join_lone_groups(std::map<std::uint64_t, Group>& groups) {
+  void join_lone_groups(std::map<std::uint64_t, ShownGroup>& groups) {
     std::vector<std::uint64_t> lost, found;
     for (const auto& [material, group] : groups) {
       if (group.theirs.empty()) lost.push_back(material);
       if (group.ours.empty()) found.push_back(material);
     }
     if (lost.size() != 1 || found.size() != 1) return;
-    Group& group = groups[lost.front()];
+    ShownGroup& group = groups[lost.front()];
     group.theirs = groups[found.front()].theirs;
     groups.erase(found.front());
     tell_material(*group.ours.front()->piece, *group.theirs.front()->piece);
@@ -353,7 +303,7 @@ class SurfaceComparison {
     change.new_pointer = pointer_of(theirs, "mode");
   }
 
-  static bool any_has_normals(const Group& group) {
+  static bool any_has_normals(const ShownGroup& group) {
     const auto has_normals = [](const ShownPiece* each) {
       const model::Asset& asset = each->piece->content->side().asset();
       const auto attributes = model::read_primitive(asset, each->piece->primitive).attributes;
@@ -365,7 +315,7 @@ class SurfaceComparison {
            std::any_of(group.theirs.begin(), group.theirs.end(), has_normals);
   }
 
-  void compare_group(std::uint64_t material, const Group& group) {
+  void compare_group(std::uint64_t material, const ShownGroup& group) {
     SoupsByArity by_arity;
     const bool with_normals = all_.options.drawn && any_has_normals(group);
     const auto read = [&](const std::vector<ShownPiece*>& pieces, bool ours) {
