@@ -155,5 +155,24 @@ TEST(DrawnObjects, SeesTheSameSurfaceInOtherNodesBelowOneThatMoves) {
             "differs");
 }
 
+TEST(DrawnObjects, FollowsAClipToTheNodeThatCarriesTheMesh) {
+  EditedAsset before = house();
+  before.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+  before.json["nodes"][0]["translation"] = {0, 0, 1};
+  before.json["animations"][0]["channels"][0]["target"] = {{"node", 0}, {"path", "weights"}};
+  before.json["animations"][0]["samplers"][0]["output"] = 2;
+  EditedAsset after = before;
+  after.json["nodes"].push_back({{"mesh", 0}});
+  after.json["nodes"][0].erase("mesh");
+  after.json["nodes"][0]["children"] = {6};
+  after.json["animations"][0]["channels"][0]["target"]["node"] = 6;
+  for (const bool back : {false, true}) {
+    CompareReport report;
+    compare_assets((back ? after : before).open(), (back ? before : after).open(),
+                   *schema::builtin_set(), {}, report);
+    EXPECT_EQ(report.level, CompareLevel::storage) << report.changes.front().what;
+  }
+}
+
 }  // namespace
 }  // namespace gltfx::prove
