@@ -82,8 +82,7 @@ class MotionComparison {
     if (!partner) return true;
     const DrawnItems* drawn = ours ? all_.their_drawn : all_.our_drawn;
     const Content& there = ours ? all_.theirs : all_.ours;
-    return drawn != nullptr && partner.list == there.list("/nodes") &&
-           !drawn->shows(partner.index);
+    return drawn != nullptr && partner.list == there.list("/nodes") && !drawn->shows(partner.index);
   }
 
   // Whether it is not drawn because it moves nothing.

@@ -2,7 +2,6 @@
 #include "prove/drawn_items.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "model/skin.hpp"
 #include "prove/curves.hpp"
@@ -10,58 +9,26 @@
 namespace gltfx::prove {
 namespace {
 
-// Those that start with one of these, too.
-constexpr std::string_view kNeverDrawn[] = {
-    "AGI_articulations",
-    "AGI_stk_metadata",
-    "EXT_feature_metadata",
-    "EXT_instance_features",
-    "EXT_mesh_features",
-    "EXT_mesh_manifold",
-    "EXT_structural_metadata",
-    "FB_geometry_metadata",
-    "GODOT_single_root",
-    "GRIFFEL_bim_data",
-    "KHR_XMP_first_draft",
-    "KHR_audio_emitter",
-    "KHR_implicit_shapes",
-    "KHR_interactivity",
-    "KHR_node_hoverability",
-    "KHR_node_selectability",
-    "KHR_physics_",
-    "KHR_xmp",
-    "MAXAR_image_ortho",
-    "MAXAR_nonvisual_geometry",
-    "MPEG_audio_spatial",
-    "NGA_gpm_local",
-    "OMI_audio_",
-    "OMI_physics_",
-    "OMI_seat",
-    "OMI_spawn_point",
-    "OMI_vehicle_",
-};
-
 // Says whether a node is drawn.
 constexpr std::string_view kVisibility = "KHR_node_visibility";
 
-std::vector<model::NodeIndex> roots_of_all_scenes(const Side& side) {
+std::vector<model::NodeIndex> roots_of_all_scenes(const Content& content) {
   std::vector<model::NodeIndex> roots;
-  for (const json::NodeId scene : side.asset().elements(model::RootArray::scenes)) {
-    if (scene == json::kNoNode || !side.document().is_object(scene)) continue;
-    model::for_each_index(side.asset(), side.document().find(scene, "nodes"),
-                          model::RootArray::nodes,
-                          [&](std::uint64_t, const std::optional<std::uint32_t>& index, Span) {
-                            if (index) roots.push_back(*index);
-                          });
+  const std::uint32_t list = content.list("/scenes");
+  const auto count = list == kNoItem ? 0 : content.lists()[list].items.size();
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::vector<std::uint32_t> nodes = nodes_of_scene(content, {list, i});
+    roots.insert(roots.end(), nodes.begin(), nodes.end());
   }
   return roots;
 }
 
 }  // namespace
 
-bool is_never_drawn(std::string_view extension) {
-  return std::any_of(std::begin(kNeverDrawn), std::end(kNeverDrawn),
-                     [&](std::string_view each) { return extension.starts_with(each); });
+bool is_never_drawn(const Content& content, std::string_view extension) {
+  const schema::Set& set = content.side().graph().set();
+  const schema::ExtensionId id = set.find_extension(extension);
+  return id != schema::kNone && set.extensions()[id].undrawn;
 }
 
 bool places_copies(std::string_view extension) { return extension == "EXT_mesh_gpu_instancing"; }
@@ -82,7 +49,7 @@ DrawnItems::DrawnItems(const Content& content, const NodeTree& nodes)
 void DrawnItems::find_scene() {
   const Side& side = content_.side();
   model::SceneRoots roots = model::choose_scene(side.asset(), side.views());
-  if (roots.scene) roots.nodes = roots_of_all_scenes(side);
+  if (roots.scene) roots.nodes = roots_of_all_scenes(content_);
   pose_ = model::compute_pose(side.asset(), side.views(), roots);
 }
 
@@ -93,7 +60,7 @@ bool DrawnItems::has_drawn_extension(const model::Node& node) const {
     const std::string_view name = side.document().key(member.key_id);
     const bool known =
         side.document().is_object(member.value) && side.graph().type(member.value) != schema::kNone;
-    if (!known || content_.storage().contains(name) || is_never_drawn(name)) continue;
+    if (!known || content_.storage().contains(name) || is_never_drawn(content_, name)) continue;
     if (!places_copies(name) && name != kVisibility) return true;
   }
   return false;

@@ -12,8 +12,8 @@
 
 namespace gltfx::prove {
 
-/// Whether an extension never changes a picture: metadata, physics, sound.
-bool is_never_drawn(std::string_view extension);
+/// Whether an extension never changes a picture, as its schema states: metadata, physics, sound.
+bool is_never_drawn(const Content& content, std::string_view extension);
 /// Whether an extension of a node only says where copies of its mesh are.
 bool places_copies(std::string_view extension);
 /// Whether an extension of a node leaves it as visible as it is without.

@@ -87,7 +87,7 @@ class Undrawn {
     const json::Document& document = content.side().document();
     const bool known =
         document.is_object(extension) && content.side().graph().type(extension) != schema::kNone;
-    return known && !is_never_drawn(name) && !keeps_visible(document, name, extension);
+    return known && !is_never_drawn(content, name) && !keeps_visible(document, name, extension);
   }
 
   // Of what one asset lacks, the other one decides.
@@ -104,7 +104,9 @@ class Undrawn {
     for (std::size_t i = 0; i + 1 < pointed.names.size(); ++i) {
       if (pointed.names[i + 1] != "extensions") continue;
       const std::string_view name = pointed.names[i];
-      if (i == 0 ? !is_drawn(content, name, pointed.value) : is_never_drawn(name)) return true;
+      const bool whole = i == 0;  // an extension that came or went
+      if (whole && !is_drawn(content, name, pointed.value)) return true;
+      if (!whole && is_never_drawn(content, name)) return true;
     }
     return false;
   }

@@ -119,7 +119,7 @@ bool RigidSurfaces::says_more(json::NodeId owner, bool of_node) const {
     const std::string_view name = document.key(member.key_id);
     const bool known = document.is_object(member.value) &&
                        content_.side().graph().type(member.value) != schema::kNone;
-    if (!known || content_.storage().contains(name) || is_never_drawn(name)) continue;
+    if (!known || content_.storage().contains(name) || is_never_drawn(content_, name)) continue;
     if (!of_node || !places_copies(name)) return true;
   }
   return false;

@@ -92,6 +92,7 @@ class ExtensionBuilder {
     extension.overridden_by = relations(word("overriddenBy"));
     extension.strength = text(word("strength"));
     extension.standalone = flag(word("standalone"));
+    extension.undrawn = flag(word("undrawn"));
     extension.khronos_validator = flag(word("khronosValidator"));
     extension.must_be_required = must_be_required();
     extension.fallback = text(word("fallback"));

@@ -251,6 +251,7 @@ struct Extension {
   std::vector<Relation> excludes, requires_, overridden_by;
   std::string strength;  ///< member that turns the effect off when it is 0; empty: none
   bool standalone = false;
+  bool undrawn = false;            ///< it never changes a picture
   bool khronos_validator = false;  ///< the Khronos validator checks it
   MustBeRequired must_be_required = MustBeRequired::optional;
   std::string fallback;  ///< without_fallback: member of the host that is the fallback

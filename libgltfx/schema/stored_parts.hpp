@@ -114,11 +114,11 @@ void exchange(Archive& archive, Extension& extension) {
   archive(extension.name, extension.title, extension.description, extension.spec,
           extension.revision, extension.status, extension.attachment_points, extension.excludes,
           extension.requires_, extension.overridden_by, extension.strength, extension.standalone,
-          extension.optional_with_fallback, extension.khronos_validator, extension.must_be_required,
-          extension.fallback, extension.fallback_extensions, extension.image_mime_types,
-          extension.vertex_attributes, extension.morph_attributes, extension.instance_attributes,
-          extension.successor, extension.generations, extension.upgrade, extension.enum_additions,
-          extension.from_user);
+          extension.undrawn, extension.optional_with_fallback, extension.khronos_validator,
+          extension.must_be_required, extension.fallback, extension.fallback_extensions,
+          extension.image_mime_types, extension.vertex_attributes, extension.morph_attributes,
+          extension.instance_attributes, extension.successor, extension.generations,
+          extension.upgrade, extension.enum_additions, extension.from_user);
 }
 
 template <class Archive>

@@ -13,7 +13,7 @@ namespace gltfx::schema {
 namespace {
 
 constexpr std::uint64_t kMagic =
-    0x6778'5363'6865'0009;  // its last digits count the format's versions
+    0x6778'5363'6865'000a;  // its last digits count the format's versions
 
 class Writer {
  public:

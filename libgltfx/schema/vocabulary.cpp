@@ -119,6 +119,7 @@ constexpr std::array kExtension{
     Word{"overriddenBy", F::relations},
     Word{"strength", F::nonempty_text},
     Word{"standalone", F::flag},
+    Word{"undrawn", F::flag},
     Word{"mustBeRequired", F::requirement},
     Word{"fallback", F::nonempty_text},
     Word{"fallbackExtensions", F::names},

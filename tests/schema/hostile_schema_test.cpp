@@ -47,7 +47,7 @@ const char* const kEverything = R"({
   "spec": "https://example.com", "excludes": [{"extension": "KHR_materials_unlit", "because": "b"}],
   "requires": [{"extension": "KHR_materials_ior", "because": "b", "severity": "error"}],
   "overriddenBy": [{"extension": "KHR_materials_volume", "because": "b"}], "mustBeRequired": "without-fallback",
-  "fallback": "name", "strength": "a", "standalone": true, "imageMimeTypes": ["image/x"],
+  "fallback": "name", "strength": "a", "standalone": true, "undrawn": true, "imageMimeTypes": ["image/x"],
   "vertexAttributes": {"_A": {"types": ["VEC3"], "components": ["FLOAT"]}}, "successor": "KHR_materials_volume",
   "enumAdditions": {"material/alphaMode": ["X"]},
   "generations": [{"name": "v1", "description": "1", "with": ["c"], "without": ["d"],

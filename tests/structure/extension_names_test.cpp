@@ -52,8 +52,7 @@ const std::map<std::string, std::string, std::less<>> kAllowed{
     {"libgltfx/steps/upgrade/object_textures.cpp",
      "compares what two textures show, for which the transform's members count with their "
      "defaults"},
-    {"libgltfx/prove/drawn_items.cpp",
-     "tells metadata, physics and sound from what is drawn, and asks whether a node is to be seen"},
+    {"libgltfx/prove/drawn_items.cpp", "asks whether a node is to be seen"},
     {"libgltfx/prove/drawn_materials.cpp", "which extensions a material as numbers covers"},
     {"libgltfx/prove/forget_undrawn.cpp",
      "mappings of variants mean the same in another order: a relation between them"},

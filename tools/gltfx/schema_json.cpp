@@ -221,6 +221,7 @@ void write_extension(Writer& writer, const Set& set, schema::ExtensionId id) {
   write_relations(writer, "requires", extension.requires_, true);
   write_relations(writer, "overriddenBy", extension.overridden_by, false);
   writer.member("standalone", extension.standalone);
+  writer.member("undrawn", extension.undrawn);
   members_if(writer, "imageMimeTypes", extension.image_mime_types);
   write_attributes(writer, "vertexAttributes", extension.vertex_attributes);
   write_attributes(writer, "morphAttributes", extension.morph_attributes);
