@@ -167,6 +167,10 @@ const DrawnEdit kUnseenEdits[] = {
      [](EditedAsset& a) {
        a.json["nodes"][0]["extensions"]["KHR_node_visibility"] = {{"visible", true}};
      }},
+    {"metadata, as the schema of its extension states",
+     [](EditedAsset& a) {
+       a.json["nodes"][0]["extensions"]["KHR_xmp_json_ld"] = {{"packet", 0}};
+     }},
     {"a channel that moves nothing",
      [](EditedAsset& a) {
        a.json["animations"][0]["samplers"].push_back({{"input", 6}, {"output", 8}});
