@@ -10,7 +10,6 @@
 
 #include "base/text.hpp"
 #include "model/inverse.hpp"
-#include "model/skin.hpp"
 #include "prove/column.hpp"
 
 namespace gltfx::prove {
@@ -117,6 +116,18 @@ void SkinPairs::compare(std::uint32_t ours, std::uint32_t theirs) {
   if (pair.has_place) pair.place = *place;
 }
 
+// The first joint of their skin whose partner is none of ours; empty: none.
+std::string SkinPairs::find_gained(const model::Skin& ours, const model::Skin& theirs) const {
+  const std::uint32_t nodes = all_.theirs.list("/nodes");
+  const std::set<model::NodeIndex> known(ours.joint_nodes.begin(), ours.joint_nodes.end());
+  for (const model::NodeIndex node : theirs.joint_nodes) {
+    const ItemId joint{nodes, node};
+    const ItemId partner = all_.match.ours(joint);
+    if (!partner || !known.contains(partner.index)) return Comparison::called(all_.theirs, joint);
+  }
+  return {};
+}
+
 void SkinPairs::tell_rest() {
   const std::uint32_t skins = all_.ours.list("/skins");
   const std::uint32_t nodes = all_.ours.list("/nodes");
@@ -173,14 +184,21 @@ void SkinPairs::tell_rest() {
       farthest = distance;
       worst = Comparison::called(all_.ours, joint);
     }
-    if (shared != here.skin.joint_nodes.size() || shared != there.skin.joint_nodes.size()) {
-      all_.log.add(add(
-          "skin.joints", "joints",
-          lost.empty() ? fmt::format("has {} joints in place of {}", there.skin.joint_nodes.size(),
-                                     here.skin.joint_nodes.size())
-                       : fmt::format("{} is no joint any more", lost)));
+    const std::string gained = find_gained(here.skin, there.skin);
+    const bool other_joints = !gained.empty() || shared != here.skin.joint_nodes.size() ||
+                              shared != there.skin.joint_nodes.size();
+    if (other_joints) {
+      const auto text = [&] {
+        if (!lost.empty()) return fmt::format("{} is no joint any more", lost);
+        if (!gained.empty()) return fmt::format("{} is a joint now", gained);
+        return fmt::format("has {} joints in place of {}", there.skin.joint_nodes.size(),
+                           here.skin.joint_nodes.size());
+      };
+      all_.log.add(add("skin.joints", "joints", text()));
     }
     if (farthest == 0 || explained_.contains({i, other.index})) continue;
+    // The matrices are the same: other joints have them.
+    if (other_joints && here.matrices == there.matrices) continue;
     Change change = add(
         "skin.bind", "inverseBindMatrices",
         fmt::format("the inverse bind matrix of {} differs by at most {:.4g}", worst, farthest));

@@ -4,9 +4,11 @@
 
 #include <map>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "model/skin.hpp"
 #include "prove/changes.hpp"
 
 namespace gltfx::prove {
@@ -34,6 +36,7 @@ class SkinPairs {
 
  private:
   void compare(std::uint32_t ours, std::uint32_t theirs);
+  std::string find_gained(const model::Skin& ours, const model::Skin& theirs) const;
 
   const Comparison& all_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, SkinPair> pairs_;

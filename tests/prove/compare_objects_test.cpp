@@ -173,5 +173,18 @@ TEST(CompareObjects, TellsExtrasOfExtensionsThatStoreData) {
               testing::HasSubstr("stored.name /bufferViews/0/extensions/EXT_meshopt_compression"));
 }
 
+TEST(CompareObjects, TellsAJointInThePlaceOfAnotherOne) {
+  const EditedAsset before =
+      EditedAsset::load(std::filesystem::path(GLTFX_SOURCE_DIR) / "fixtures/good/reed.gltf");
+  EditedAsset after = before;
+  Json& joints = after.json["skins"][0]["joints"];
+  joints[1] = joints[0];
+  for (const bool back : {false, true}) {
+    const std::string text = back ? changes_of(after, before) : changes_of(before, after);
+    EXPECT_THAT(text, testing::HasSubstr("; skin.joints /skins/0/joints "));
+    EXPECT_THAT(text, testing::Not(testing::HasSubstr("skin.bind")));
+  }
+}
+
 }  // namespace
 }  // namespace gltfx::prove
