@@ -83,6 +83,20 @@ class SoupReader {
     }
   }
 
+  unsigned arity() const {
+    if (model::draws_triangles(*primitive_.mode)) return 3;
+    return *primitive_.mode == model::Mode::points ? 1 : 2;
+  }
+
+  // Indices without data are zeros: all points are the first vertex, and nothing else shows.
+  bool assemble_zeros(std::uint32_t accessor) {
+    const auto indices = Column::open(side_, accessor);
+    if (!indices || !model::can_index_elements(indices->format().component)) return false;
+    soup_.arity = arity();
+    if (soup_.arity == 1 && vertices_ > 0) soup_.corners.assign(indices->count(), 0);
+    return true;
+  }
+
   bool assemble() {
     std::uint64_t vertices = UINT32_MAX;
     for (const SoupColumn& each : columns_) vertices = std::min(vertices, each.column.count());
@@ -90,16 +104,14 @@ class SoupReader {
     if (primitive_.indices && data_.packed() == nullptr) {
       // Their number is not bounded by bytes unless these are there.
       const auto indices = data_.open(primitive_.indices);
-      if (!indices) return false;
+      if (!indices) return assemble_zeros(*primitive_.indices);
       if (indices->implied() && !side_.affords_implied(indices->count())) return false;
     }
     model::Geometry geometry;
     if (!model::assemble(data_, vertices_, geometry)) return false;
     std::vector<std::uint32_t>& list = soup_.corners;
     list = std::move(geometry.points);
-    soup_.arity = model::draws_triangles(*primitive_.mode)  ? 3
-                  : *primitive_.mode == model::Mode::points ? 1
-                                                            : 2;
+    soup_.arity = arity();
     list.reserve(3 * geometry.triangles.size() + 2 * geometry.segments.size());
     for (const auto& each : geometry.triangles) list.insert(list.end(), each.begin(), each.end());
     for (const auto& each : geometry.segments) list.insert(list.end(), each.begin(), each.end());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -217,6 +218,21 @@ TEST(ComparePoses, SeesWhatSmallTurnsOfManyJointsDoTogether) {
   EXPECT_EQ(far.level, CompareLevel::differs) << sentences(far);
   EXPECT_THAT(sentences(far), HasSubstr("away, 'Wave' at 1 s"));
   EXPECT_EQ(between(arm(0.5F), arm(0.5F)).level, CompareLevel::identical);
+}
+
+TEST(CompareSurfaces, TakesIndicesWithoutDataForZeros) {
+  const std::string bytes(36, '\0');
+  const auto points = [&](const char* indices) {
+    return EditedAsset::made(fmt::format(R"({{
+      "asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0}}],
+      "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1, "mode": 0}}]}}],
+      "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}},
+                    {{{} "componentType": 5123, "count": 2, "type": "SCALAR"}}],
+      "bufferViews": [{{"buffer": 0, "byteLength": 36}}, {{"buffer": 0, "byteLength": 4}}]}})",
+                                         indices),
+                             bytes);
+  };
+  EXPECT_EQ(between(points(R"("bufferView": 1,)"), points("")).level, CompareLevel::storage);
 }
 
 }  // namespace
