@@ -21,19 +21,6 @@ std::optional<Transforms> transforms_of(const Side& side, const model::Node& nod
   return read_copies(side, node, budget);
 }
 
-// How far the corners of a box are apart under two transforms.
-double farthest_corner_of(const Content::Box& box, const model::Affine& one,
-                          const model::Affine& other) {
-  double square = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    const model::Vector3 a = one.point(box.corner(i));
-    const model::Vector3 b = other.point(box.corner(i));
-    const model::Vector3 apart{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-    square = std::max(square, model::dot(apart, apart));
-  }
-  return std::sqrt(square);
-}
-
 // The transform by which all copies differ: that of the first one with an inverse, if it brings
 // the mesh to where the copies have it.
 std::optional<model::Affine> common_place(const Transforms& ours, const Transforms& theirs,

@@ -85,16 +85,8 @@ class NodeComparison {
     const model::Affine above = all_.our_nodes.parent_world(node);
     const model::Affine before = above * all_.our_nodes.local(node).affine;
     const model::Affine after = above * all_.their_nodes.local(other).affine;
-    const Content::Box& box = all_.our_nodes.box(node);
-    double square = 0;
-    for (unsigned i = 0; i < 8; ++i) {
-      const model::Vector3 one = before.point(box.corner(i));
-      const model::Vector3 two = after.point(box.corner(i));
-      double sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) sum += (two[k] - one[k]) * (two[k] - one[k]);
-      square = std::max(square, sum);
-    }
-    return std::isfinite(square) ? std::sqrt(square) : kUnknown;
+    const double farthest = farthest_corner_of(all_.our_nodes.box(node), before, after);
+    return std::isfinite(farthest) ? farthest : kUnknown;
   }
 
   void compare_places() {
@@ -228,16 +220,8 @@ class NodeComparison {
     const model::Affine& before = all_.our_nodes.world(node);
     const model::Affine& after = all_.their_nodes.world(other);
     if (before == after) return;
-    const Content::Box& box = all_.our_nodes.box(node);
-    double square = 0;
-    for (unsigned i = 0; i < 8; ++i) {
-      const model::Vector3 one = before.point(box.corner(i));
-      const model::Vector3 two = after.point(box.corner(i));
-      double sum = 0;
-      for (std::size_t k = 0; k < 3; ++k) sum += (two[k] - one[k]) * (two[k] - one[k]);
-      square = std::max(square, sum);
-    }
-    const double part = all_.diagonal > 0 ? 100 * std::sqrt(square) / all_.diagonal : kUnknown;
+    const double farthest = farthest_corner_of(all_.our_nodes.box(node), before, after);
+    const double part = all_.diagonal > 0 ? 100 * farthest / all_.diagonal : kUnknown;
     Change change;
     change.kind = "node.moved";
     change.name = all_.our_name(ours(node));

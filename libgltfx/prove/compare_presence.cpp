@@ -109,6 +109,7 @@ bool shows_lost_node(const Comparison& all, const Half& half, std::uint32_t list
   while (!open.empty()) {
     const std::uint32_t at = open.back();
     open.pop_back();
+    if (!drawn.shows(at)) continue;
     if (drawn.shows_itself(at)) return true;
     for (const std::uint32_t child : half.nodes.children(at)) {
       if (!partner(all, half, {list, child})) open.push_back(child);
@@ -124,7 +125,7 @@ bool shows_lost(const Comparison& all, const Half& half, ItemId id) {
   const DrawnItems& drawn = *(half.ours ? all.our_drawn : all.their_drawn);
   if (list == "/nodes") return shows_lost_node(all, half, id.list, id.index);
   if (list == "/scenes") {
-    const auto& roots = half.nodes.roots();
+    const std::vector<std::uint32_t> roots = nodes_of_scene(half.content, id);
     return std::any_of(roots.begin(), roots.end(),
                        [&](std::uint32_t node) { return drawn.shows(node); });
   }

@@ -25,10 +25,27 @@ std::vector<model::NodeIndex> roots_of_all_scenes(const Content& content) {
 
 }  // namespace
 
+std::vector<bool> find_pointed_items(const Content& content, std::uint32_t list) {
+  std::vector<bool> pointed(list == kNoItem ? 0 : content.lists()[list].items.size(), false);
+  for (const graph::PointerText& pointer : content.side().graph().pointers()) {
+    for (const json::NodeId value : pointer.way) {
+      const ItemId item = content.find(value);
+      if (item && item.list == list) pointed[item.index] = true;
+    }
+  }
+  return pointed;
+}
+
 bool is_never_drawn(const Content& content, std::string_view extension) {
   const schema::Set& set = content.side().graph().set();
   const schema::ExtensionId id = set.find_extension(extension);
   return id != schema::kNone && set.extensions()[id].undrawn;
+}
+
+bool is_drawn_extension(const Content& content, std::string_view name, json::NodeId extension) {
+  const Side& side = content.side();
+  return side.document().is_object(extension) && side.graph().type(extension) != schema::kNone &&
+         !content.storage().contains(name) && !is_never_drawn(content, name);
 }
 
 bool places_copies(std::string_view extension) { return extension == "EXT_mesh_gpu_instancing"; }
@@ -58,9 +75,7 @@ bool DrawnItems::has_drawn_extension(const model::Node& node) const {
   if (node.extensions == json::kNoNode || !side.document().is_object(node.extensions)) return false;
   for (const auto member : side.document().members(node.extensions)) {
     const std::string_view name = side.document().key(member.key_id);
-    const bool known =
-        side.document().is_object(member.value) && side.graph().type(member.value) != schema::kNone;
-    if (!known || content_.storage().contains(name) || is_never_drawn(content_, name)) continue;
+    if (!is_drawn_extension(content_, name, member.value)) continue;
     if (!places_copies(name) && name != kVisibility) return true;
   }
   return false;

@@ -12,8 +12,12 @@
 
 namespace gltfx::prove {
 
+/// The items of a list that JSON pointers lead to or into.
+std::vector<bool> find_pointed_items(const Content& content, std::uint32_t list);
 /// Whether an extension never changes a picture, as its schema states: metadata, physics, sound.
 bool is_never_drawn(const Content& content, std::string_view extension);
+/// Whether an extension with a schema says anything of a picture beyond how values are stored.
+bool is_drawn_extension(const Content& content, std::string_view name, json::NodeId extension);
 /// Whether an extension of a node only says where copies of its mesh are.
 bool places_copies(std::string_view extension);
 /// Whether an extension of a node leaves it as visible as it is without.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "prove/drawn_items.hpp"
+
 namespace gltfx::prove {
 namespace {
 
@@ -12,20 +14,6 @@ using model::Material;
 using model::RootArray;
 using Parameter = MaterialParameter;
 using Slot = MaterialSlot;
-
-// Materials that an animation changes.
-std::vector<bool> find_animated(const Content& content) {
-  const Side& side = content.side();
-  std::vector<bool> animated(side.asset().count(RootArray::materials));
-  const std::uint32_t materials = content.list("/materials");
-  for (const graph::PointerText& pointer : side.graph().pointers()) {
-    for (const json::NodeId value : pointer.way) {
-      const ItemId item = content.find(value);
-      if (item && item.list == materials) animated[item.index] = true;
-    }
-  }
-  return animated;
-}
 
 /// What an effect reads beside its strength.
 struct Effect {
@@ -142,8 +130,9 @@ bool is_covered_extension(std::string_view name) {
 DrawnMaterials::DrawnMaterials(const Comparison& comparison)
     : all_(comparison),
       images_(comparison),
-      our_animated_(find_animated(comparison.ours)),
-      their_animated_(find_animated(comparison.theirs)) {}
+      our_animated_(find_pointed_items(comparison.ours, comparison.ours.list("/materials"))),
+      their_animated_(find_pointed_items(comparison.theirs, comparison.theirs.list("/materials"))) {
+}
 
 DrawnMaterials::Looks DrawnMaterials::read(const Content& content,
                                            std::optional<std::uint32_t> material) {

@@ -96,6 +96,18 @@ std::vector<std::uint32_t> nodes_of_scene(const Content& content, ItemId scene) 
   return listed_nodes(content.side(), document.find(object, "nodes"));
 }
 
+double farthest_corner_of(const Content::Box& box, const model::Affine& one,
+                          const model::Affine& other) {
+  double square = 0;
+  for (unsigned i = 0; i < 8; ++i) {
+    const model::Vector3 a = one.point(box.corner(i));
+    const model::Vector3 b = other.point(box.corner(i));
+    const model::Vector3 apart{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    square = std::max(square, model::dot(apart, apart));
+  }
+  return std::sqrt(square);
+}
+
 double greatest_scale_of(const model::Affine& place) {
   double most = 0;
   for (std::size_t i = 0; i < 3; ++i) {

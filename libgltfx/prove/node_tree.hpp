@@ -82,6 +82,11 @@ class NodeTree {
 /// The nodes that a scene lists.
 std::vector<std::uint32_t> nodes_of_scene(const Content& content, ItemId scene);
 
+/// How far the corners of a box are apart under two transforms, at most; not a number or infinite
+/// where they are.
+double farthest_corner_of(const Content::Box& box, const model::Affine& one,
+                          const model::Affine& other);
+
 /// The greatest factor of a linear part.
 double greatest_scale_of(const model::Affine& place);
 

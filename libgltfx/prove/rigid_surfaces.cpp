@@ -42,19 +42,13 @@ RigidSurfaces::RigidSurfaces(const Content& content, const NodeTree& nodes,
 
 // Nodes that something moves and that do not count.
 std::vector<bool> RigidSurfaces::find_moved(Motions motions) const {
-  std::vector<bool> moved(nodes_.size(), false);
-  if (motions == Motions::all) return moved;
+  if (motions == Motions::all) return std::vector<bool>(nodes_.size(), false);
+  std::vector<bool> moved = find_pointed_items(content_, content_.list("/nodes"));
+  moved.resize(nodes_.size(), false);
   const Side& side = content_.side();
   for (const model::Animation& animation : side.views().animations) {
     for (const model::AnimationChannel& channel : animation.channels) {
       if (channel.node) moved[*channel.node] = true;
-    }
-  }
-  const std::uint32_t list = content_.list("/nodes");
-  for (const graph::PointerText& pointer : side.graph().pointers()) {
-    for (const json::NodeId value : pointer.way) {
-      const ItemId item = content_.find(value);
-      if (item && item.list == list) moved[item.index] = true;
     }
   }
   for (const std::uint32_t node : nodes_.order()) {
@@ -117,9 +111,7 @@ bool RigidSurfaces::says_more(json::NodeId owner, bool of_node) const {
   if (extensions == json::kNoNode || !document.is_object(extensions)) return false;
   for (const auto member : document.members(extensions)) {
     const std::string_view name = document.key(member.key_id);
-    const bool known = document.is_object(member.value) &&
-                       content_.side().graph().type(member.value) != schema::kNone;
-    if (!known || content_.storage().contains(name) || is_never_drawn(content_, name)) continue;
+    if (!is_drawn_extension(content_, name, member.value)) continue;
     if (!of_node || !places_copies(name)) return true;
   }
   return false;

@@ -51,24 +51,21 @@ double farthest_of(const model::Affine& a, const model::Affine& b) {
   return farthest;
 }
 
-// Of all meshes that a skin moves.
-void add_skinned_boxes(const Content& content, std::uint32_t skin, Content::Box& box) {
-  for (const model::Node& node : content.side().views().nodes) {
-    if (node.skin == skin && node.mesh) box.add(content.box(*node.mesh));
+// Of all meshes that each skin moves.
+std::vector<Content::Box> skinned_boxes(const Content& content) {
+  const Side& side = content.side();
+  std::vector<Content::Box> boxes(side.asset().count(model::RootArray::skins),
+                                  Content::Box::nothing());
+  for (const model::Node& node : side.views().nodes) {
+    if (node.skin && node.mesh) boxes[*node.skin].add(content.box(*node.mesh));
   }
+  return boxes;
 }
 
-// How far the corners of a box are apart; of an empty one, the entries of the matrices.
-double farthest_corner(const Content::Box& box, const model::Affine& a, const model::Affine& b) {
+// Of an empty box, how far the entries of the matrices are apart.
+double bind_movement(const Content::Box& box, const model::Affine& a, const model::Affine& b) {
   if (box.empty()) return farthest_of(a, b);
-  double square = 0;
-  for (unsigned i = 0; i < 8; ++i) {
-    const model::Vector3 one = a.point(box.corner(i));
-    const model::Vector3 other = b.point(box.corner(i));
-    const model::Vector3 between{other[0] - one[0], other[1] - one[1], other[2] - one[2]};
-    square = std::max(square, model::dot(between, between));
-  }
-  return std::sqrt(square);
+  return farthest_corner_of(box, a, b);
 }
 
 }  // namespace
@@ -132,6 +129,8 @@ void SkinPairs::tell_rest() {
   const std::uint32_t skins = all_.ours.list("/skins");
   const std::uint32_t nodes = all_.ours.list("/nodes");
   if (skins == kNoItem) return;
+  const std::vector<Content::Box> our_boxes = skinned_boxes(all_.ours);
+  const std::vector<Content::Box> their_boxes = skinned_boxes(all_.theirs);
   for (std::uint32_t i = 0; i < all_.ours.lists()[skins].items.size(); ++i) {
     const ItemId one{skins, i};
     const ItemId other = all_.match.theirs(one);
@@ -164,9 +163,8 @@ void SkinPairs::tell_rest() {
     double farthest = 0;
     double movement = 0;
     std::string worst;
-    Content::Box box = Content::Box::nothing();
-    add_skinned_boxes(all_.ours, i, box);
-    add_skinned_boxes(all_.theirs, other.index, box);
+    Content::Box box = our_boxes[i];
+    box.add(their_boxes[other.index]);
     for (std::size_t k = 0; k < here.skin.joint_nodes.size(); ++k) {
       const ItemId joint{nodes, here.skin.joint_nodes[k]};
       const ItemId partner = all_.match.theirs(joint);
@@ -178,7 +176,7 @@ void SkinPairs::tell_rest() {
       ++shared;
       const model::Affine& matrix = there.matrices[found->second];
       const double distance = farthest_of(here.matrices[k], matrix);
-      movement = std::max(movement, farthest_corner(box, here.matrices[k], matrix) *
+      movement = std::max(movement, bind_movement(box, here.matrices[k], matrix) *
                                         all_.our_nodes.greatest_scale(joint.index));
       if (distance <= farthest) continue;
       farthest = distance;

@@ -136,6 +136,9 @@ TEST(DrawnObjects, LeavesOutWhatIsNotDrawn) {
         asset.json["nodes"].push_back({{"name", "empty"}});
         asset.json["scenes"][0]["nodes"].push_back(6);
       },
+      [](EditedAsset& asset) {
+        asset.json["scenes"].push_back({{"name", "empty"}});
+      },
   };
   for (const auto& edit : edits) EXPECT_EQ(drawn_changes(edit), "storage");
 }
